@@ -124,7 +124,9 @@ private:
     }
 
     void read_surface(base::ConfigSection section) {
-        settings_.surface.append(kBackends[section.choice("backend", kBackends, 0)]);
+        std::size_t backend = 0;
+        section.choose("backend", kBackends, backend);
+        settings_.surface.append(kBackends[backend]);
         const auto size = [&section](std::string_view key, std::uint32_t of_device) {
             // A device that could not be read has said so already.
             const std::int64_t fallback = of_device == 0 ? platform::kMinSurfacePx : of_device;

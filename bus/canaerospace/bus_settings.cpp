@@ -10,11 +10,6 @@ using base::Duration;
 
 constexpr double kMaxSeconds = 3600;
 
-template <class Choice, std::size_t N>
-void read_choice(ConfigSection& section, std::string_view key, const std::string_view (&names)[N], Choice& value) {
-    value = static_cast<Choice>(section.choice(key, base::Span<const std::string_view>(names), static_cast<std::size_t>(value)));
-}
-
 void read_duration(ConfigSection& section, std::string_view key, double low_s, double high_s, Duration& value) {
     value = Duration::from_seconds(section.number(key, low_s, high_s, value.to_seconds()));
 }
@@ -31,12 +26,12 @@ void read_dialect(ConfigSection section, BusDialect& dialect) {
     static constexpr std::string_view kVariations[] = {"east", "west"};
     static constexpr std::string_view kServiceCodes[] = {"invalid", "ignored"};
     dialect.accept_long_position = section.boolean("accept_long_position", dialect.accept_long_position);
-    read_choice(section, "acceleration_unit", kAccelerations, dialect.acceleration);
-    read_choice(section, "pressure_unit", kPressures, dialect.pressure);
-    read_choice(section, "heading_321_reference", kHeadings, dialect.heading);
-    read_choice(section, "wind_direction", kWinds, dialect.wind);
-    read_choice(section, "variation_positive", kVariations, dialect.variation);
-    read_choice(section, "service_code_not_zero", kServiceCodes, dialect.service_code);
+    section.choose("acceleration_unit", kAccelerations, dialect.acceleration);
+    section.choose("pressure_unit", kPressures, dialect.pressure);
+    section.choose("heading_321_reference", kHeadings, dialect.heading);
+    section.choose("wind_direction", kWinds, dialect.wind);
+    section.choose("variation_positive", kVariations, dialect.variation);
+    section.choose("service_code_not_zero", kServiceCodes, dialect.service_code);
     dialect.month_from_zero = section.boolean("month_from_zero", dialect.month_from_zero);
     dialect.glider_identifiers = section.boolean("glider_identifiers", dialect.glider_identifiers);
     read_byte(section, "redundancy_channels", 1, kMaxRedundancyChannels, dialect.redundancy_channels);
@@ -148,7 +143,8 @@ base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, 
     BusSettings settings;
     ConfigSection root = reader.root();
     static constexpr std::string_view kProtocols[] = {"canaerospace"};
-    (void)root.choice("protocol", base::Span<const std::string_view>(kProtocols), 0);
+    std::size_t protocol = 0;  // there is one so far
+    root.choose("protocol", kProtocols, protocol);
     read_dialect(root.section("dialect"), settings.dialect);
     read_phase(root.section("phase"), settings.phase);
     read_traffic(root.section("traffic"), settings.phase, settings.traffic);

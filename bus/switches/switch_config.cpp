@@ -36,7 +36,7 @@ void read_line(base::ConfigSection section, SwitchConfig& config) {
         (key == "chip" ? line.chip : line.name) = text;
     }
     line.active_low = section.boolean("active_low", false);
-    line.pull = static_cast<LinePull>(section.choice("pull", kPullNames, 0));
+    section.choose("pull", kPullNames, line.pull);
     const std::string full = std::string(line.chip.view()) + "." + std::string(line.name.view());
     if (config.find_line(full) != config.lines.size())
         section.fault("name", "line " + quoted(full) + " is listed twice; remove one");
@@ -109,7 +109,8 @@ base::Result<SwitchConfig, base::Error> load_switch_config(std::string_view text
     config.title = root.text("title", "");
     config.debounce = base::Duration::milliseconds(root.integer("debounce_ms", 0, 1000, 30));
     config.settle = base::Duration::milliseconds(root.integer("settle_ms", 0, 5000, 200));
-    const auto code = static_cast<Code>(root.choice("code", kCodeNames, static_cast<std::size_t>(Code::free)));
+    Code code = Code::free;
+    root.choose("code", kCodeNames, code);
     for (std::size_t i = 0; reader.ok() && i < root.table_count("line"); ++i) read_line(root.table_at("line", i), config);
     for (std::size_t i = 0; reader.ok() && i < root.table_count("pattern"); ++i)
         read_pattern(root.table_at("pattern", i), code, config);

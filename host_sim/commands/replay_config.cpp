@@ -90,7 +90,7 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.design = text_of(section, "design", picture.design);
     picture.device = text_of(section, "device", picture.device);
     picture.bus = text_of(section, "bus", picture.bus);
-    picture.gl = static_cast<GlChoice>(section.choice("gl", {kGlNames.data(), kGlNames.size()}, 0));
+    section.choose("gl", kGlNames, picture.gl);
     picture.tau_px = optional_number(section, "tau_px");
     if (section.has("weights")) picture.weights = weights_from(text_of(section, "weights", ""));
     std::array<std::string_view, scene::kMaxFoci> foci;
@@ -99,13 +99,10 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.deadline_ms = optional_number(section, "deadline_ms");
     picture.costs = text_of(section, "costs", "");
     picture.force_effects = section.boolean("force_effects", false);
-    constexpr auto& kViews = design::kSaliencyViewNames;
     if (section.has("saliency"))
-        picture.saliency = static_cast<design::SaliencyView>(1 + section.choice("saliency", {kViews.data(), kViews.size()}, 0));
-    constexpr auto& kClutterViews = design::kClutterViewNames;
+        section.choose("saliency", design::kSaliencyViewNames, picture.saliency.emplace(), design::SaliencyView::heat);
     if (section.has("clutter"))
-        picture.clutter =
-            static_cast<design::ClutterView>(1 + section.choice("clutter", {kClutterViews.data(), kClutterViews.size()}, 0));
+        section.choose("clutter", design::kClutterViewNames, picture.clutter.emplace(), design::ClutterView::edges);
     if (section.has("width") || section.has("height")) {
         picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)),
                                    static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
@@ -161,8 +158,7 @@ ReplayOptions load_replay_config(const std::string& path) {
     options.from_s = optional_number(root, "from_s");
     options.to_s = optional_number(root, "to_s");
     options.step_s = optional_number(root, "step_s");
-    if (root.has("frames"))
-        options.frames = static_cast<FrameOutput>(root.choice("frames", {kFrameNames.data(), kFrameNames.size()}, 0));
+    if (root.has("frames")) root.choose("frames", kFrameNames, options.frames.emplace());
     read_picture(root.section("picture"), options.picture);
     if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return options;

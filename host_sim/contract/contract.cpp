@@ -146,12 +146,11 @@ std::string plain_name(const ContractCondition& condition) {
 
 ContractCondition read_condition(base::ConfigSection section) {
     ContractCondition condition;
-    condition.measure = static_cast<ContractMeasure>(
-        section.choice("measure", {kContractMeasureNames, std::size(kContractMeasureNames)}, std::size(kContractMeasureNames)));
-    if (static_cast<std::size_t>(condition.measure) >= std::size(kContractMeasureNames)) {
+    if (!section.has("measure")) {
         section.fault("measure", "'measure' is missing; say what the condition measures, such as clutter");
         return {};
     }
+    section.choose("measure", kContractMeasureNames, condition.measure);
     condition.limit.for_s = section.number("for_s", 0, 3600, 0);
     condition.is_optional = section.boolean("optional", false);
     read_phases(section, condition);

@@ -6,7 +6,7 @@
 /// for what lies before it.
 ///
 /// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
-/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_view.hpp), and with the
+/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_schedule.hpp), and with the
 /// clutter of earlier frames, by which data give way (display/clutter_control.hpp).
 ///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
@@ -14,7 +14,7 @@
 /// every kKeepEvery frames.
 ///
 /// Which labels stand, and how much hazards raise the weights of aspects, follows from all epochs of half a second since the
-/// log's start (display/element_labels.hpp, display/raised_weights.hpp): each is decided once, by the instant at which it begins
+/// log's start (display/element_labels.hpp, policy/priority_boost.hpp): each is decided once, by the instant at which it begins
 /// and the design of the frame before, without the frames between; their memory is kept every kKeepEvery epochs, and of the last
 /// kKeptEpochs.
 #pragma once

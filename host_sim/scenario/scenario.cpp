@@ -104,8 +104,8 @@ void read_kind(ConfigSection& section, Leg& leg) {
 
 Leg read_leg(ConfigSection section) {
     Leg leg;
-    leg.kind = static_cast<LegKind>(section.choice("kind", {kKinds.data(), kKinds.size()}, 0));
-    leg.stated_by = static_cast<PhaseStatedBy>(section.choice("stated_by", {kStatedBy.data(), kStatedBy.size()}, 0));
+    section.choose("kind", kKinds, leg.kind);
+    section.choose("stated_by", kStatedBy, leg.stated_by);
     const flight::ParsedPhase phase = flight::phase_from_name(section.text("phase"));
     if (!phase.ok) section.fault("phase", "no such flight phase; say for example takeoff.first_climb");
     leg.phase = phase.phase;

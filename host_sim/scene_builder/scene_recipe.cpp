@@ -14,7 +14,6 @@ namespace tedavis::host_sim {
 namespace {
 
 using base::ConfigSection;
-using Texts = base::Span<const std::string_view>;
 
 constexpr std::array<std::string_view, 5> kShapes = {"grid", "points", "lines", "areas", "meshes"};
 constexpr std::array<std::string_view, 3> kDatums = {"msl", "ellipsoid", "ground"};
@@ -75,8 +74,8 @@ void hold_to_spread(ConfigSection& section, const UncertaintyRecipe& uncertainty
 UncertaintyRecipe read_uncertainty(ConfigSection section, const LayerRecipe& layer) {
     UncertaintyRecipe uncertainty;
     if (!section.present()) return uncertainty;
-    uncertainty.kind = static_cast<scene::UncertaintyKind>(section.choice("kind", Texts(kKinds.data(), kKinds.size()), 0));
-    uncertainty.scope = static_cast<scene::UncertaintyScope>(section.choice("scope", Texts(kScopes.data(), kScopes.size()), 0));
+    section.choose("kind", kKinds, uncertainty.kind);
+    section.choose("scope", kScopes, uncertainty.scope);
     uncertainty.variable = text(section, "variable");
     uncertainty.source = text(section, "source");
     uncertainty.value = number(section, "value");
@@ -124,7 +123,7 @@ AttributeRecipe read_attribute(ConfigSection section, const LayerRecipe& layer) 
     attribute.title = text(section, "title", can_be_title ? attribute.name : "");
     attribute.unit = text(section, "unit");
     attribute.variable = text(section, "variable", attribute.name);
-    attribute.scale = static_cast<scene::AttributeScale>(section.choice("scale", Texts(kScales.data(), kScales.size()), 2));
+    section.choose("scale", kScales, attribute.scale);
     attribute.classes = texts(section, "classes");
     const bool is_classed = attribute.scale != scene::AttributeScale::quantitative;
     if (is_classed == attribute.classes.empty())
@@ -172,9 +171,7 @@ void read_times(ConfigSection& section, LayerRecipe& layer) {
 }
 
 void read_heights(ConfigSection& section, LayerRecipe& layer) {
-    if (section.has("height_datum"))
-        layer.height_datum =
-            static_cast<scene::HeightDatum>(section.choice("height_datum", Texts(kDatums.data(), kDatums.size()), 0));
+    if (section.has("height_datum")) section.choose("height_datum", kDatums, layer.height_datum.emplace());
     layer.aircraft = text(section, "aircraft");
     layer.name_variable = text(section, "name_variable", layer.name_variable);
     layer.time_variable = text(section, "time_variable");
@@ -192,8 +189,7 @@ LayerRecipe read_layer(ConfigSection section) {
     layer.title = text(section, "title", layer.name);
     layer.source = std::string(section.text("source"));
     layer.licence = text(section, "licence");
-    layer.role = static_cast<scene::LayerRole>(
-        section.choice("role", Texts(scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()), 0));
+    section.choose("role", scene::kLayerRoleNames, layer.role);
     layer.importance = static_cast<std::uint8_t>(section.integer("importance", 0, 255, 128));
     read_times(section, layer);
     read_heights(section, layer);
@@ -203,7 +199,9 @@ LayerRecipe read_layer(ConfigSection section) {
     layer.model = text(section, "model");
     layer.wind_layer = text(section, "wind_layer");
     layer.wind_time_ns = instant(section, "wind_time");
-    layer.members = std::string(kMembers[section.choice("members", Texts(kMembers.data(), kMembers.size()), 0)]);
+    std::size_t members = 0;
+    section.choose("members", kMembers, members);
+    layer.members = std::string(kMembers[members]);
     layer.keep_members = static_cast<std::size_t>(section.integer("keep_members", 0, scene::kMaxMembers, 0));
     if (layer.keep_members == 1) section.fault("keep_members", "must be 0, or 2 to 16: one member alone is no ensemble");
     if (layer.keep_members > 0 && layer.members == "none")

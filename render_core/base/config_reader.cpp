@@ -155,16 +155,15 @@ std::string_view ConfigSection::text(std::string_view key) {
     return value.value_or(std::string_view());
 }
 
-std::size_t ConfigSection::choice(std::string_view key, Span<const std::string_view> choices, std::size_t fallback) {
-    if (!has(key)) return fallback;
+std::size_t ConfigSection::index_among(Span<const std::string_view> names, std::string_view key) {
     const std::string_view value = text(key);
     std::string list;
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (value == choices[i]) return i;
-        list += (i > 0 ? ", " : "") + std::string(choices[i]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (value == names[i]) return i;
+        list += (i > 0 ? ", " : "") + std::string(names[i]);
     }
     fault(key, quoted(key) + " must be one of: " + list);
-    return fallback;
+    return 0;
 }
 
 void ConfigSection::numbers(std::string_view key, double low, double high, Span<double> out) {

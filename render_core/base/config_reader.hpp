@@ -33,14 +33,12 @@ public:
     bool boolean(std::string_view key, bool fallback);
     std::string_view text(std::string_view key, std::string_view fallback);
     std::string_view text(std::string_view key);
-    /// One of `choices` (its index); faults list the choices.
-    std::size_t choice(std::string_view key, Span<const std::string_view> choices, std::size_t fallback);
     /// Sets `value` (an enumeration, a bool or an index) to what the name at this key stands for: names[0] for `first`, the
     /// others for what follows it. Absent it stays; faults list the names and set `first`.
     template <class Value>
     void choose(std::string_view key, Span<const std::string_view> names, Value& value, Value first = Value()) {
         static_assert(std::is_enum_v<Value> || std::is_same_v<Value, bool> || std::is_same_v<Value, std::size_t>);
-        if (has(key)) value = static_cast<Value>(static_cast<std::size_t>(first) + choice(key, names, 0));
+        if (has(key)) value = static_cast<Value>(static_cast<std::size_t>(first) + index_among(names, key));
     }
     /// Fills `out` from an array of exactly out.size() numbers; absent leaves it untouched.
     void numbers(std::string_view key, double low, double high, Span<double> out);
@@ -64,6 +62,8 @@ private:
     friend class ConfigReader;
     ConfigSection(ConfigReader* reader, const void* table) : reader_(reader), table_(table) {}
     const void* find(std::string_view key, bool required);
+    /// Where the text at this key stands among the names; 0 after a fault.
+    std::size_t index_among(Span<const std::string_view> names, std::string_view key);
     ConfigReader* reader_;
     const void* table_;
 };

@@ -14,10 +14,8 @@ void read_adjacent_view(base::ConfigSection section, PaletteSource& palettes, Ad
     if (view.layer.cut()) fault_of(section, "layer", "is longer than 31 bytes; no layer has such a name");
     if (view.attribute.cut()) fault_of(section, "attribute", "is longer than 31 bytes; no attribute has such a name");
     if (section.has("layer") == section.has("role")) fault_of(section, "layer", "or 'role' says what is shown; give one of them");
-    view.role =
-        static_cast<scene::LayerRole>(section.choice("role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
-    view.shows = static_cast<AdjacentShows>(
-        section.choice("shows", {kAdjacentShowsNames.data(), kAdjacentShowsNames.size()}, static_cast<std::size_t>(view.shows)));
+    section.choose("role", scene::kLayerRoleNames, view.role);
+    section.choose("shows", kAdjacentShowsNames, view.shows);
     view.range_m = section.number("range_m", 500, 1'000'000, view.range_m);
     view.size = section.number("size", 1.5, 5, view.shows == AdjacentShows::members ? 2.5 : view.size);
     view.cells = static_cast<std::uint32_t>(section.integer("cells", kLeastCells, kMostCells, view.cells));

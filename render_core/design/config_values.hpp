@@ -1,8 +1,6 @@
 /// What the readers of design files share: colours, and faults that name their key.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <string_view>
 
 #include "render_core/base/config_reader.hpp"
@@ -17,12 +15,5 @@ void fault_of(base::ConfigSection& section, std::string_view key, std::string_vi
 
 /// Absent it stays.
 void read_color(base::ConfigSection& section, std::string_view key, Color& color);
-
-/// The key "technique", one of the names of an enumeration's values; absent it stays.
-template <class Enum, std::size_t N>
-void read_technique(base::ConfigSection& section, const std::array<std::string_view, N>& names, Enum& value) {
-    const base::Span<const std::string_view> choices(names.data(), names.size());
-    value = static_cast<Enum>(section.choice("technique", choices, static_cast<std::size_t>(value)));
-}
 
 }  // namespace tedavis::design

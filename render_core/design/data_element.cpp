@@ -63,7 +63,7 @@ void read_cues(ConfigSection& section, DataElement& element) {
 }
 
 void read_uncertainty(ConfigSection section, DataElement& element) {
-    read_technique(section, kElementUncertaintyNames, element.uncertainty);
+    section.choose("technique", kElementUncertaintyNames, element.uncertainty);
     element.uncertainty_strength = section.number("strength", 0, 1, element.uncertainty_strength);
     element.uncertainty_levels = static_cast<std::uint32_t>(section.integer("levels", 0, kMaxClasses, 0));
     if (element.uncertainty_levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 to 16");
@@ -74,10 +74,8 @@ void read_layer(ConfigSection& section, DataElement& element) {
     const bool has_layer = section.has("layer"), has_role = section.has("role"), has_own = section.has("own");
     if (int{has_layer} + int{has_role} + int{has_own} != 1)
         return fault_of(section, "layer", "or 'role' or 'own' says what is shown; give one of them");
-    if (has_own) element.own = static_cast<OwnData>(1 + section.choice("own", kOwnDataNames, 0));
-    if (section.has("role"))
-        element.role = static_cast<scene::LayerRole>(
-            section.choice("role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
+    section.choose("own", kOwnDataNames, element.own, OwnData::trail);
+    section.choose("role", scene::kLayerRoleNames, element.role);
 }
 
 /// Glyphs stand for the mean of several places, and of kinds there is none.
@@ -94,7 +92,7 @@ bool may_show_kinds(DataTechnique technique) {
 DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     DataElement element;
     read_layer(section, element);
-    read_technique(section, kDataTechniqueNames, element.technique);
+    section.choose("technique", kDataTechniqueNames, element.technique);
     if (section.has("color")) element.color = required_color(section, "color");
     read_encoding(section, palettes, "attribute", {}, element.by_color);
     read_encoding(section, palettes, "second_attribute", {"second_palette", "second_classes", "second_breaks"},

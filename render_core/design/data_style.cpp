@@ -21,9 +21,7 @@ std::size_t gradations_of_detail(double detail) {
 }
 
 void read_uncertainty(ConfigSection section, GroundUncertainty& uncertainty) {
-    uncertainty.technique = static_cast<IntrinsicUncertainty>(
-        section.choice("technique", {kIntrinsicUncertaintyNames.data(), kIntrinsicUncertaintyNames.size()},
-                       static_cast<std::size_t>(uncertainty.technique)));
+    section.choose("technique", kIntrinsicUncertaintyNames, uncertainty.technique);
     uncertainty.strength = section.number("strength", 0, 1, uncertainty.strength);
     uncertainty.levels = static_cast<std::uint32_t>(section.integer("levels", 0, kMaxClasses, uncertainty.levels));
     if (uncertainty.levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 to 16");
@@ -31,9 +29,7 @@ void read_uncertainty(ConfigSection section, GroundUncertainty& uncertainty) {
 }
 
 void read_overlay(ConfigSection section, GroundOverlay& overlay) {
-    overlay.technique = static_cast<UncertaintyOverlay>(
-        section.choice("technique", {kUncertaintyOverlayNames.data(), kUncertaintyOverlayNames.size()},
-                       static_cast<std::size_t>(overlay.technique)));
+    section.choose("technique", kUncertaintyOverlayNames, overlay.technique);
     overlay.strength = section.number("strength", 0, 1, overlay.strength);
     const std::uint32_t most = overlay.technique == UncertaintyOverlay::grid ? kMostMeshWidths : kMaxClasses;
     overlay.levels = static_cast<std::uint32_t>(section.integer("levels", 0, most, overlay.levels));
@@ -56,8 +52,7 @@ void read_ground(ConfigSection section, PaletteSource& palettes, GroundData& gro
     ground.opacity = section.number("opacity", 0, 1, ground.opacity);
     ground.shown_from = section.number("shown_from", -1e12, 1e12, ground.shown_from);
     if (section.has("height_m")) ground.height_m = section.number("height_m", -1000, 100'000);
-    ground.members = static_cast<GroundMembers>(section.choice(
-        "members", {kGroundMembersNames.data(), kGroundMembersNames.size()}, static_cast<std::size_t>(ground.members)));
+    section.choose("members", kGroundMembersNames, ground.members);
     ground.member_s = section.number("member_seconds", 0.5, 60, ground.member_s);
     read_uncertainty(section.section("uncertainty"), ground.uncertainty);
     if (ground.scale.palette.is_nominal() && ground.uncertainty.technique == IntrinsicUncertainty::blur)

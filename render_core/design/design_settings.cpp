@@ -7,14 +7,18 @@ namespace {
 
 using base::ConfigSection;
 
+enum class WarningProfile : std::uint8_t { egpws, garmin, custom };
+constexpr std::string_view kWarningProfileNames[] = {"egpws", "garmin", "custom"};
+
 void read_angle(ConfigSection& section, std::string_view key, double low_deg, double high_deg, double& angle_rad) {
     angle_rad = base::radians(section.number(key, low_deg, high_deg, base::degrees(angle_rad)));
 }
 
 void read_mode(ConfigSection& section, ViewSettings& view) {
     static constexpr std::string_view kModes[] = {"3d", "map"}, kProjections[] = {"perspective", "orthographic"};
-    view.mode = static_cast<ViewMode>(section.choice("mode", kModes, static_cast<std::size_t>(view.mode)));
-    const bool is_parallel = section.choice("projection", kProjections, 0) == 1;
+    section.choose("mode", kModes, view.mode);
+    bool is_parallel = false;
+    section.choose("projection", kProjections, is_parallel);
     if (!is_parallel) return;
     if (view.mode == ViewMode::map)
         fault_of(section, "projection", "is of mode 3d; the map shows equal lengths alike anyway, leave it out");
@@ -24,8 +28,7 @@ void read_mode(ConfigSection& section, ViewSettings& view) {
 }
 
 void read_reference(ConfigSection& section, ViewSettings& view) {
-    view.reference =
-        static_cast<Reference>(section.choice("reference", kReferenceNames, static_cast<std::size_t>(view.reference)));
+    section.choose("reference", kReferenceNames, view.reference);
     view.flat_msl_m = section.number("flat_msl_m", -500, 9000, view.flat_msl_m);
     if (view.reference == Reference::flat && view.mode == ViewMode::perspective)
         fault_of(
@@ -38,8 +41,7 @@ void read_view(ConfigSection section, ViewSettings& view) {
     read_reference(section, view);
     read_angle(section, "look_down_deg", 25, 90, view.look_down_rad);
     read_angle(section, "look_turn_deg", -180, 180, view.look_turn_rad);
-    view.map_orientation = static_cast<MapOrientation>(
-        section.choice("map_orientation", kMapOrientationNames, static_cast<std::size_t>(view.map_orientation)));
+    section.choose("map_orientation", kMapOrientationNames, view.map_orientation);
     view.map_range_m = section.number("map_range_m", 500, 500'000, view.map_range_m);
     view.transition_s = section.number("transition_s", 0.5, 2, view.transition_s);
     read_angle(section, "horizontal_field_of_view_deg", 10, 120, view.horizontal_field_of_view_rad);
@@ -74,8 +76,7 @@ void read_texture_palette(ConfigSection& section, PaletteSource& palettes, Terra
 }
 
 void read_terrain(ConfigSection section, PaletteSource& palettes, TerrainSettings& terrain) {
-    terrain.renderer = static_cast<TerrainRenderer>(
-        section.choice("renderer", kTerrainRendererNames, static_cast<std::size_t>(terrain.renderer)));
+    section.choose("renderer", kTerrainRendererNames, terrain.renderer);
     terrain.tau_px = section.number("tau_px", 0.1, 32, terrain.tau_px);
     terrain.conservative_up = section.boolean("conservative_up", terrain.conservative_up);
     read_color(section, "sea_color", terrain.sea);
@@ -129,12 +130,12 @@ void read_widening(ConfigSection section, WideningSettings& widening) {
 
 void read_warning(ConfigSection section, DesignSettings& design) {
     design.warning_colors = section.boolean("enabled", design.warning_colors);
-    static constexpr std::string_view kProfiles[] = {"egpws", "garmin", "custom"};
-    const std::size_t profile = section.choice("profile", kProfiles, 0);
-    if (profile == 2)
+    WarningProfile profile = WarningProfile::egpws;
+    section.choose("profile", kWarningProfileNames, profile);
+    if (profile == WarningProfile::custom)
         read_custom_bands(section, design.warning_bands);
     else
-        design.warning_bands = profile == 0 ? egpws_bands() : garmin_bands();
+        design.warning_bands = profile == WarningProfile::egpws ? egpws_bands() : garmin_bands();
     read_widening(section.section("widening"), design.widening);
 }
 
@@ -164,8 +165,7 @@ void read_symbology(ConfigSection section, SymbologySettings& shown) {
     shown.phase = section.boolean("phase", shown.phase);
     shown.legend = section.boolean("legend", shown.legend);
     static constexpr std::string_view kUnits[] = {"ft", "m"};
-    shown.legend_unit =
-        static_cast<HeightUnit>(section.choice("legend_unit", kUnits, static_cast<std::size_t>(shown.legend_unit)));
+    section.choose("legend_unit", kUnits, shown.legend_unit);
 }
 
 void refuse_grid_without_spacing(ConfigSection data, const DesignSettings& design) {

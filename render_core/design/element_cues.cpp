@@ -33,7 +33,7 @@ void read_element_cues(base::ConfigSection section, ElementCues& cues) {
         if (section.has(key) && !(cues.line_spacing_m > 0))
             return fault_of(section, key, "is of vertical lines, and there are none; give 'line_spacing_m' or 'line_spacing_nm'");
     cues.lines_to_ground = section.boolean("lines_to_ground", false);
-    cues.lines_move = static_cast<LineMotion>(section.choice("lines_move", kLineMotions, 0));
+    section.choose("lines_move", kLineMotions, cues.lines_move);
     cues.line_speed_mps = section.number("line_speed_mps", 0.1, kMostSpeed_mps, 0);
     const bool has_speed = section.has("line_speed_mps");
     if (cues.lines_move != LineMotion::still && !has_speed)

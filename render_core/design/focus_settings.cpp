@@ -11,11 +11,6 @@ using base::ConfigSection;
 
 constexpr double kLargestValue = 1e12;
 
-template <class Enum, std::size_t N>
-Enum read_choice(ConfigSection& section, std::string_view key, const std::array<std::string_view, N>& names, Enum value) {
-    return static_cast<Enum>(section.choice(key, {names.data(), N}, static_cast<std::size_t>(value)));
-}
-
 template <std::size_t N>
 void read_name(ConfigSection& section, std::string_view key, base::FixedString<N>& name) {
     name = section.text(key, "");
@@ -49,7 +44,7 @@ void read_place(ConfigSection& section, FocusSettings& focus) {
 void read_space(ConfigSection& section, FocusSettings& focus) {
     const bool is_path = focus.shape == FocusShape::path;
     if (is_path) focus.at = FocusAt::flight_path;
-    focus.at = read_choice(section, "at", kFocusAtNames, focus.at);
+    section.choose("at", kFocusAtNames, focus.at);
     if (is_path != (focus.at == FocusAt::flight_path))
         fault_of(section, "at", "and 'shape' do not fit: a path is at = \"flight_path\", and that is of no other shape");
     read_place(section, focus);
@@ -76,7 +71,7 @@ void read_values(ConfigSection& section, FocusOfData& data) {
     data.within = section.number("within", 0, kLargestValue, 0);
     data.similar = section.number("similar", 0, kLargestValue, 0);
     refuse(section, "within", !has_interval, "is of 'value' and 'extreme'; an interval says itself what is in it");
-    if (has_extreme) data.values = section.choice("extreme", kExtremes, 0) == 0 ? FocusValues::highest : FocusValues::lowest;
+    section.choose("extreme", kExtremes, data.values, FocusValues::highest);
     double ends[2]{};
     if (has_interval) section.numbers("interval", -kLargestValue, kLargestValue, ends);
     if (has_value) {
@@ -93,7 +88,7 @@ void read_data_focus(ConfigSection& section, FocusSettings& focus) {
     read_name(section, "layer", focus.data.layer);
     if (section.has("layer") == section.has("role"))
         return fault_of(section, "layer", "or 'role' says which data are meant; give one of them");
-    if (section.has("role")) focus.data.role = read_choice(section, "role", scene::kLayerRoleNames, scene::LayerRole::field);
+    section.choose("role", scene::kLayerRoleNames, focus.data.role);
     focus.data.attribute = section.text("attribute");
     if (focus.data.attribute.cut()) fault_of(section, "attribute", "is longer than 31 bytes; no attribute has such a name");
     read_values(section, focus.data);
@@ -104,7 +99,7 @@ void read_data_focus(ConfigSection& section, FocusSettings& focus) {
 void read_context(ConfigSection section, FocusSettings& focus) {
     const bool is_square = focus.shape == FocusShape::square || focus.shape == FocusShape::cuboid;
     if (is_square) focus.context.distance = scene::FocusDistance::chebyshev;
-    focus.context.distance = read_choice(section, "distance", scene::kFocusDistanceNames, focus.context.distance);
+    section.choose("distance", scene::kFocusDistanceNames, focus.context.distance);
     focus.context.width_m = section.number("width_m", 0, 500'000, focus.context.width_m);
     focus.context.levels = static_cast<std::uint32_t>(section.integer("levels", 0, 16, focus.context.levels));
 }
@@ -121,11 +116,11 @@ void read_look(ConfigSection ground, ConfigSection data, FocusSettings& focus) {
     look.saturation = data.number("saturation", 0, 1, look.saturation);
     look.size = data.number("size", 0.2, 1, look.size);
     look.aggregate = static_cast<std::uint32_t>(data.integer("aggregate", 1, 16, look.aggregate));
-    look.context = read_choice(data, "context", kFocusContextDataNames, look.context);
+    data.choose("context", kFocusContextDataNames, look.context);
 }
 
 void read_border(ConfigSection section, FocusBorder& border) {
-    border.kind = read_choice(section, "kind", kFocusBorderNames, border.kind);
+    section.choose("kind", kFocusBorderNames, border.kind);
     read_color(section, "color", border.color);
     border.width_px = section.number("width_px", 0.5, 20, border.width_px);
 }
@@ -133,7 +128,7 @@ void read_border(ConfigSection section, FocusBorder& border) {
 FocusSettings read_one(ConfigSection section) {
     FocusSettings focus;
     read_name(section, "name", focus.name);
-    focus.shape = read_choice(section, "shape", kFocusShapeNames, focus.shape);
+    section.choose("shape", kFocusShapeNames, focus.shape);
     focus.radius_m = section.number("radius_m", 10, 200'000, focus.radius_m);
     if (focus.shape == FocusShape::data)
         read_data_focus(section, focus);

@@ -23,10 +23,11 @@ struct UnitRange {
 constexpr UnitRange kRanges[] = {
     {-12'000, 9000, 1}, {-180, 180, base::radians(1)}, {-1e6, 1e6, 1}, {-500, 500, 1}, {-100, 100, 1}, {0, 1000, 1}};
 
-/// Index of the choice; absence is a fault.
-std::size_t required_choice(ConfigSection& section, std::string_view key, base::Span<const std::string_view> choices) {
-    if (!section.has(key)) static_cast<void>(section.text(key));
-    return section.choice(key, choices, 0);
+/// Absence is a fault.
+template <class Enum>
+void choose_required(ConfigSection& section, std::string_view key, base::Span<const std::string_view> names, Enum& value) {
+    static_cast<void>(section.text(key));
+    section.choose(key, names, value);
 }
 
 bool is_title(std::string_view text) {
@@ -74,8 +75,8 @@ void read_classes(ConfigSection& root, Palette& palette) {
 }
 
 void read_stops(ConfigSection& root, Palette& palette) {
-    palette.unit = static_cast<PaletteUnit>(required_choice(root, "unit", kUnits));
-    palette.order = static_cast<PaletteOrder>(required_choice(root, "order", kOrders));
+    choose_required(root, "unit", kUnits, palette.unit);
+    choose_required(root, "order", kOrders, palette.order);
     if (palette.kind == PaletteKind::hypsometric && palette.unit != PaletteUnit::metres)
         fault_of(root, "unit", "of a hypsometric palette must be \"m\"");
     const std::size_t count = root.table_count("stop");
@@ -130,8 +131,8 @@ base::Result<Palette, base::Error> read_palette(std::string_view text, std::stri
     ConfigSection root = reader.root();
     Palette palette;
     read_names(root, palette);
-    palette.kind = static_cast<PaletteKind>(required_choice(root, "kind", kKinds));
-    palette.purpose = static_cast<PalettePurpose>(root.choice("purpose", kPurposes, 0));
+    choose_required(root, "kind", kKinds, palette.kind);
+    root.choose("purpose", kPurposes, palette.purpose);
     if (palette.is_nominal())
         read_classes(root, palette);
     else

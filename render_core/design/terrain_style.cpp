@@ -19,7 +19,7 @@ double read_angle(ConfigSection& section, std::string_view key, double low_deg, 
 void read_share(ConfigSection& section, std::string_view key, double& share) { share = section.number(key, 0, 1, share); }
 
 void read_texture(ConfigSection section, TerrainStyle& style) {
-    read_technique(section, kTerrainTextureNames, style.texture);
+    section.choose("technique", kTerrainTextureNames, style.texture);
     read_color(section, "plain_color", style.plain);
 }
 
@@ -51,11 +51,11 @@ void read_sun(ConfigSection& section, ShadeSettings& shade) {
 }
 
 void read_shade(ConfigSection section, ShadeSettings& shade) {
-    read_technique(section, kTerrainShadeNames, shade.technique);
+    section.choose("technique", kTerrainShadeNames, shade.technique);
     read_lights(section, shade);
     read_share(section, "ambient", shade.ambient);
     read_color(section, "ambient_color", shade.ambient_color);
-    shade.baked_normals = section.choice("normals", kNormalNames, shade.baked_normals ? 1 : 0) == 1;
+    section.choose("normals", kNormalNames, shade.baked_normals);
     read_sun(section, shade);
     shade.cast_shadows = section.boolean("cast_shadows", shade.cast_shadows);
     read_share(section, "ambient_occlusion", shade.ambient_occlusion);

@@ -5,7 +5,11 @@
 namespace tedavis::design {
 namespace {
 
-constexpr std::string_view kLayers[] = {"terrain", "data", "all"};
+enum class BlurredLayers : std::uint8_t { terrain, data, all };
+constexpr std::string_view kBlurredLayerNames[] = {"terrain", "data", "all"};
+/// As files name them; no surface here can show the last one.
+enum class StereoDevice : std::uint8_t { side_by_side, anaglyph, quad_buffer };
+constexpr std::string_view kStereoDeviceNames[] = {"side_by_side", "anaglyph", "quad_buffer"};
 
 void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
     if (!section.present()) return;
@@ -13,20 +17,20 @@ void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
     field.focus_near_m = section.number("focus_near_m", 0, 1e6, field.focus_near_m);
     field.focus_far_m = section.number("focus_far_m", 1, 1e6, field.focus_far_m);
     if (field.focus_near_m >= field.focus_far_m) fault_of(section, "focus_far_m", "must be farther than focus_near_m");
-    if (section.has("focus_role"))
-        field.focus_role = static_cast<scene::LayerRole>(
-            section.choice("focus_role", {scene::kLayerRoleNames.data(), scene::kLayerRoleNames.size()}, 0));
-    const std::size_t layers = section.choice("layers", kLayers, 2);
-    field.on_terrain = layers != 1;
-    field.on_data = layers != 0;
+    section.choose("focus_role", scene::kLayerRoleNames, field.focus_role);
+    BlurredLayers layers = BlurredLayers::all;
+    section.choose("layers", kBlurredLayerNames, layers);
+    field.on_terrain = layers != BlurredLayers::data;
+    field.on_data = layers != BlurredLayers::terrain;
 }
 
 void read_stereo(base::ConfigSection section, Stereo& stereo) {
-    constexpr std::string_view kModes[] = {"side_by_side", "anaglyph", "quad_buffer"};
     if (!section.present()) return;
-    const std::size_t mode = section.choice("mode", kModes, 0);
-    if (mode == 2) fault_of(section, "mode", "no surface here has a buffer for each eye; choose side_by_side or anaglyph");
-    stereo.mode = mode == 1 ? StereoMode::anaglyph : StereoMode::side_by_side;
+    StereoDevice device = StereoDevice::side_by_side;
+    section.choose("mode", kStereoDeviceNames, device);
+    if (device == StereoDevice::quad_buffer)
+        fault_of(section, "mode", "no surface here has a buffer for each eye; choose side_by_side or anaglyph");
+    stereo.mode = device == StereoDevice::anaglyph ? StereoMode::anaglyph : StereoMode::side_by_side;
     stereo.base_m = section.number("base_m", 0.01, 1000, stereo.base_m);
     stereo.screen_m = section.number("screen_m", 1, 1e6, stereo.screen_m);
 }
@@ -34,15 +38,15 @@ void read_stereo(base::ConfigSection section, Stereo& stereo) {
 void read_saliency(base::ConfigSection section, Saliency& saliency) {
     constexpr std::string_view kScales[] = {"picture", "fixed"};
     if (!section.present()) return;
-    const std::size_t view = section.choice("view", {kSaliencyViewNames.data(), kSaliencyViewNames.size()}, 0);
-    saliency.view = static_cast<SaliencyView>(1 + view);
-    saliency.scale = section.choice("scale", kScales, 0) == 1 ? SaliencyScale::fixed : SaliencyScale::picture;
+    saliency.view = SaliencyView::heat;
+    section.choose("view", kSaliencyViewNames, saliency.view, SaliencyView::heat);
+    section.choose("scale", kScales, saliency.scale);
 }
 
 void read_clutter(base::ConfigSection section, ViewEffects& effects) {
     if (!section.present()) return;
-    const std::size_t view = section.choice("view", {kClutterViewNames.data(), kClutterViewNames.size()}, 0);
-    effects.clutter = static_cast<ClutterView>(1 + view);
+    effects.clutter = ClutterView::edges;
+    section.choose("view", kClutterViewNames, effects.clutter, ClutterView::edges);
     if (effects.saliency.view != SaliencyView::none)
         fault_of(section, "view", "would lie over the saliency map; leave out [effects.saliency] or this table");
 }
@@ -66,8 +70,7 @@ void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMos
 void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
     effects.antialiasing = section.boolean("antialiasing", effects.antialiasing);
     effects.fade_s = section.number("fade_s", 0, kLongestFade_s, effects.fade_s);
-    effects.lighting = static_cast<PanelLighting>(section.choice(
-        "lighting", {kPanelLightingNames.data(), kPanelLightingNames.size()}, static_cast<std::size_t>(effects.lighting)));
+    section.choose("lighting", kPanelLightingNames, effects.lighting);
     read_color(section, "dusk_color", effects.dusk);
     read_color(section, "night_color", effects.night);
     read_depth_of_field(section.section("depth_of_field"), effects.depth_of_field);

@@ -46,7 +46,7 @@ public:
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
     void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
                   const flight::FlownWay* way = nullptr);
-    /// Decides the weights and labels of an epoch (raised_weights.hpp, element_labels.hpp) that begins at `now`, and plans
+    /// Decides the weights and labels of an epoch (policy/priority_boost.hpp, element_labels.hpp) that begins at `now`, and plans
     /// nothing else: what a replay does for every epoch from the log's start on, so that they are the same however a frame is
     /// reached. `phase`: of the frame before that instant, whose design the next frame shows.
     void approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);

@@ -197,11 +197,11 @@ std::uint32_t ElementLabels::suppressed(const design::DataElement& element, cons
     return planner_.suppressed(static_cast<std::uint32_t>(group_of(element, layer)));
 }
 
-ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* crowding)
+ElementLabels::Pass::Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* declutter)
     : labels_(labels),
       sheet_(sheet),
       inputs_(inputs),
-      crowding_(crowding),
+      declutter_(declutter),
       markers_(screen_of(sheet.view())),
       left_(screen_of(sheet.view())) {
     for (Group& group : labels.groups_) group.drawn = 0;
@@ -229,8 +229,8 @@ bool ElementLabels::Pass::find_left_room(const Label& label, const draw::Billboa
 LabelLevel ElementLabels::Pass::most_of(const Label& label, const draw::ElementInput& input) const {
     const LabelLevel most = std::max(label.level, label.wanted);
     const scene::DetailRegions* const regions =
-        crowding_ == nullptr ? nullptr
-                             : crowding_->regions_of(input.element, input.layer.entry->role, draw::is_protected(input.layer));
+        declutter_ == nullptr ? nullptr
+                             : declutter_->regions_of(input.element, input.layer.entry->role, draw::is_protected(input.layer));
     if (regions == nullptr) return most;
     const draw::SignView view{labels_.view_, sheet_.text_px()};
     return std::min(most, draw::level_left(input, draw::feature_of(label.key), view, labels_.settings_, *regions));

@@ -142,8 +142,8 @@ private:
 /// or the symbology covers it, is left to those that gave way.
 class ElementLabels::Pass {
 public:
-    /// All must stay. `crowding`: null: nothing gives way.
-    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* crowding);
+    /// All must stay. `declutter`: null: nothing gives way.
+    Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* declutter);
     /// What warns, before all other signs; then, in the room that is left, the others.
     void add_protected();
     void add_others();
@@ -167,7 +167,7 @@ private:
     ElementLabels& labels_;
     draw::BillboardSheet& sheet_;
     Inputs& inputs_;
-    const policy::Declutter* crowding_;
+    const policy::Declutter* declutter_;
     std::uint32_t lowered_ = 0;
     std::size_t protected_ = 0;  ///< labels, which come first
     draw::LabelRoom markers_;    ///< of them: their names leave it free

@@ -259,8 +259,8 @@ void ElementPlanner::plan_glyphs_of(std::size_t n, const ElementFrame& frame, dr
     const bool is_sampled = role == scene::LayerRole::field || role == scene::LayerRole::wind || role == scene::LayerRole::sample;
     report.detail_factor = is_sampled ? frame.detail_factor : 1;
     const scene::DetailRegions* const regions =
-        frame.crowding == nullptr ? nullptr
-                                  : frame.crowding->regions_of(*report.element, role, draw::is_protected(*report.layer));
+        frame.declutter == nullptr ? nullptr
+                                  : frame.declutter->regions_of(*report.element, role, draw::is_protected(*report.layer));
     report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet,
                                               report.detail_factor, &foci_[n], regions});
 }

@@ -41,7 +41,7 @@ struct ElementFrame {
     OwnFlightFrame own{};
     double detail_factor = 1;                     ///< of the detail of glyphs of fields
     const draw::FrameFoci* foci = nullptr;        ///< null: there are none
-    const policy::Declutter* crowding = nullptr;  ///< null: nothing gives way
+    const policy::Declutter* declutter = nullptr;  ///< null: nothing gives way
 };
 
 /// What the planned frame draws.
@@ -93,7 +93,7 @@ public:
     /// After plan() of the same frame, and what it makes of the legends: icons, names, diagrams and barbs, in the room that is
     /// left.
     void plan_signs(const ElementFrame& frame, const SignFrame& signs);
-    /// What gives way, again, of the planned frame with another crowding; plan_signs() must follow.
+    /// What gives way, again, of the planned frame with another declutter; plan_signs() must follow.
     void plan_detail(const ElementFrame& frame);
     /// What plan_signs() does where it has not been done for the frame's epoch: also of epochs that a replay passes over
     /// (element_labels.hpp). Of the middle eye.

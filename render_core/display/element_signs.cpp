@@ -45,7 +45,7 @@ void ElementPlanner::plan_signs(const ElementFrame& frame, const SignFrame& sign
     sheet_.begin({signs_, links_, frame.view, signs.text_px, signs.sight, signs.symbology, static_cast<float>(signs.margin_px),
                   static_cast<float>(signs.screen_begins_px)});
     LabelInputs inputs(*this, frame);
-    ElementLabels::Pass labels(labels_, sheet_, inputs, frame.crowding);
+    ElementLabels::Pass labels(labels_, sheet_, inputs, frame.declutter);
     labels.add_protected();
     plan_billboards(frame);
     labels.add_others();

@@ -8,11 +8,11 @@ namespace tedavis::display {
 namespace {
 
 /// Glyphs of fields and points, not those of the air round the own ship; and names.
-bool gives_way(const ElementReport& report, const policy::Declutter& crowding) {
+bool gives_way(const ElementReport& report, const policy::Declutter& declutter) {
     if (report.state != ElementState::shown || report.layer == nullptr) return false;
     const bool has_glyphs = is_glyph_technique(report.element->technique) && report.slot < GlyphElements::kSlots;
     return (has_glyphs || has_labels(*report.element, *report.layer)) &&
-           crowding.regions_of(*report.element, report.layer->entry->role, draw::is_protected(*report.layer)) != nullptr;
+           declutter.regions_of(*report.element, report.layer->entry->role, draw::is_protected(*report.layer)) != nullptr;
 }
 
 }  // namespace
@@ -117,9 +117,9 @@ void FramePlanner::plan_declutter() {
 }
 
 bool FramePlanner::has_what_gives_way() const {
-    const policy::Declutter crowding = policy::declutter_of(effects::least_detail(), look_.priority, memory_->weights);
+    const policy::Declutter declutter = policy::declutter_of(effects::least_detail(), look_.priority, memory_->weights);
     for (const ElementReport& report : elements_.reports())
-        if (gives_way(report, crowding)) return true;
+        if (gives_way(report, declutter)) return true;
     return false;
 }
 

@@ -49,9 +49,9 @@ void read_gl(base::ConfigSection section, DeviceCapability& capability) {
     constexpr std::string_view kLanes[] = {"es2", "es3"};
     constexpr std::string_view kClasses[] = {"es2", "es3", "sc2"};
     if (!section.present()) return;
-    capability.lane = static_cast<Lane>(section.choice("lane", kLanes, 0));
+    section.choose("lane", kLanes, capability.lane);
     GlRules& rules = capability.gl;
-    rules.calls = static_cast<CallClass>(section.choice("calls", kClasses, 0));
+    section.choose("calls", kClasses, rules.calls);
     read_call_names(section, "also", rules.also);
     read_call_names(section, "never", rules.never);
     read_ignored_faults(section, rules.ignored_faults);
@@ -97,7 +97,7 @@ void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
         base::ConfigSection section = root.table_at("budget", i);
         base::BudgetLine line;
         line.name = section.text("name");
-        line.kind = static_cast<base::MemoryKind>(section.choice("kind", kKinds, 0));
+        section.choose("kind", kKinds, line.kind);
         line.bytes = static_cast<std::uint64_t>(section.integer("bytes", 0, kMaxLineBytes));
         line.owner = section.text("owner");
         line.reason = section.text("reason");

@@ -11,13 +11,13 @@ const scene::DetailRegions* Declutter::regions_of(const design::DataElement& ele
 
 Declutter declutter_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
                        const design::AspectWeights& weights) noexcept {
-    Declutter crowding;
-    crowding.regions = regions;
-    if (crowding.regions.is_whole()) return crowding;
+    Declutter declutter;
+    declutter.regions = regions;
+    if (declutter.regions.is_whole()) return declutter;
     for (std::size_t n = 0; n < static_cast<std::size_t>(scene::LayerRole::count); ++n)
-        if (!priority.is_first(priority.aspect_of(static_cast<scene::LayerRole>(n)), weights)) crowding.roles |= 1u << n;
-    crowding.lowers_uncertainty = !priority.is_first(design::kUncertaintyAspect, weights);
-    return crowding;
+        if (!priority.is_first(priority.aspect_of(static_cast<scene::LayerRole>(n)), weights)) declutter.roles |= 1u << n;
+    declutter.lowers_uncertainty = !priority.is_first(design::kUncertaintyAspect, weights);
+    return declutter;
 }
 
 }  // namespace tedavis::policy

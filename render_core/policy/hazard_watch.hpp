@@ -4,7 +4,7 @@
 /// The way is straight ahead at the speed of the instant, for `hazard_ahead_s`. A hazard counts from 0 at its end to 1 at half of
 /// it, in eighths, by the time until the aircraft is within `hazard_within_m` of it aside, and a third of that above or below;
 /// terrain is looked at four times as often, on five lines along the way. A function of the instant alone: what is only just
-/// reached comes and goes (raised_weights.hpp steadies it). Heights and floors that are not stated count as if they were at the
+/// reached comes and goes (priority_boost.hpp steadies it). Heights and floors that are not stated count as if they were at the
 /// aircraft's own height; ground that is not known does not count, and is said otherwise.
 ///
 /// Bounded: kSteps places of the way, and every point of the layers. Thread  the display's.

@@ -44,8 +44,6 @@ TEST(ConfigReader, absent_keys_take_their_fallbacks) {
     EXPECT_EQ(root.integer("n", 0, 9, 4), 4);
     EXPECT_TRUE(root.boolean("b", true));
     EXPECT_EQ(root.text("t", "none"), "none");
-    const std::string_view choices[] = {"a", "b"};
-    EXPECT_EQ(root.choice("c", choices, 1), 1u);
     std::array<double, 2> v{5, 6};
     root.numbers("v", 0, 10, v);
     EXPECT_EQ(v[0], 5);
@@ -93,14 +91,6 @@ TEST(ConfigReader, lists_must_have_the_right_length_and_kind) {
     EXPECT_EQ(sentence_of("l = ['a', 'b', 'c']", texts), "x.toml:1: 'l' must be a list of at most 2 texts");
     EXPECT_NE(sentence_of("l = ['a', 2]", texts), "");
     EXPECT_NE(sentence_of("l = 'a'", texts), "");
-}
-
-TEST(ConfigReader, choices_are_listed) {
-    const std::string_view choices[] = {"day", "night"};
-    EXPECT_EQ(sentence_of("c = 'dusk'", [&](ConfigSection s) { s.choice("c", choices, 0); }),
-              "x.toml:1: 'c' must be one of: day, night");
-    ConfigReader reader("c = 'night'", "x.toml");
-    EXPECT_EQ(reader.root().choice("c", choices, 0), 1u);
 }
 
 enum class Light : std::uint8_t { none, day, night };

@@ -54,7 +54,7 @@ public:
         room.view = turned.view;
         room.begin();
         decide(now_s, time);
-        ElementLabels::Pass pass(labels, room.sheet, *this, crowding);
+        ElementLabels::Pass pass(labels, room.sheet, *this, declutter);
         pass.add_protected();
         pass.add_others();
         return pass.count();
@@ -73,7 +73,7 @@ public:
     BillboardRoom room;
     design::LabelSettings settings;
     bool shows_places = true;
-    const policy::Declutter* crowding = nullptr;
+    const policy::Declutter* declutter = nullptr;
 
 private:
     const draw::ElementInput* input(const design::DataElement& element, const scene::Layer& layer) override {
@@ -113,15 +113,15 @@ TEST(ElementLabels, AllElementsAreCountedAsOne) {
 
 /// In the left half of the picture, as the epoch saw it.
 TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
-    policy::Declutter crowding;
-    crowding.roles = 1u << static_cast<unsigned>(LayerRole::place) | 1u << static_cast<unsigned>(LayerRole::obstacle);
-    for (std::size_t n = 0; n < crowding.regions.factor.size(); ++n)
-        if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) crowding.regions.factor[n] = 0.25f;
+    policy::Declutter declutter;
+    declutter.roles = 1u << static_cast<unsigned>(LayerRole::place) | 1u << static_cast<unsigned>(LayerRole::obstacle);
+    for (std::size_t n = 0; n < declutter.regions.factor.size(); ++n)
+        if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) declutter.regions.factor[n] = 0.25f;
     Shown shown(
         scene_of({layer_of("places", LayerRole::place, {-1000, 1000}), layer_of("masts", LayerRole::obstacle, {-500, 1500})}));
     EXPECT_EQ(shown.frame(10).lowered, 0u);
     EXPECT_EQ(shown.drawn(0), 2u);
-    shown.crowding = &crowding;
+    shown.declutter = &declutter;
     const LabelCounts crowded = shown.frame(10.1);
     EXPECT_EQ(crowded.lowered, 1u);
     EXPECT_EQ(crowded.placed, 3u);
@@ -130,7 +130,7 @@ TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
     EXPECT_EQ(shown.drawn(1), 2u);
     EXPECT_EQ(shown.frame(10.2, 12).lowered, 1u) << "within an epoch nothing comes and goes with a turn";
     EXPECT_EQ(shown.frame(10.6, 40).lowered, 2u) << "as seen by the next one both are on the left";
-    crowding.roles = 0;
+    declutter.roles = 0;
     EXPECT_EQ(shown.frame(10.7, 40).lowered, 0u);
 }
 

@@ -27,11 +27,11 @@ design::PrioritySettings priority_of(double terrain, double data, double obstacl
     return priority;
 }
 
-bool gives_way(const Declutter& crowding, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
+bool gives_way(const Declutter& declutter, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
     design::DataElement element;
     element.technique = technique;
-    EXPECT_EQ(crowding.regions_of(element, role, true), nullptr) << "what warns";
-    return crowding.regions_of(element, role, false) != nullptr;
+    EXPECT_EQ(declutter.regions_of(element, role, true), nullptr) << "what warns";
+    return declutter.regions_of(element, role, false) != nullptr;
 }
 
 TEST(Declutter, WhatComesFirstNeverGivesWay) {
