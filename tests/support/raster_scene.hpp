@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,13 +17,35 @@
 
 namespace tedavis::test_support {
 
+/// The database of a raster, built once for all scenes of a process that show the same ground.
+inline const std::vector<std::uint8_t>& kept_image(const host_sim::Raster& raster) {
+    static std::map<std::string, std::vector<std::uint8_t>> kept;
+    std::string key = raster.source + '\n';
+    const auto add = [&key](const auto* first, std::size_t count) {
+        key.append(reinterpret_cast<const char*>(first), count * sizeof *first);
+    };
+    const double place[] = {static_cast<double>(raster.columns),
+                            static_cast<double>(raster.rows),
+                            raster.west_deg,
+                            raster.north_deg,
+                            raster.step_lon_deg,
+                            raster.step_lat_deg};
+    add(place, std::size(place));
+    add(&raster.vertical_datum, 1);
+    add(raster.height_m.data(), raster.height_m.size());
+    add(raster.post_class.data(), raster.post_class.size());
+    std::vector<std::uint8_t>& image = kept[key];
+    if (image.empty()) image = build_image(raster);
+    return image;
+}
+
 struct RasterScene {
     static constexpr std::uint32_t kWidth = 320, kHeight = 240;
 
     host_sim::Raster raster;
     BuiltDatabase built;
 
-    explicit RasterScene(const host_sim::Raster& r) : raster(r), built(raster) {}
+    explicit RasterScene(const host_sim::Raster& r) : raster(r), built(kept_image(raster)) {}
     /// `database` was built from the raster.
     RasterScene(const host_sim::Raster& r, std::vector<std::uint8_t> database) : raster(r), built(std::move(database)) {}
 
