@@ -87,8 +87,8 @@ std::vector<Row> rows_of(const Json& document, const std::string& name) {
     const auto timestamps = document.find("timestamp");
     if (!document.is_object() || timestamps == document.end() || !timestamps->is_object()) {
         throw UserError(name +
-                        ": neither a list of records nor a table of columns with `timestamp`; lay it out as README.md "
-                        "describes under \"ADS-B tables\"");
+                        ": neither a list of records nor a table of columns with `timestamp`; lay it out as "
+                        "host_sim/importers/README.md describes under \"ADS-B tables\"");
     }
     for (const auto& item : timestamps->items()) rows.emplace_back(document, item.key());
     return rows;

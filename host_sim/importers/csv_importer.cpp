@@ -84,7 +84,8 @@ public:
     ImportedFile finish() {
         if (file_.flights.empty())
             throw UserError(name_ +
-                            ": no row with a fix was found; give it the columns that README.md lists under \"Flights as CSV\"");
+                            ": no row with a fix was found; give it the columns that host_sim/importers/README.md lists under "
+                            "\"Flights as CSV\"");
         return std::move(file_);
     }
 
@@ -102,7 +103,8 @@ private:
             if (count > 1) refuse("the column `" + std::string(column_name) + "` stands twice; keep one");
             if (required && count == 0)
                 refuse("the column `" + std::string(column_name) +
-                       "` is missing from the first line; name the columns as README.md lists them under \"Flights as CSV\"");
+                       "` is missing from the first line; name the columns as host_sim/importers/README.md lists them under "
+                       "\"Flights as CSV\"");
         }
         if (has(Column::height_ellipsoid) && has(Column::height_msl))
             refuse("both `height_ellipsoid_m` and `height_msl_m` are given; keep the one that was measured");

@@ -6,8 +6,8 @@
 /// for what lies before it.
 ///
 /// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
-/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_schedule.hpp), and with the
-/// clutter of earlier frames, by which data give way (display/clutter_control.hpp).
+/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_schedule.hpp), and with
+/// the clutter of earlier frames, by which data give way (display/clutter_control.hpp).
 ///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor

@@ -51,8 +51,10 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
             const draw::DrawnDesign drawn = draw::drawn_as(*design, settings.device.capability.depth24_targets, has_focus);
             if (drawn.has_focus == has_focus) static_cast<void>(designs.try_push_back(drawn));
         }
-    const PainterStart start{settings.device, designs, settings.width_px, settings.height_px,
-                             planner_.stereo_margin_px(planner_.design_at(0))};
+    memory_.clutter.start(settings.device.capability.lane, designs);
+    const PainterStart start{settings.device,    designs,
+                             memory_.clutter,    settings.width_px,
+                             settings.height_px, planner_.stereo_margin_px(planner_.design_at(0))};
     if (base::Error error = planner_.start_symbology(arenas_.symbology())) return error;
     if (base::Error error = painter_.start(start, planner_)) return error;
     if (base::Error error = planner_.start_terrain(terrain, designs, arenas_.terrain())) return error;
@@ -79,7 +81,8 @@ bool Display::asks_for_rays(const DisplaySettings& settings) {
 }
 
 bool Display::can_show(const design::DesignSettings& possible) const {
-    return planner_.stereo_margin_px(possible) == painter_.abilities().stereo_margin_px && painter_.can_show(possible);
+    return planner_.stereo_margin_px(possible) == painter_.abilities().stereo_margin_px && memory_.clutter.can_show(possible) &&
+           painter_.can_show(possible);
 }
 
 bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {

@@ -230,7 +230,7 @@ LabelLevel ElementLabels::Pass::most_of(const Label& label, const draw::ElementI
     const LabelLevel most = std::max(label.level, label.wanted);
     const scene::DetailRegions* const regions =
         declutter_ == nullptr ? nullptr
-                             : declutter_->regions_of(input.element, input.layer.entry->role, draw::is_protected(input.layer));
+                              : declutter_->regions_of(input.element, input.layer.entry->role, draw::is_protected(input.layer));
     if (regions == nullptr) return most;
     const draw::SignView view{labels_.view_, sheet_.text_px()};
     return std::min(most, draw::level_left(input, draw::feature_of(label.key), view, labels_.settings_, *regions));

@@ -260,7 +260,7 @@ void ElementPlanner::plan_glyphs_of(std::size_t n, const ElementFrame& frame, dr
     report.detail_factor = is_sampled ? frame.detail_factor : 1;
     const scene::DetailRegions* const regions =
         frame.declutter == nullptr ? nullptr
-                                  : frame.declutter->regions_of(*report.element, role, draw::is_protected(*report.layer));
+                                   : frame.declutter->regions_of(*report.element, role, draw::is_protected(*report.layer));
     report.count = glyphs_.plan(report.slot, {frame.ground, frame.view, frame.missing, time_.utc.ns, time_.is_date, sheet,
                                               report.detail_factor, &foci_[n], regions});
 }

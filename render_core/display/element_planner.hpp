@@ -39,8 +39,8 @@ struct ElementFrame {
     design::Color missing;
     flight::FlightTime time;
     OwnFlightFrame own{};
-    double detail_factor = 1;                     ///< of the detail of glyphs of fields
-    const draw::FrameFoci* foci = nullptr;        ///< null: there are none
+    double detail_factor = 1;                      ///< of the detail of glyphs of fields
+    const draw::FrameFoci* foci = nullptr;         ///< null: there are none
     const policy::Declutter* declutter = nullptr;  ///< null: nothing gives way
 };
 

@@ -32,9 +32,8 @@ base::Error FramePainter::start(const PainterStart& start, const FramePlanner& p
     if (base::Error error = passes_.start(gl_, start.device, start.designs, width_px_ + 2 * margin_px, height_px_)) return error;
     if (shows_map || shows_heat)
         if (base::Error error = saliency_.start(gl_, budget, width_px_, height_px_, shows_map, shows_heat)) return error;
-    clutter_.start(start.device.capability.lane, start.designs);
-    if (clutter_.measures())
-        if (base::Error error = edges_.start(gl_, budget, width_px_, height_px_, clutter_.shows())) return error;
+    if (start.clutter.measures())
+        if (base::Error error = edges_.start(gl_, budget, width_px_, height_px_, start.clutter.shows())) return error;
     if (dims)
         if (base::Error error = dimmer_.start(gl_, budget)) return error;
     return symbology_.start(gl_, budget, planner.symbology());
@@ -88,9 +87,7 @@ draw::DrawnDesign FramePainter::drawn_design(const design::DesignSettings& desig
 
 bool FramePainter::can_show(const design::DesignSettings& possible) const {
     const bool is_dimmable = dimmer_.is_started() || possible.effects.lighting == design::PanelLighting::day;
-    if (!is_dimmable || !saliency_.can_show(possible.effects.saliency.view) || !clutter_.can_show(possible) ||
-        !elements_.can_show(possible))
-        return false;
+    if (!is_dimmable || !saliency_.can_show(possible.effects.saliency.view) || !elements_.can_show(possible)) return false;
     const design::DesignSettings weighted = design::weighted(possible);
     for (const design::DesignSettings* const design : {&weighted, &possible})
         for (const bool has_focus : {false, true}) {

@@ -33,6 +33,7 @@ struct DrawnFrame {
 struct PainterStart {
     effects::DeviceSettings& device;
     draw::DrawnDesigns designs;
+    const ClutterControl& clutter;  ///< what the designs ask for
     std::uint32_t width_px = 0, height_px = 0, stereo_margin_px = 0;
 };
 
@@ -102,7 +103,6 @@ private:
     draw::EdgePass edges_;
     draw::Dimmer dimmer_;
     draw::QuadDrawer symbology_;
-    ClutterControl clutter_;  ///< what the designs ask for
     DrawnFrame drawn_;
 };
 

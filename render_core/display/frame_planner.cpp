@@ -107,6 +107,10 @@ void FramePlanner::end() {
 void FramePlanner::set_camera() {
     frame_->look_key = look_key_;
     frame_->camera.terrain = terrain_.seen_from(frame_->camera.eye.view);
+    set_camera_data();
+}
+
+void FramePlanner::set_camera_data() {
     frame_->camera.data = elements_.planned();
     frame_->camera.casters = elements_.casters(look_.effects.shadows.casters);
 }

@@ -168,6 +168,7 @@ private:
     [[nodiscard]] effects::EffectSet asked() const;
     void count();
     void set_camera();
+    void set_camera_data();
     [[nodiscard]] effects::TerrainTolerance terrain_tolerance() const {
         return {look_.terrain.tau_px, look_.degradation.terrain_error_px};
     }

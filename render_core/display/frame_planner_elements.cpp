@@ -142,7 +142,7 @@ void FramePlanner::plan_probe(PlannerMemory& memory, PlannedFrame& frame) {
     frame_ = &frame;
     frame.declutter = policy::declutter_of(memory.clutter.step_regions(), look_.priority, memory.weights);
     plan_detail_again(false);
-    set_camera();
+    set_camera_data();
 }
 
 void FramePlanner::plan_measured(policy::Declutter planned, PlannerMemory& memory, PlannedFrame& frame) {
@@ -150,7 +150,7 @@ void FramePlanner::plan_measured(policy::Declutter planned, PlannerMemory& memor
     frame_ = &frame;
     plan_declutter();
     plan_detail_again(planned.regions.factor != frame.declutter.regions.factor);
-    set_camera();
+    set_camera_data();
     if (elements_.is_started()) elements_.labels().keep(memory.labels);
 }
 

@@ -57,7 +57,6 @@ struct PlannedFrame : FrameStatement {
     double eye_msl_m = 0;
     double map_share = 0;       ///< of the way from 3D to the map, 0..1
     bool is_free_view = false;  ///< the camera is nobody's
-    bool is_map = false;
     bool terrain_has_void = false;
     draw::HeightSpan heights;  ///< of the whole database
 

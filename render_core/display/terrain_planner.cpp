@@ -103,6 +103,7 @@ void TerrainPlanner::follow_painter(bool reads_pages, draw::TraceState tracer) {
 
 void TerrainPlanner::set_design(const draw::DrawnDesign& design) {
     if (!started_) return;
+    goes_off_screen_ = design.output != draw::TerrainOutput::color;
     design_trace_ = draw::trace_state_of(design);
     if (design_trace_ == draw::TraceState::traced) design_trace_ = tracer_;
     trace_ = design_trace_;
@@ -264,7 +265,7 @@ std::uint32_t TerrainPlanner::submitted_triangles(const terrain::View& view) con
 
 SeenTerrain TerrainPlanner::seen_from(const terrain::View& view) const {
     if (!started_) return {};
-    return {selected(), depth_plan(view), drawn_part(view), is_traced(), &database_};
+    return {selected(), depth_plan(view), goes_off_screen_ ? drawn_part(view) : draw::ScreenPart(), is_traced(), &database_};
 }
 
 draw::DepthPlan TerrainPlanner::depth_plan(const terrain::View& view) const {

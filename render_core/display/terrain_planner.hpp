@@ -145,6 +145,7 @@ private:
     base::Span<terrain::SelectedChunk> selected_;
     base::Span<terrain::WantedChunk> wanted_;
     DrapeState drape_ = DrapeState::not_asked_for;
+    bool goes_off_screen_ = false;  ///< the design that is drawn: a pass reads the part of the screen
     terrain::DrapeDetail drape_detail_;
     std::uint32_t chunks_ = 0;
     bool started_ = false;

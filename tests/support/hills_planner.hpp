@@ -3,11 +3,11 @@
 
 #include <memory>
 #include <stdexcept>
-#include <vector>
 
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/display/frame_planner.hpp"
 #include "tests/support/hills_display.hpp"
+#include "tests/support/kept_reservation.hpp"
 
 namespace tedavis::test_support {
 
@@ -22,8 +22,8 @@ public:
         settings.phases = phases;
         settings.width_px = 320;
         settings.height_px = 240;
-        block_.resize(static_cast<std::size_t>(display::DisplayMemory::bytes_needed(settings.device.budget)));
-        base::Arena reservation(block_.data(), block_.size());
+        reservation_ = std::make_unique<KeptReservation>(display::DisplayMemory::bytes_needed(settings.device.budget));
+        base::Arena reservation = reservation_->arena();
         must(planner_.take_designs(settings, memory));
         must(arenas_.cut(planner_.settings().device.budget, reservation));
         const draw::DrawnDesign only = draw::drawn_as(planner_.design_at(0), true, false);
@@ -58,7 +58,7 @@ private:
 
     MemoryBytes bytes_;
     base::SynchronousReader reader_;
-    std::vector<std::uint8_t> block_;
+    std::unique_ptr<KeptReservation> reservation_;
     display::DisplayMemory arenas_;
     display::FramePlanner planner_;
 };
