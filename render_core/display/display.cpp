@@ -51,7 +51,7 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
             const draw::DrawnDesign drawn = draw::drawn_as(*design, settings.device.capability.depth24_targets, has_focus);
             if (drawn.has_focus == has_focus) static_cast<void>(designs.try_push_back(drawn));
         }
-    memory_.clutter.start(settings.device.capability.lane, designs);
+    planner_.start_memory(designs, memory_);
     const PainterStart start{settings.device,    designs,
                              memory_.clutter,    settings.width_px,
                              settings.height_px, planner_.stereo_margin_px(planner_.design_at(0))};
@@ -66,7 +66,7 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
         if (base::Error error = planner_.start_elements(has_instances, arenas_.elements())) return error;
         if (base::Error error = painter_.start_elements(planner_, arenas_)) return error;
     }
-    planner_.follow_painter(painter, designs, memory_);
+    planner_.follow_painter(painter, designs);
     return {};
 }
 

@@ -55,16 +55,19 @@ base::Error FramePlanner::start_elements(bool has_instances, const ElementPlanne
     return elements_.start(has_instances, settings_.device.budget, memory);
 }
 
-void FramePlanner::follow_painter(const PainterAbilities& painter, draw::DrawnDesigns designs, PlannerMemory& memory) {
-    painter_ = painter;
-    if (terrain_.is_started()) terrain_.follow_painter(painter.reads_pages, painter.tracer);
-    terrain_.set_design(designs[0]);
-    terrain_look_key_ = look_key_;
+void FramePlanner::start_memory(draw::DrawnDesigns designs, PlannerMemory& memory) const {
     bool shows_saliency = false;
     for (const draw::DrawnDesign& drawn : designs)
         shows_saliency = shows_saliency || drawn.design->effects.saliency.view != design::SaliencyView::none;
     memory.saliency.start(settings_.device.capability.lane, shows_saliency);
     memory.clutter.start(settings_.device.capability.lane, designs);
+}
+
+void FramePlanner::follow_painter(const PainterAbilities& painter, draw::DrawnDesigns designs) {
+    painter_ = painter;
+    if (terrain_.is_started()) terrain_.follow_painter(painter.reads_pages, painter.tracer);
+    terrain_.set_design(designs[0]);
+    terrain_look_key_ = look_key_;
     note_intervals();
 }
 

@@ -38,7 +38,9 @@ class FramePlanner {
 public:
     /// Takes the designs, as the device can show them; before all else. What cannot be had is refused in one message.
     [[nodiscard]] base::Error take_designs(const DisplaySettings& settings, PlannerMemory& memory);
-    /// Of the designs that a painter was started with.
+    /// What the designs ask to be measured; a memory that was not started cannot be planned from.
+    void start_memory(draw::DrawnDesigns designs, PlannerMemory& memory) const;
+    /// Of the designs that a painter is started with.
     [[nodiscard]] base::Error start_terrain(const TerrainInput& terrain, draw::DrawnDesigns designs, const TerrainMemory& memory);
     [[nodiscard]] base::Error start_symbology(base::Arena& memory);
     /// `scene`: a scene database, or null. After start_terrain(), and after the painter's own start.
@@ -46,7 +48,7 @@ public:
     /// `has_instances`: draw::GlyphDrawer::has_instances() of the device. Where there are data to show, after start_scene().
     [[nodiscard]] base::Error start_elements(bool has_instances, const ElementPlanner::Memory& memory);
     /// What the painter can do; ends the start.
-    void follow_painter(const PainterAbilities& painter, draw::DrawnDesigns designs, PlannerMemory& memory);
+    void follow_painter(const PainterAbilities& painter, draw::DrawnDesigns designs);
 
     /// The frame of this input, which follows the one that left `memory`.
     void plan(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame);

@@ -32,7 +32,8 @@ public:
         must(planner_.start_scene(nullptr, arenas_.scene(), 0));
         display::PainterAbilities painter;
         painter.fades = design.effects.fade_s > 0;
-        planner_.follow_painter(painter, {&only, 1}, memory);
+        planner_.start_memory({&only, 1}, memory);
+        planner_.follow_painter(painter, {&only, 1});
     }
 
     [[nodiscard]] display::FramePlanner& planner() { return planner_; }
