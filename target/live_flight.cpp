@@ -44,7 +44,7 @@ void LiveFlight::start(base::Time now) {
     log_.write({opened.error().message.view()});
 }
 
-void LiveFlight::hear(base::Span<const bus::CanFrame> frames) {
+void LiveFlight::receive(base::Span<const bus::CanFrame> frames) {
     for (const bus::CanFrame& frame : frames) {
         const bus::IdentificationAnswer identity = bus::answer_identification(frame, node_);
         // An answer that the kernel does not take is asked for again.

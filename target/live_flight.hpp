@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bus::BusCounters counters(base::Time now) const { return memory_.assembler.snapshot(now).counters; }
 
 private:
-    void hear(base::Span<const bus::CanFrame> frames) override;
+    void receive(base::Span<const bus::CanFrame> frames) override;
     void report_bus(base::Time now);
     void report_switches();
 

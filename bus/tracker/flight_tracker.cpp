@@ -54,7 +54,7 @@ void FlightTracker::read_until(base::Time time) {
     for (std::uint32_t n = 0; n < ports_.max_batches && count == kFramesAtOnce; ++n) {
         count = ports_.can.read(time, base::Span<CanFrame>(batch));
         memory_.assembler.feed({batch, count});
-        if (ports_.listener != nullptr) ports_.listener->hear({batch, count});
+        if (ports_.listener != nullptr) ports_.listener->receive({batch, count});
     }
     memory_.assembler.note_dropped(ports_.can.statistics().dropped);
     read_switches(time);

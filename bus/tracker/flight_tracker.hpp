@@ -39,11 +39,11 @@ struct TrackerMemory {
 };
 static_assert(std::is_trivially_copyable_v<TrackerMemory>);
 
-/// What a tracker reads, and who hears it too.
+/// What a tracker reads, and who receives it too.
 struct TrackerPorts {
     CanSource& can;
     SwitchSource* panel = nullptr;      ///< null: there are no phase switches
-    FrameListener* listener = nullptr;  ///< null: nobody else listens
+    FrameListener* listener = nullptr;  ///< null: nobody else does
     /// Of 256 frames a reading: more than a frame's worth of the fastest bus, and what is left waits for the next reading. Who
     /// reads a recording asks for all.
     std::uint32_t max_batches = 64;

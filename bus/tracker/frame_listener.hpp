@@ -1,4 +1,4 @@
-/// Port: who else hears the frames that a tracker reads, such as one who counts or answers them.
+/// Port: who else receives the frames that a tracker reads, such as one who counts or answers them.
 #pragma once
 
 #include "bus/frame/can_frame.hpp"
@@ -10,7 +10,7 @@ class FrameListener {
 public:
     virtual ~FrameListener() = default;
     /// Frames in the order of their source, each once; possibly none.
-    virtual void hear(base::Span<const CanFrame> frames) = 0;
+    virtual void receive(base::Span<const CanFrame> frames) = 0;
 };
 
 }  // namespace tedavis::bus

@@ -8,7 +8,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr char kMagic[] = "TEDAVIS flight index 3\n";
+constexpr char kMagic[] = "TEDAVIS flight index 4\n";
 
 class ByteWriter {
 public:

@@ -180,7 +180,7 @@ base::Time FlightPlayer::next_event() {
     return progress_.next_edge < edges_.size() ? std::min(of_log, edges_[progress_.next_edge].time) : of_log;
 }
 
-void FlightPlayer::hear(base::Span<const bus::CanFrame> frames) {
+void FlightPlayer::receive(base::Span<const bus::CanFrame> frames) {
     for (const bus::CanFrame& frame : frames) {
         ++progress_.frames_of[frame.channel];
         progress_.newest_frame = frame.time;

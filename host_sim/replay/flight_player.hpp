@@ -76,7 +76,7 @@ private:
     [[nodiscard]] bool next_step_is_by(base::Time time);
     [[nodiscard]] base::Time next_event();
     void run_step();
-    void hear(base::Span<const bus::CanFrame> frames) override;
+    void receive(base::Span<const bus::CanFrame> frames) override;
     void check_log() const;
     void say(const std::string& sentence);
 

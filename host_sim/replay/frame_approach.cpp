@@ -1,9 +1,10 @@
 #include "host_sim/replay/frame_approach.hpp"
-#include "render_core/flight/decision_interval.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+
+#include "render_core/flight/decision_interval.hpp"
 
 namespace tedavis::host_sim {
 namespace {

@@ -62,7 +62,7 @@ struct TerrainPlan {
 struct SeenTerrain {
     base::Span<const terrain::SelectedChunk> chunks;
     draw::DepthPlan depth;   ///< the ranges in which they are drawn
-    draw::ScreenPart part;   ///< of the screen that all of them lie in, bounded along the picture's vertical
+    draw::ScreenPart part;   ///< of the screen that all of them lie in; the whole of it where no pass of the design reads it
     bool is_traced = false;  ///< by rays instead of triangles
     const terrain::TerrainDatabase* database = nullptr;  ///< null: there is no terrain
 };

@@ -1,10 +1,11 @@
 #include "tests/support/device_files.hpp"
-#include "tests/support/paths.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+
+#include "tests/support/paths.hpp"
 
 namespace tedavis::test_support {
 

@@ -1,8 +1,9 @@
 #include "render_core/draw/data/label_planner.hpp"
-#include "render_core/flight/decision_interval.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "render_core/flight/decision_interval.hpp"
 
 namespace tedavis::draw {
 namespace {

@@ -1,11 +1,12 @@
 #include "bus/canaerospace/bus_settings.hpp"
-#include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 #include <string>
+
+#include "tests/support/paths.hpp"
 
 namespace tedavis::bus::test_bus_settings {
 namespace {

@@ -99,8 +99,8 @@ private:
 };
 
 struct Counter final : FrameListener {
-    void hear(base::Span<const CanFrame> frames) override { heard += frames.size(); }
-    std::size_t heard = 0;
+    void receive(base::Span<const CanFrame> frames) override { received += frames.size(); }
+    std::size_t received = 0;
 };
 
 /// A tracker and all that it reads.
@@ -224,7 +224,7 @@ TEST(FlightTracker, EveryFrameIsHeardOnceByTheListener) {
     const Recording recording = recorded_flight();
     Tracked flight(recording);
     (void)flight.fly(0, kEnd_ms, 333);
-    EXPECT_EQ(flight.counter.heard, recording.frames.size());
+    EXPECT_EQ(flight.counter.received, recording.frames.size());
     EXPECT_EQ(flight.memory->assembler.snapshot(at_ms(kEnd_ms)).counters.frames, recording.frames.size());
 }
 
@@ -235,10 +235,10 @@ TEST(FlightTracker, MoreThanAReadingTakesWaitsForTheNext) {
     Tracked bounded(burst, 2500, false, 1), whole(burst, 2500, false);
     (void)bounded.tracker.input_at(at_ms(5), bounded.ground);
     (void)whole.tracker.input_at(at_ms(5), whole.ground);
-    EXPECT_EQ(bounded.counter.heard, 256u);
-    EXPECT_EQ(whole.counter.heard, 700u);
+    EXPECT_EQ(bounded.counter.received, 256u);
+    EXPECT_EQ(whole.counter.received, 700u);
     (void)bounded.to(40);
-    EXPECT_EQ(bounded.counter.heard, 700u);
+    EXPECT_EQ(bounded.counter.received, 700u);
 }
 
 TEST(FlightTracker, AfterALongPauseTheGridStartsAnew) {

@@ -289,7 +289,11 @@ std::vector<glm::dvec3> raised_box(const terrain::ChunkEntry& entry, double lift
 }
 
 TEST(TerrainPlanner, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
-    Stage stage(plain_design());
+    const design::DesignSettings design = plain_design();
+    Stage stage(design);
+    EXPECT_EQ(stage.scene.seen_from(eye_at(96, 96, 2600, 130, 4).view).part.limit, draw::ScreenPart().limit)
+        << "no pass reads it";
+    stage.scene.set_design({&design, draw::TerrainOutput::color_and_distance});
     int narrow = 0;
     for (const double roll : {0.0, 25.0, -70.0, 180.0})
         for (const double pitch : {-10.0, 4.0, -89.99}) {
@@ -310,6 +314,7 @@ TEST(TerrainPlanner, LiftedChunksLieWithinTheDrawnPartToo) {
     design.terrain.conservative_up = true;
     design.terrain.tau_px = 12;
     Stage stage(design);
+    stage.scene.set_design({&design, draw::TerrainOutput::color_and_distance});
     int large = 0, beyond_boxes = 0;
     for (const double roll : {0.0, 25.0, -70.0, 180.0})
         for (const double heading : {20.0, 130.0, 250.0, 315.0})

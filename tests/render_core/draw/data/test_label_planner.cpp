@@ -1,5 +1,4 @@
 #include "render_core/draw/data/label_planner.hpp"
-#include "render_core/flight/decision_interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "render_core/flight/decision_interval.hpp"
 #include "tests/support/planned_labels.hpp"
 
 namespace tedavis::draw::test_label_planner {
