@@ -180,7 +180,12 @@ private:
     }
 
     /// All but what the frame before showed.
-    void forget() { labels_.forget(); }
+    void forget() {
+        display::LabelEpoch memory;
+        labels_.keep(memory);
+        memory.forget();
+        labels_.restore(memory);
+    }
 
     /// By the boxes that were claimed, and by every corner that is drawn.
     void check(Outcome& outcome) const {

@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
     try {
         return bench::report(path.empty() ? compare_shipped() : compare_file(path), json);
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "bench_terrain_mesh: %s\n", failure.message.c_str());
+        std::fprintf(stderr, "bench_terrain_mesh: %s\n", failure.sentence.c_str());
         return 2;
     }
 }

@@ -53,7 +53,7 @@ private:
         return base::Time{} + base::Duration::seconds(std::stoll(log.substr(1, 10)));
     }
 
-    void hear(base::Span<const bus::CanFrame> frames) override {
+    void receive(base::Span<const bus::CanFrame> frames) override {
         for (const bus::CanFrame& frame : frames) answers_ += bus::answer_identification(frame, bus::NodeSettings()).due ? 1 : 0;
     }
     void note_source(flight::PhaseSource source) {

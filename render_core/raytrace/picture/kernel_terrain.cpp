@@ -15,11 +15,21 @@ struct SpanCells {
     std::uint32_t post[kMostInSpan];  ///< row * cells + column
     std::int32_t row[kMostInSpan];
     float corner[4][kMostInSpan];
+    float u[kMostInSpan], v[kMostInSpan];
 };
 
+/// A ray that meets nothing leaves no place: it counts as the cell's corner, so that nothing made of it is out of range.
+TEDAVIS_WIDE_LOOPS void read_places(const std::int32_t* __restrict cell, const float* __restrict u, const float* __restrict v,
+                                    std::uint32_t count, SpanCells& __restrict read) {
+    for (std::uint32_t n = 0; n < count; ++n) {
+        read.u[n] = cell[n] >= 0 ? u[n] : 0;
+        read.v[n] = cell[n] >= 0 ? v[n] : 0;
+    }
+}
+
 /// Rows of cells by a multiplication: with half a cell added it is right for every number of 31 bits.
-TEDAVIS_WIDE_LOOPS void find_places(const std::int32_t* __restrict cell, const float* __restrict u, const float* __restrict v,
-                                    std::int32_t across, double part, SpanSurface& __restrict out, SpanCells& __restrict found) {
+TEDAVIS_WIDE_LOOPS void find_places(const std::int32_t* __restrict cell, std::int32_t across, double part,
+                                    SpanSurface& __restrict out, SpanCells& __restrict found) {
     const double cells_part = 1.0 / across;
     const std::uint32_t count = out.count;
     for (std::uint32_t n = 0; n < count; ++n) out.is_met[n] = cell[n] >= 0;
@@ -27,8 +37,8 @@ TEDAVIS_WIDE_LOOPS void find_places(const std::int32_t* __restrict cell, const f
         const std::int32_t place = std::max(cell[n], 0);
         const auto row = static_cast<std::int32_t>((place + 0.5) * cells_part);
         const std::int32_t column = place - row * across;
-        out.x[n] = (column + double{u[n]}) * part;
-        out.y[n] = (row + double{v[n]}) * part;
+        out.x[n] = (column + double{found.u[n]}) * part;
+        out.y[n] = (row + double{found.v[n]}) * part;
         found.row[n] = row;
         found.post[n] = static_cast<std::uint32_t>(place);
     }
@@ -46,12 +56,11 @@ void find_corners(const HeightGrid<Height>& grid, std::uint32_t count, SpanCells
     }
 }
 
-TEDAVIS_WIDE_LOOPS void find_bilinear(const SpanCells& __restrict cells, const float* __restrict us, const float* __restrict vs,
-                                      float parts, SpanSurface& __restrict out) {
+TEDAVIS_WIDE_LOOPS void find_bilinear(const SpanCells& __restrict cells, float parts, SpanSurface& __restrict out) {
     const std::uint32_t count = out.count;
     for (std::uint32_t n = 0; n < count; ++n) {
         const float a = cells.corner[0][n], b = cells.corner[1][n], c = cells.corner[2][n], d = cells.corner[3][n];
-        const float u = us[n], v = vs[n];
+        const float u = cells.u[n], v = cells.v[n];
         const float slope_x = (1 - v) * (b - a) + v * (d - c), slope_y = (1 - u) * (c - a) + u * (d - b);
         out.height[n] = a + u * (b - a) + v * slope_y;
         out.slope_x[n] = slope_x * parts;
@@ -59,12 +68,11 @@ TEDAVIS_WIDE_LOOPS void find_bilinear(const SpanCells& __restrict cells, const f
     }
 }
 
-TEDAVIS_WIDE_LOOPS void find_triangles(const SpanCells& __restrict cells, const float* __restrict us, const float* __restrict vs,
-                                       float parts, SpanSurface& __restrict out) {
+TEDAVIS_WIDE_LOOPS void find_triangles(const SpanCells& __restrict cells, float parts, SpanSurface& __restrict out) {
     const std::uint32_t count = out.count;
     for (std::uint32_t n = 0; n < count; ++n) {
         const float a = cells.corner[0][n], b = cells.corner[1][n], c = cells.corner[2][n], d = cells.corner[3][n];
-        const float u = us[n], v = vs[n];
+        const float u = cells.u[n], v = cells.v[n];
         const bool is_first = u + v <= 1;
         const float slope_x = is_first ? b - a : d - c, slope_y = is_first ? c - a : d - b;
         const float base = is_first ? a : d, along_x = is_first ? u : u - 1, along_y = is_first ? v : v - 1;
@@ -126,14 +134,15 @@ template <class Height>
 void KernelTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const {
     TEDAVIS_CHECK(span.count <= PixelSpan::kMost && std::size_t{span.first} + span.count <= hits.t.size());
     surface.count = span.count;
-    const float *const u = hits.u.data() + span.first, *const v = hits.v.data() + span.first;
     std::copy_n(hits.t.data() + span.first, span.count, surface.t);
     const HeightGrid<Height>& grid = field_.grid();
     SpanCells cells;
-    find_places(hits.cell.data() + span.first, u, v, static_cast<std::int32_t>(grid.columns - 1), 1.0 / parts_, surface, cells);
+    const std::int32_t* const cell = hits.cell.data() + span.first;
+    read_places(cell, hits.u.data() + span.first, hits.v.data() + span.first, span.count, cells);
+    find_places(cell, static_cast<std::int32_t>(grid.columns - 1), 1.0 / parts_, surface, cells);
     find_corners(grid, span.count, cells);
     const auto find = field_.surface == CellSurface::bilinear ? find_bilinear : find_triangles;
-    find(cells, u, v, static_cast<float>(parts_), surface);
+    find(cells, static_cast<float>(parts_), surface);
 }
 
 template <class Height>

@@ -20,6 +20,10 @@ constexpr float kText_px = test_support::kLabelText_px;
 using Feature = test_support::LabelFeature;
 using Plan = test_support::PlannedLabels;
 
+/// Places of features in rows of `across`.
+float column(std::uint32_t n, std::uint32_t across) { return static_cast<float>(n % across); }
+float row(std::uint32_t n, std::uint32_t across) { return static_cast<float>(n / across); }
+
 bool are_equal(const LabelPlanner& a, const LabelPlanner& b) {
     const auto first = a.labels(), second = b.labels();
     if (first.size() != second.size()) return false;
@@ -53,7 +57,7 @@ TEST(LabelPlanner, WhatWarnsHasItsMarkerAndComesFirst) {
     EXPECT_EQ(plan.planner.labels()[0].key, label_key(1, 1));
     EXPECT_EQ(plan.of(label_key(1, 1)).level, LabelLevel::marker);
     // It comes later, and everything else has spent its changes: at once it is there.
-    for (std::uint32_t n = 2; n < 300; ++n) features.push_back({label_key(0, n), 0.9, {float(n % 30) * 33, float(n / 30) * 70}});
+    for (std::uint32_t n = 2; n < 300; ++n) features.push_back({label_key(0, n), 0.9, {column(n, 30) * 33, row(n, 30) * 70}});
     plan.decide(features);
     features.push_back({label_key(1, 2), 0.0, {300, 500}});
     plan.decide(features);
@@ -107,10 +111,8 @@ TEST(LabelPlanner, DetailIsTheShareThatMayHaveNames) {
     std::vector<Feature> features;
     for (std::uint32_t n = 0; n < 16; ++n)
         for (const std::uint32_t group : {0u, 1u})
-            features.push_back({label_key(group, n),
-                                0.9 - 0.01 * n,
-                                {60 + 120 * float(n % 8), 100 + 200 * float(n / 8) + 60 * float(group)},
-                                40});
+            features.push_back(
+                {label_key(group, n), 0.9 - 0.01 * n, {60 + 120 * column(n, 8), 100 + 200 * row(n, 8) + 60 * float(group)}, 40});
     plan.decide(features);
     std::array<std::size_t, 2> named{}, marked{};
     for (const Label& label : plan.planner.labels()) {
@@ -170,7 +172,7 @@ TEST(LabelPlanner, AChangeDwells) {
 TEST(LabelPlanner, ALeapForgetsAndSmallGapsDoNot) {
     Plan plan;
     std::vector<Feature> many;
-    for (std::uint32_t n = 0; n < 20; ++n) many.push_back({n, 0.6, {100 + 200 * float(n % 5), 100 + 120 * float(n / 5)}, 60});
+    for (std::uint32_t n = 0; n < 20; ++n) many.push_back({n, 0.6, {100 + 200 * column(n, 5), 100 + 120 * row(n, 5)}, 60});
     plan.decide({many[0]}, 10);
     plan.decide(many, 12);
     const auto named = [&] {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "tests/support/traced_view.hpp"
 
 namespace tedavis::raytrace {
@@ -83,6 +87,29 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
             }
         }
     EXPECT_GT(met_pixels, 500U);
+}
+
+/// Whatever lies in the memory of a place that no ray has written.
+TEST_F(KernelTerrainTest, RaysThatMeetNothingGiveHeightsInRange) {
+    const float nothing = std::numeric_limits<float>::quiet_NaN();
+    std::size_t missed = 0;
+    for (const CellSurface surface : {CellSurface::bilinear, CellSurface::two_triangles}) {
+        KernelTerrain<std::int16_t> terrain;
+        terrain.start(field(surface), 1, kTiledWidth, kTiledHeight);
+        terrain.set_view(PictureSight::of_grid(test_support::any_camera(random_, 90, 70, kTiledWidth)),
+                         view_kernels<std::int16_t>()[0]);
+        TracedPlaces places(kTiledWidth, kTiledHeight);
+        std::fill(places.cell.begin(), places.cell.end(), HitPicture::kNoCell);
+        std::fill(places.u.begin(), places.u.end(), nothing);
+        std::fill(places.v.begin(), places.v.end(), nothing);
+        SpanSurface found;
+        terrain.find_surface({0, 64}, places.picture(), found);
+        for (std::uint32_t n = 0; n < found.count; ++n) {
+            missed += found.is_met[n] ? 0 : 1;
+            ASSERT_TRUE(std::isfinite(found.height[n]) && std::isfinite(found.x[n]) && std::isfinite(found.y[n])) << n;
+        }
+    }
+    EXPECT_EQ(missed, 2u * 64);
 }
 
 TEST_F(KernelTerrainTest, FinerPostsAreTheSamePlaces) {
