@@ -219,7 +219,12 @@ int main(int argc, char** argv) {
         if (std::strcmp(argv[n], "--json") == 0) {
             json = true;
         } else if (std::strcmp(argv[n], "--minutes") == 0 && n + 1 < argc) {
-            minutes = std::atof(argv[++n]);
+            char* rest = nullptr;
+            minutes = std::strtod(argv[++n], &rest);
+            if (*rest != 0 || !(minutes > 0)) {
+                std::fprintf(stderr, "bench_labels: --minutes takes a number of minutes above 0, not '%s'\n", argv[n]);
+                return 2;
+            }
         } else {
             std::fprintf(stderr, "bench_labels: unknown argument '%s'; --json and --minutes M are known\n", argv[n]);
             return 2;

@@ -22,7 +22,10 @@ using Plan = test_support::PlannedLabels;
 
 /// Places of features in rows of `across`.
 float column(std::uint32_t n, std::uint32_t across) { return static_cast<float>(n % across); }
-float row(std::uint32_t n, std::uint32_t across) { return static_cast<float>(n / across); }
+float row(std::uint32_t n, std::uint32_t across) {
+    const std::uint32_t whole = n / across;
+    return static_cast<float>(whole);
+}
 
 bool are_equal(const LabelPlanner& a, const LabelPlanner& b) {
     const auto first = a.labels(), second = b.labels();
