@@ -13,12 +13,6 @@ struct ViewWork {
 };
 
 template <class Height>
-void trace_columns_of(void* context, std::uint32_t group) {
-    const auto& work = *static_cast<const ViewWork<Height>*>(context);
-    work.kernel->trace_columns(work.job, group);
-}
-
-template <class Height>
 void trace_tile_of(void* context, std::uint32_t tile) {
     const auto& work = *static_cast<const ViewWork<Height>*>(context);
     work.kernel->trace_tile(work.job, work.tiles.left(tile), work.tiles.top(tile));
@@ -40,11 +34,8 @@ void trace_view(const TracedField<Height>& field, const GridCamera& camera, cons
     const std::size_t pixels = std::size_t{width} * height;
     TEDAVIS_CHECK(has_pixels(picture, pixels));
     ViewWork<Height> work{{&field, &camera, width, height, picture, {}, false}, &kernel, {width, height}};
-    const auto lanes = static_cast<std::uint32_t>(kernel.lanes);
     if (!is_in_reach(camera.origin))
         clear_pixels(picture, width, 0, 0, width, height);
-    else if (camera.has_upright_columns())
-        workers.parallel_for((width + lanes - 1) / lanes, trace_columns_of<Height>, &work);
     else
         workers.parallel_for(work.tiles.count(), trace_tile_of<Height>, &work);
 }

@@ -2,8 +2,7 @@
 ///
 /// In tiles of 32 x 32 pixels, beams of 32 x 32, 16 x 16, 8 x 8 and 4 x 4 pixels find out how far none of their rays meets
 /// anything (kernel/beam_march.hpp); from there rays go on in lanes of the widest vectors that the machine has
-/// (view_kernels.hpp). What beams and lanes change is the time that it takes. Pictures whose columns lie in vertical planes are
-/// swept column by column instead (kernel/column_sweep.hpp).
+/// (view_kernels.hpp). What beams and lanes change is the time that it takes.
 ///
 /// Memory  the caller's. Thread  uses the workers; the result does not depend on their number.
 #pragma once

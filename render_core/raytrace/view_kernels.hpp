@@ -18,8 +18,6 @@ struct GridCamera {
     glm::vec3 corner{0}, right{0}, down{0};
 
     [[nodiscard]] Ray ray(std::uint32_t x, std::uint32_t y) const;
-    /// All rays of a column lie in one vertical plane, and no two are the same.
-    [[nodiscard]] bool has_upright_columns() const { return down.x == 0 && down.y == 0 && down.z != 0; }
 };
 
 /// What is asked of the rays of a picture: points for t from `from` to `to`, of which the first may be below the surface by `gap`
@@ -59,8 +57,6 @@ struct ViewKernel {
     int lanes = 1;
     /// The tile whose first pixel is (left, top), as far as the picture has it.
     void (*trace_tile)(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) = nullptr;
-    /// Columns [lanes * group, lanes * (group + 1)), where GridCamera::has_upright_columns(); all of a ray.
-    void (*trace_columns)(const ViewJob<Height>& job, std::uint32_t group) = nullptr;
 };
 
 /// Whether each of them that is asked for has so many pixels.

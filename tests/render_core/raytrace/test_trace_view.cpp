@@ -101,31 +101,6 @@ TEST(TraceView, SaysWhereInTheCell) {
     }
 }
 
-/// Where a needle hides the hills behind it from a few columns, these are hundreds of rows ahead of their neighbours.
-TEST(TraceView, ColumnsThatAreFarAheadWaitForTheOthers) {
-    const ViewedHills<std::int16_t> hills(200, 170, true);
-    const auto field = hills.field(CellSurface::two_triangles);
-    std::mt19937 random(23);
-    const std::uint32_t width = 70, height = 700;
-    std::ptrdiff_t furthest = 0;
-    for (int round = 0; round < 4; ++round) {
-        GridCamera camera = test_support::upright_camera(random, 200, 170, width, round % 2 == 1);
-        camera.down.z *= 0.2f;
-        const TracedPicture singly = test_support::traced_singly(field, camera, width, height);
-        const auto met = [&](std::uint32_t column) {
-            std::ptrdiff_t rows = 0;
-            for (std::uint32_t y = 0; y < height; ++y) rows += singly.cell[y * width + column] >= 0 ? 1 : 0;
-            return rows;
-        };
-        for (std::uint32_t x = 1; x < width; ++x) furthest = std::max(furthest, std::abs(met(x) - met(x - 1)));
-        base::SerialWorkers workers;
-        for (const ViewKernel<std::int16_t>& kernel : view_kernels<std::int16_t>())
-            ASSERT_EQ(test_support::traced_by(kernel, field, camera, width, height, workers).differences(singly), 0u)
-                << kernel.name;
-    }
-    EXPECT_GT(furthest, 128);  // rows that neighbouring columns keep before they wait
-}
-
 TEST(TraceView, GivesTheSameTimesWhereNobodyAsksForMore) {
     const ViewedHills<float> hills(200, 170, true);
     const auto field = hills.field(CellSurface::bilinear);
