@@ -36,8 +36,4 @@ struct TracedField {
 template <class Height>
 [[nodiscard]] Hit trace_ray(const TracedField<Height>& field, const Ray& ray);
 
-/// Whether anything lies between two points of grid space, both left out.
-template <class Height>
-[[nodiscard]] bool is_occluded(const TracedField<Height>& field, const glm::dvec3& from, const glm::dvec3& to);
-
 }  // namespace tedavis::raytrace
