@@ -1,4 +1,4 @@
-/// The first point of the terrain on a ray, exactly: one ray after the other, for queries; pictures have trace_view.hpp.
+/// The first point of the terrain on a ray, exactly: one ray after the other, for queries; pictures have view_kernels.hpp.
 ///
 /// Traversal of the maximum mipmap from node to node (Tevs et al. 2008); within a cell the surface itself is met, not approached.
 /// A ray that lies above all of a node's heights there passes it. Neighbouring cells cannot be slipped between: the surface is

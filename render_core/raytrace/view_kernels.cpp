@@ -21,6 +21,14 @@ constexpr const char* kVector4 = "neon";
 
 }  // namespace
 
+Ray GridCamera::ray(std::uint32_t x, std::uint32_t y) const {
+    const glm::vec3 across = right * (static_cast<float>(x) + 0.5f), along = down * (static_cast<float>(y) + 0.5f);
+    Ray ray;
+    ray.origin = origin;
+    ray.direction = corner + across + along;
+    return ray;
+}
+
 template <class Height>
 base::Span<const ViewKernel<Height>> view_kernels() {
 #ifdef __x86_64__

@@ -33,7 +33,7 @@ protected:
     base::SerialWorkers alone_;
 };
 
-TEST_F(KernelTerrainTest, WholeTilesAreWhatTheViewTracerFinds) {
+TEST_F(KernelTerrainTest, WholeTilesAreWhatTheKernelFinds) {
     for (const bool is_upright : {false, true})
         for (int run = 0; run < 6; ++run) {
             const GridCamera camera = is_upright ? test_support::upright_camera(random_, 90, 70, kTiledWidth, run % 2 == 1)
