@@ -66,19 +66,7 @@ Hit trace_ray(const TracedField<Height>& field, const Ray& ray) {
                                                        : trace_sides<Height, CellSurface::bilinear>(field, ray);
 }
 
-template <class Height>
-bool is_occluded(const TracedField<Height>& field, const glm::dvec3& from, const glm::dvec3& to) {
-    Ray ray;
-    ray.origin = from;
-    ray.direction = glm::vec3(to - from);
-    ray.to = 1;
-    const Hit hit = trace_ray(field, ray);
-    return hit.side != HitSide::none && hit.t > 0 && hit.t < 1;
-}
-
 template Hit trace_ray(const TracedField<std::int16_t>&, const Ray&);
 template Hit trace_ray(const TracedField<float>&, const Ray&);
-template bool is_occluded(const TracedField<std::int16_t>&, const glm::dvec3&, const glm::dvec3&);
-template bool is_occluded(const TracedField<float>&, const glm::dvec3&, const glm::dvec3&);
 
 }  // namespace tedavis::raytrace

@@ -1,4 +1,4 @@
-/// The first point of the terrain on a ray, exactly: one ray after the other, for queries; pictures have trace_view.hpp.
+/// The first point of the terrain on a ray, exactly: one ray after the other, for queries; pictures have view_kernels.hpp.
 ///
 /// Traversal of the maximum mipmap from node to node (Tevs et al. 2008); within a cell the surface itself is met, not approached.
 /// A ray that lies above all of a node's heights there passes it. Neighbouring cells cannot be slipped between: the surface is
@@ -35,9 +35,5 @@ struct TracedField {
 
 template <class Height>
 [[nodiscard]] Hit trace_ray(const TracedField<Height>& field, const Ray& ray);
-
-/// Whether anything lies between two points of grid space, both left out.
-template <class Height>
-[[nodiscard]] bool is_occluded(const TracedField<Height>& field, const glm::dvec3& from, const glm::dvec3& to);
 
 }  // namespace tedavis::raytrace

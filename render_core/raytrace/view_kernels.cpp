@@ -21,17 +21,24 @@ constexpr const char* kVector4 = "neon";
 
 }  // namespace
 
+Ray GridCamera::ray(std::uint32_t x, std::uint32_t y) const {
+    const glm::vec3 across = right * (static_cast<float>(x) + 0.5f), along = down * (static_cast<float>(y) + 0.5f);
+    Ray ray;
+    ray.origin = origin;
+    ray.direction = corner + across + along;
+    return ray;
+}
+
 template <class Height>
 base::Span<const ViewKernel<Height>> view_kernels() {
 #ifdef __x86_64__
-    static constexpr ViewKernel<Height> kKernels[] = {{"avx512", 32, trace_tile_vector16, trace_columns_vector16},
-                                                      {"avx2", 8, trace_tile_vector8, trace_columns_vector8},
-                                                      {kVector4, 4, trace_tile_vector4, trace_columns_vector4},
-                                                      {"scalar", 1, trace_tile_scalar, trace_columns_scalar}};
+    static constexpr ViewKernel<Height> kKernels[] = {{"avx512", 32, trace_tile_vector16},
+                                                      {"avx2", 8, trace_tile_vector8},
+                                                      {kVector4, 4, trace_tile_vector4},
+                                                      {"scalar", 1, trace_tile_scalar}};
     const std::size_t first = has_avx512() ? 0 : has_avx2() ? 1 : 2;
 #else
-    static constexpr ViewKernel<Height> kKernels[] = {{kVector4, 4, trace_tile_vector4, trace_columns_vector4},
-                                                      {"scalar", 1, trace_tile_scalar, trace_columns_scalar}};
+    static constexpr ViewKernel<Height> kKernels[] = {{kVector4, 4, trace_tile_vector4}, {"scalar", 1, trace_tile_scalar}};
     const std::size_t first = 0;
 #endif
     return base::Span<const ViewKernel<Height>>(kKernels).subspan(first, std::size(kKernels) - first);

@@ -1,5 +1,9 @@
 /// The kernels that trace tiles of pictures, of each width of lanes that this build has; which of them a machine can run is found
-/// out at run time. All give the same bits.
+/// out at run time. Each finds exactly what trace_ray() finds for the ray of a pixel, bit for bit, but many times faster.
+///
+/// Beams of 16 x 16, 8 x 8 and 4 x 4 pixels of a tile find out how far none of their rays meets anything
+/// (kernel/beam_march.hpp); from there rays go on in lanes of the widest vectors that the machine has. What beams and lanes
+/// change is the time that it takes.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +22,6 @@ struct GridCamera {
     glm::vec3 corner{0}, right{0}, down{0};
 
     [[nodiscard]] Ray ray(std::uint32_t x, std::uint32_t y) const;
-    /// All rays of a column lie in one vertical plane, and no two are the same.
-    [[nodiscard]] bool has_upright_columns() const { return down.x == 0 && down.y == 0 && down.z != 0; }
 };
 
 /// What is asked of the rays of a picture: points for t from `from` to `to`, of which the first may be below the surface by `gap`
@@ -59,8 +61,6 @@ struct ViewKernel {
     int lanes = 1;
     /// The tile whose first pixel is (left, top), as far as the picture has it.
     void (*trace_tile)(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) = nullptr;
-    /// Columns [lanes * group, lanes * (group + 1)), where GridCamera::has_upright_columns(); all of a ray.
-    void (*trace_columns)(const ViewJob<Height>& job, std::uint32_t group) = nullptr;
 };
 
 /// Whether each of them that is asked for has so many pixels.

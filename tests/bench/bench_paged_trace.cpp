@@ -52,8 +52,8 @@ struct WholeGround {
         std::vector<double> times;
         for (int n = 0; n < runs; ++n)
             times.push_back(spent_ms([&] {
-                trace_view(ground.traced(CellSurface::two_triangles), camera, view_kernels<Height>()[0], workers, kWidth, kHeight,
-                           picture.picture());
+                test_support::trace_view(ground.traced(CellSurface::two_triangles), camera, view_kernels<Height>()[0], workers,
+                                         kWidth, kHeight, picture.picture());
             }));
         ms = median(times);
     }

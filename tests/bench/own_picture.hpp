@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "render_core/base/check.hpp"
-#include "render_core/raytrace/trace_view.hpp"
 #include "tests/support/trace_cameras.hpp"
+#include "tests/support/traced_view.hpp"
 
 namespace tedavis::bench {
 
@@ -37,7 +37,7 @@ public:
     OwnPicture(std::uint32_t width, std::uint32_t height) : t(std::size_t{width} * height), width_(width), height_(height) {}
     void draw(const raytrace::TracedField<std::int16_t>& field, const test_support::TraceCamera& camera, const OwnKernel& kernel,
               base::Workers& workers) {
-        raytrace::trace_view(field, camera.view(), kernel, workers, width_, height_, {t});
+        test_support::trace_view(field, camera.view(), kernel, workers, width_, height_, {t});
     }
 
     std::vector<float> t;

@@ -1,5 +1,5 @@
-/// Five cameras over a square field, with the rays of their pixels: three whose picture is a vertical plane (its columns are
-/// vertical lines of the world, and so each is seen in a vertical plane), and two pinholes that look down, one of them banked.
+/// Five cameras over a square field, with the rays of their pixels: three that look level in several directions, and two
+/// that look down, one of them banked.
 #pragma once
 
 #include <array>
@@ -15,14 +15,13 @@ namespace tedavis::test_support {
 /// The ray of a pixel runs through `corner + x * right + y * down`, for x and y from its middle. Lengths are those of cells.
 struct TraceCamera {
     const char* name;
-    bool is_vertical;  ///< its picture is a vertical plane
     glm::dvec3 eye, corner, right, down;
     std::uint32_t width, height;
 
     /// The same picture where a cell is `steps` height steps wide: t keeps its value.
     [[nodiscard]] TraceCamera in_steps(double steps) const {
         const glm::dvec3 scale(1, 1, steps);
-        return {name, is_vertical, eye * scale, corner * scale, right * scale, down * scale, width, height};
+        return {name, eye * scale, corner * scale, right * scale, down * scale, width, height};
     }
     [[nodiscard]] raytrace::GridCamera view() const { return {eye, corner, right, down}; }
     [[nodiscard]] raytrace::Ray ray(std::uint32_t x, std::uint32_t y) const { return view().ray(x, y); }
@@ -41,9 +40,9 @@ inline std::array<TraceCamera, 5> trace_cameras(std::uint32_t side, std::uint32_
         const glm::dvec3 d = (below * std::cos(roll) - side_of * std::sin(roll)) * pixel;
         // Rounded here, so that they are the same numbers in steps.
         const glm::vec3 corner(forward - up * drop - r * (width * 0.5) - d * (height * 0.5));
-        return TraceCamera{name, pitch == 0 && roll == 0, eye, corner, glm::vec3(r), glm::vec3(d), width, height};
+        return TraceCamera{name, eye, corner, glm::vec3(r), glm::vec3(d), width, height};
     };
-    return {camera("plane 0", 0, 0, 0, down), camera("plane 0.7", 0.7, 0, 0, down), camera("plane 2.1", 2.1, 0, 0, down),
+    return {camera("level 0", 0, 0, 0, down), camera("level 0.7", 0.7, 0, 0, down), camera("level 2.1", 2.1, 0, 0, down),
             camera("banked", 0.7, -14 * kDegree, 20 * kDegree, 0), camera("pitched", 0.7, -14 * kDegree, 0, 0)};
 }
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "render_core/base/check.hpp"
-#include "render_core/raytrace/trace_view.hpp"
+#include "render_core/base/ports/workers.hpp"
+#include "render_core/raytrace/view_tiles.hpp"
 
 namespace tedavis::test_support {
 
@@ -112,11 +113,30 @@ TracedPicture traced_singly(const raytrace::TracedField<Height>& field, const ra
     return all;
 }
 
+/// All tiles of a picture, shared out to the workers; rays are straight in grid space.
+template <class Height>
+void trace_view(const raytrace::TracedField<Height>& field, const raytrace::GridCamera& camera,
+                const raytrace::ViewKernel<Height>& kernel, base::Workers& workers, std::uint32_t width, std::uint32_t height,
+                const raytrace::HitPicture& picture) {
+    TEDAVIS_CHECK(raytrace::has_pixels(picture, std::size_t{width} * height));
+    if (!raytrace::is_in_reach(camera.origin)) return raytrace::clear_pixels(picture, width, 0, 0, width, height);
+    struct Work {
+        raytrace::ViewJob<Height> job;
+        const raytrace::ViewKernel<Height>* kernel;
+        raytrace::ViewTiles tiles;
+    } work{{&field, &camera, width, height, picture, {}, false}, &kernel, {width, height}};
+    const auto trace_tile = [](void* context, std::uint32_t tile) {
+        const Work& all = *static_cast<const Work*>(context);
+        all.kernel->trace_tile(all.job, all.tiles.left(tile), all.tiles.top(tile));
+    };
+    workers.parallel_for(work.tiles.count(), trace_tile, &work);
+}
+
 template <class Height>
 TracedPicture traced_by(const raytrace::ViewKernel<Height>& kernel, const raytrace::TracedField<Height>& field,
                         const raytrace::GridCamera& camera, std::uint32_t width, std::uint32_t height, base::Workers& workers) {
     TracedPicture all(width, height);
-    raytrace::trace_view(field, camera, kernel, workers, width, height, all.picture());
+    trace_view(field, camera, kernel, workers, width, height, all.picture());
     return all;
 }
 

@@ -80,7 +80,7 @@ struct CellPosts {
 };
 
 /// What rays that cross a cell at one pair of times find of its surface, whatever their climb: heights where they enter and
-/// leave, and what lies between. Rays of one column share it (column_sweep.hpp).
+/// leave, and what lies between.
 template <class V>
 struct CellProfile {
     using Float = typename V::Float;

@@ -7,19 +7,11 @@ namespace tedavis::raytrace {
 
 void trace_tile_scalar(const ViewJob<std::int16_t>& job, std::uint32_t left, std::uint32_t top);
 void trace_tile_scalar(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top);
-void trace_columns_scalar(const ViewJob<std::int16_t>& job, std::uint32_t group);
-void trace_columns_scalar(const ViewJob<float>& job, std::uint32_t group);
 void trace_tile_vector4(const ViewJob<std::int16_t>& job, std::uint32_t left, std::uint32_t top);
 void trace_tile_vector4(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top);
-void trace_columns_vector4(const ViewJob<std::int16_t>& job, std::uint32_t group);
-void trace_columns_vector4(const ViewJob<float>& job, std::uint32_t group);
 void trace_tile_vector8(const ViewJob<std::int16_t>& job, std::uint32_t left, std::uint32_t top);
 void trace_tile_vector8(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top);
-void trace_columns_vector8(const ViewJob<std::int16_t>& job, std::uint32_t group);
-void trace_columns_vector8(const ViewJob<float>& job, std::uint32_t group);
 void trace_tile_vector16(const ViewJob<std::int16_t>& job, std::uint32_t left, std::uint32_t top);
 void trace_tile_vector16(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top);
-void trace_columns_vector16(const ViewJob<std::int16_t>& job, std::uint32_t group);
-void trace_columns_vector16(const ViewJob<float>& job, std::uint32_t group);
 
 }  // namespace tedavis::raytrace

@@ -10,7 +10,5 @@ void trace_tile_scalar(const ViewJob<std::int16_t>& job, std::uint32_t left, std
 void trace_tile_scalar(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top) {
     trace_tile<ScalarLanes>(job, left, top);
 }
-void trace_columns_scalar(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<ScalarLanes>(job, group); }
-void trace_columns_scalar(const ViewJob<float>& job, std::uint32_t group) { trace_columns<ScalarLanes>(job, group); }
 
 }  // namespace tedavis::raytrace

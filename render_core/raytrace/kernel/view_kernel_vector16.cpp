@@ -12,12 +12,6 @@ void trace_tile_vector16(const ViewJob<std::int16_t>& job, std::uint32_t left, s
 void trace_tile_vector16(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top) {
     trace_tile<PairedLanes<Avx512Lanes>>(job, left, top);
 }
-void trace_columns_vector16(const ViewJob<std::int16_t>& job, std::uint32_t group) {
-    trace_columns<PairedLanes<Avx512Lanes>>(job, group);
-}
-void trace_columns_vector16(const ViewJob<float>& job, std::uint32_t group) {
-    trace_columns<PairedLanes<Avx512Lanes>>(job, group);
-}
 
 }  // namespace tedavis::raytrace
 #endif

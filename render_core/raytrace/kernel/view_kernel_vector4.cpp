@@ -10,7 +10,5 @@ void trace_tile_vector4(const ViewJob<std::int16_t>& job, std::uint32_t left, st
 void trace_tile_vector4(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top) {
     trace_tile<VectorLanes<4>>(job, left, top);
 }
-void trace_columns_vector4(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<VectorLanes<4>>(job, group); }
-void trace_columns_vector4(const ViewJob<float>& job, std::uint32_t group) { trace_columns<VectorLanes<4>>(job, group); }
 
 }  // namespace tedavis::raytrace

@@ -11,8 +11,6 @@ void trace_tile_vector8(const ViewJob<std::int16_t>& job, std::uint32_t left, st
 void trace_tile_vector8(const ViewJob<float>& job, std::uint32_t left, std::uint32_t top) {
     trace_tile<VectorLanes<8>>(job, left, top);
 }
-void trace_columns_vector8(const ViewJob<std::int16_t>& job, std::uint32_t group) { trace_columns<VectorLanes<8>>(job, group); }
-void trace_columns_vector8(const ViewJob<float>& job, std::uint32_t group) { trace_columns<VectorLanes<8>>(job, group); }
 
 }  // namespace tedavis::raytrace
 #endif

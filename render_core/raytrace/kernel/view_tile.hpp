@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "render_core/raytrace/kernel/beam_march.hpp"
-#include "render_core/raytrace/kernel/column_sweep.hpp"
 #include "render_core/raytrace/kernel/loose_rays.hpp"
 #include "render_core/raytrace/kernel/march_together.hpp"
 
@@ -148,16 +147,6 @@ void trace_tile(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t to
         trace_packets<V, Height, CellSurface::bilinear>(tile, small);
     else
         trace_packets<V, Height, CellSurface::two_triangles>(tile, small);
-}
-
-/// Columns that lie in vertical planes (is_swept()), V::kCount at a time.
-template <class V, class Height>
-void trace_columns(const ViewJob<Height>& job, std::uint32_t group) {
-    const TracedNodes<Height> nodes(*job.field->maxima);
-    if (job.field->surface == CellSurface::bilinear)
-        sweep_columns<V, Height, CellSurface::bilinear>(job, nodes, group * V::kCount);
-    else
-        sweep_columns<V, Height, CellSurface::two_triangles>(job, nodes, group * V::kCount);
 }
 
 }  // namespace tedavis::raytrace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render_core/base/span.hpp"
-#include "render_core/raytrace/trace_view.hpp"
+#include "render_core/raytrace/view_tiles.hpp"
 
 namespace tedavis::raytrace {
 

@@ -105,29 +105,19 @@ void KernelTerrain<Height>::set_view(const PictureSight& sight, const ViewKernel
 
 template <class Height>
 void KernelTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits) const {
-    const GridCamera& camera = sight_.camera;
-    const ViewJob<Height> job = {&field_, &camera, width_, height_, hits, {}, false};
     const std::uint32_t right = rect.x + rect.width, bottom = rect.y + rect.height;
-    if (!is_in_reach(camera.origin)) return clear_pixels(hits, width_, rect.x, rect.y, right, bottom);
-    const auto lanes = static_cast<std::uint32_t>(kernel_->lanes);
     const auto is_whole = [](std::uint32_t from, std::uint32_t to, std::uint32_t step, std::uint32_t end) {
         return from % step == 0 && (to % step == 0 || to == end);
     };
-    const bool is_of_columns = rect.y == 0 && bottom == height_ && is_whole(rect.x, right, lanes, width_);
-    const bool is_of_tiles = is_whole(rect.x, right, kTileWidth, width_) && is_whole(rect.y, bottom, kTileHeight, height_);
-    if (sight_.is_of_world()) {
-        TEDAVIS_CHECK(is_of_tiles);
-        for (std::uint32_t y = rect.y; y < bottom; y += kTileHeight)
-            for (std::uint32_t x = rect.x; x < right; x += kTileWidth) trace_ground_tile(ground_, x, y, hits);
-    } else if (is_of_columns && camera.has_upright_columns()) {
-        for (std::uint32_t x = rect.x; x < right; x += lanes) kernel_->trace_columns(job, x / lanes);
-    } else if (is_of_tiles) {
-        for (std::uint32_t y = rect.y; y < bottom; y += kTileHeight)
-            for (std::uint32_t x = rect.x; x < right; x += kTileWidth) kernel_->trace_tile(job, x, y);
-    } else {
-        for (std::uint32_t y = rect.y; y < bottom; ++y)
-            for (std::uint32_t x = rect.x; x < right; ++x) trace_pixel(job, x, y);
-    }
+    TEDAVIS_CHECK(is_whole(rect.x, right, kTileWidth, width_) && is_whole(rect.y, bottom, kTileHeight, height_));
+    if (!is_in_reach(sight_.camera.origin)) return clear_pixels(hits, width_, rect.x, rect.y, right, bottom);
+    const ViewJob<Height> job = {&field_, &sight_.camera, width_, height_, hits, {}, false};
+    for (std::uint32_t y = rect.y; y < bottom; y += kTileHeight)
+        for (std::uint32_t x = rect.x; x < right; x += kTileWidth)
+            if (sight_.is_of_world())
+                trace_ground_tile(ground_, x, y, hits);
+            else
+                kernel_->trace_tile(job, x, y);
 }
 
 template <class Height>

@@ -17,8 +17,7 @@ public:
     /// The sight is of the scene's grid space; pictures of the world are of its size. Stays where it is from then on.
     void set_view(const PictureSight& sight, const ViewKernel<Height>& kernel);
 
-    /// Rectangles of whole tiles of the kernel, or of its lanes in whole columns where those are swept, are traced by the kernel;
-    /// others ray by ray, with the same result; the world is seen in whole tiles only. Asks for u and v of hits.
+    /// Rectangles of whole tiles of the kernel, as far as the picture has them. Asks for u and v of hits.
     void trace(const PixelRect& rect, const HitPicture& hits) const override;
     void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const override;
     [[nodiscard]] RayMeeting meet(const Ray& ray) const override;

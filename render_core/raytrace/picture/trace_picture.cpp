@@ -97,8 +97,8 @@ void TracePicture<Height>::run_primary(void* self, const Batch& batch, TokenWrit
     for (std::uint32_t n = 0; n < batch.count; ++n) {
         const std::uint32_t first = batch.record(n)[0], end = batch.record(n)[1];
         for (std::uint32_t tile = first; tile < end; ++tile) stages.trace_tile(tile);
-        out.literal(first * stages.spans_of_tile());
-        out.literal(end * stages.spans_of_tile());
+        out.literal(first * TraceStages<Height>::kSpansOfTile);
+        out.literal(end * TraceStages<Height>::kSpansOfTile);
         out.call(batch.next);
         out.done();
     }
@@ -170,8 +170,8 @@ template <class Height>
 void TracePicture<Height>::draw_tile(std::uint32_t tile) const {
     SpanRemainder rest;
     stages_.trace_tile(tile);
-    for (std::uint32_t n = 0; n < stages_.spans_of_tile(); ++n) {
-        const PixelSpan span = stages_.span(tile * stages_.spans_of_tile() + n);
+    for (std::uint32_t n = 0; n < TraceStages<Height>::kSpansOfTile; ++n) {
+        const PixelSpan span = stages_.span(tile * TraceStages<Height>::kSpansOfTile + n);
         stages_.shade_span(span, rest);
         for (std::uint32_t left = rest.rays; left > 0;) left = stages_.follow(rest.ray, left, rest.ray);
         for (std::uint32_t k = 0; k < rest.resampled; ++k) stages_.resample(rest.pixel[k]);

@@ -66,11 +66,10 @@ bool TraceStages<Height>::start(std::uint32_t width, std::uint32_t height, base:
 template <class Height>
 void TraceStages<Height>::begin(const TracedScene<Height>& scene, const TraceLook& look, const PictureVariants& variants,
                                 base::Span<std::uint8_t> rgb8) {
-    const std::size_t pixels = light_.size(),
-                      regions = std::size_t{PictureVariants::regions_across(width_)} * PictureVariants::regions_down(height_);
+    const std::size_t pixels = light_.size();
     TEDAVIS_CHECK(scene.size().width == width_ && scene.size().height == height_);
     TEDAVIS_CHECK(!variants.settings.empty() && variants.settings.size() <= PictureVariants::kMost);
-    TEDAVIS_CHECK(variants.regions.empty() || variants.regions.size() == regions);
+    TEDAVIS_CHECK(variants.regions.empty() || variants.regions.size() == tiles());
     TEDAVIS_CHECK(rgb8.empty() || rgb8.size() == 3 * pixels);
     look_ = &look;
     maps_ = scene.maps();
@@ -86,9 +85,6 @@ void TraceStages<Height>::begin(const TracedScene<Height>& scene, const TraceLoo
         variant_[n] = {&settings, &scene.terrain(settings)};
         has_remainders_ = has_remainders_ || settings.mirrors > 0 || settings.antialiasing == Antialiasing::supersampling;
     }
-    is_swept_ = camera_.has_upright_columns() && !scene.sight().is_of_world() && variants.regions.empty();
-    tiles_ = PictureVariants::regions_across(width_) * (is_swept_ ? 1 : PictureVariants::regions_down(height_));
-    spans_of_tile_ = is_swept_ ? height_ : PictureVariants::kRegionHeight;
 }
 
 template <class Height>
@@ -96,12 +92,12 @@ PixelRect TraceStages<Height>::rect(std::uint32_t tile) const {
     constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth, kHeight = PictureVariants::kRegionHeight;
     const std::uint32_t across = PictureVariants::regions_across(width_);
     const std::uint32_t x = tile % across * kWidth, y = tile / across * kHeight;
-    return {x, y, std::min(kWidth, width_ - x), is_swept_ ? height_ : std::min(kHeight, height_ - y)};
+    return {x, y, std::min(kWidth, width_ - x), std::min(kHeight, height_ - y)};
 }
 
 template <class Height>
 PixelSpan TraceStages<Height>::span(std::uint32_t n) const {
-    const std::uint32_t tile = n / spans_of_tile_, line = n - tile * spans_of_tile_;
+    const std::uint32_t tile = n / kSpansOfTile, line = n % kSpansOfTile;
     const PixelRect all = rect(tile);
     if (line >= all.height) return {};
     return {(all.y + line) * width_ + all.x, all.width};
@@ -111,8 +107,8 @@ template <class Height>
 std::uint32_t TraceStages<Height>::place_of(std::uint32_t pixel) const {
     constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth, kHeight = PictureVariants::kRegionHeight;
     const std::uint32_t y = pixel / width_, x = pixel - y * width_, column = x / kWidth;
-    const std::uint32_t tile = is_swept_ ? column : y / kHeight * PictureVariants::regions_across(width_) + column;
-    return (tile * spans_of_tile_ + (is_swept_ ? y : y % kHeight)) * PixelSpan::kMost + x % kWidth;
+    const std::uint32_t tile = y / kHeight * PictureVariants::regions_across(width_) + column;
+    return (tile * kSpansOfTile + y % kHeight) * PixelSpan::kMost + x % kWidth;
 }
 
 template <class Height>

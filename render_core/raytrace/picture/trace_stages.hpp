@@ -57,9 +57,11 @@ public:
     void begin(const TracedScene<Height>& scene, const TraceLook& look, const PictureVariants& variants,
                base::Span<std::uint8_t> rgb8);
 
-    [[nodiscard]] std::uint32_t tiles() const { return tiles_; }
-    [[nodiscard]] std::uint32_t spans_of_tile() const { return spans_of_tile_; }
-    /// Spans are numbered tile by tile; some have no pixels.
+    [[nodiscard]] std::uint32_t tiles() const {
+        return PictureVariants::regions_across(width_) * PictureVariants::regions_down(height_);
+    }
+    /// Spans are numbered tile by tile, so many in each; some have no pixels.
+    static constexpr std::uint32_t kSpansOfTile = PictureVariants::kRegionHeight;
     [[nodiscard]] PixelSpan span(std::uint32_t n) const;
     /// A pixel's number among the places of all spans, PixelSpan::kMost for each.
     [[nodiscard]] std::uint32_t place_of(std::uint32_t pixel) const;
@@ -91,8 +93,7 @@ private:
                                           std::uint32_t n) const;
 
     std::uint32_t width_ = 0, height_ = 0;
-    bool is_swept_ = false, has_remainders_ = false;
-    std::uint32_t tiles_ = 0, spans_of_tile_ = 0;
+    bool has_remainders_ = false;
     const TraceLook* look_ = nullptr;
     ShadingMaps<Height> maps_;
     GridCamera camera_;

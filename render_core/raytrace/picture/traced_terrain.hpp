@@ -5,7 +5,7 @@
 #pragma once
 
 #include "render_core/raytrace/shading/cast_shadow.hpp"
-#include "render_core/raytrace/trace_view.hpp"
+#include "render_core/raytrace/view_kernels.hpp"
 
 namespace tedavis::raytrace {
 
@@ -43,7 +43,8 @@ class TracedTerrain {
 public:
     virtual ~TracedTerrain() = default;
 
-    /// t, cell, side, u and v of the pixels of a rectangle.
+    /// t, cell, side, u and v of the pixels of a rectangle of whole tiles (kTileWidth x kTileHeight), as far as the picture has
+    /// them.
     virtual void trace(const PixelRect& rect, const HitPicture& hits) const = 0;
     /// Of pixels that have been traced.
     virtual void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const = 0;

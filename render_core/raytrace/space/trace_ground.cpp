@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "render_core/base/check.hpp"
-#include "render_core/raytrace/trace_view.hpp"
+#include "render_core/raytrace/view_tiles.hpp"
 
 namespace tedavis::raytrace {
 namespace {

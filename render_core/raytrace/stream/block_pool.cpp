@@ -1,7 +1,5 @@
 #include "render_core/raytrace/stream/block_pool.hpp"
 
-#include "render_core/raytrace/stream/lowest_bit.hpp"
-
 namespace tedavis::raytrace {
 
 std::uint64_t BlockPool::bytes_needed(std::uint32_t block_words, std::uint32_t blocks) {
@@ -13,7 +11,6 @@ std::uint64_t BlockPool::bytes_needed(std::uint32_t block_words, std::uint32_t b
 bool BlockPool::start(base::Arena& arena, std::uint32_t block_words, std::uint32_t blocks) {
     TEDAVIS_CHECK(block_words >= kLeastBlockWords && block_words <= kMostBlockWords && (block_words & (block_words - 1)) == 0);
     block_words_ = block_words;
-    block_shift_ = lowest_bit(block_words);
     call_bits_ = arena.allocate_array<std::uint64_t>(std::size_t{blocks} * (block_words / 64));
     words_ = arena.allocate_array<std::uint32_t>(std::size_t{blocks} * block_words);
     blocks_ = arena.allocate_array<TokenBlock>(blocks);

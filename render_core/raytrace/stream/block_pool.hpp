@@ -28,8 +28,6 @@ public:
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t block_words, std::uint32_t blocks);
 
     [[nodiscard]] std::uint32_t block_words() const { return block_words_; }
-    [[nodiscard]] std::uint32_t block_shift() const { return block_shift_; }  ///< log2 of block_words()
-    [[nodiscard]] std::uint32_t free_count() const { return free_count_; }
     [[nodiscard]] TokenBlock& block(std::uint32_t id) { return blocks_.data()[id]; }
     [[nodiscard]] const TokenBlock& block(std::uint32_t id) const { return blocks_.data()[id]; }
     [[nodiscard]] std::uint32_t* words(std::uint32_t id) { return words_.data() + std::size_t{id} * block_words_; }
@@ -58,7 +56,7 @@ public:
     void give_back(std::uint32_t id);
 
 private:
-    std::uint32_t block_words_ = 0, block_shift_ = 0, free_count_ = 0;
+    std::uint32_t block_words_ = 0, free_count_ = 0;
     base::Span<TokenBlock> blocks_;
     base::Span<std::uint32_t> words_;
     base::Span<std::uint64_t> call_bits_;

@@ -102,16 +102,5 @@ TYPED_TEST(TraceRay, AnswersWhatIsOutOfReachWithNothing) {
     EXPECT_EQ(trace_ray(field, {{-5, -5, 1000}, {-1, 1, -1}}).side, HitSide::none);
 }
 
-TYPED_TEST(TraceRay, ASightIsBlockedByWhatStandsBetween) {
-    const TracedField<TypeParam> field = this->slope_.field();
-    EXPECT_FALSE(is_occluded(field, {5, 20, 300}, {30, 20, 500}));
-    EXPECT_TRUE(is_occluded(field, {5, 20, 300}, {30, 20, 200}));
-    this->slope_.post(15, 20) = 900;
-    this->slope_.build();
-    EXPECT_TRUE(is_occluded(field, {5, 20, 300}, {30, 20, 500}));
-    EXPECT_TRUE(is_occluded(field, {30, 20, 500}, {5, 20, 300}));
-    EXPECT_FALSE(is_occluded(field, {5, 20, 300}, {14, 20, 300})) << "it ends before the needle";
-}
-
 }  // namespace
 }  // namespace tedavis::raytrace::test_trace_ray

@@ -19,7 +19,7 @@ TEST(TraceStages, SpansCoverEveryPixelOnceWhateverTheView) {
         ASSERT_TRUE(drawn.begin());
         const TraceStages<std::int16_t>& stages = drawn.picture.stages();
         std::vector<int> covered(std::size_t{kSpannedWidth} * kSpannedHeight);
-        for (std::uint32_t n = 0; n < stages.tiles() * stages.spans_of_tile(); ++n) {
+        for (std::uint32_t n = 0; n < stages.tiles() * stages.kSpansOfTile; ++n) {
             const PixelSpan span = stages.span(n);
             for (std::uint32_t k = 0; k < span.count; ++k) {
                 ++covered[span.first + k];

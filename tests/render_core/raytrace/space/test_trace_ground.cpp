@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "platform/threads/thread_workers.hpp"
-#include "render_core/raytrace/trace_view.hpp"
 #include "tests/support/terrain_views.hpp"
+#include "tests/support/traced_view.hpp"
 
 namespace tedavis::raytrace::test_trace_ground {
 namespace {
@@ -149,7 +149,8 @@ TEST(TraceGround, ControlWithoutCurvature) {
         const terrain::View view = small(seen);
         const GridCamera flat = fit_camera(ground.space, view, {0, 0, view.width, view.height}, 0, 200);
         GroundPicture picture(view);
-        trace_view(ground.field(), flat, view_kernels<float>()[0], workers, view.width, view.height, picture.hits());
+        test_support::trace_view(ground.field(), flat, view_kernels<float>()[0], workers, view.width, view.height,
+                                 picture.hits());
         wrong += judge(ground, view, picture, kMostOff_px).wrong;
     }
     EXPECT_GT(wrong, 100u);
