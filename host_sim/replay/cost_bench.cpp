@@ -5,7 +5,7 @@
 #include "host_sim/measure/paired_cost.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "platform/clock/monotonic_clock.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -18,7 +18,26 @@ constexpr double kTauFactors[] = {1, 1.6, 2.5, 4};  // of the terrain that is me
 constexpr const char* kGlyphDesign = "data/wind_arrows";
 constexpr const char* kElementDesign = "default";  // with few glyphs, whose cost is taken off
 
-bool can_be_switched(Effect effect) { return effects::given_up_from(effect) != effects::kNever; }
+/// Of effects that need more of a design than to be asked for.
+struct CallingDesign {
+    Effect effect;
+    const char* design;
+};
+constexpr CallingDesign kCallingDesigns[] = {{Effect::surface_grid, "styles/line_texture"},
+                                             {Effect::ridges, "styles/ridges_and_valleys"},
+                                             {Effect::moving_sun, "styles/moving_sun"},
+                                             {Effect::drape, "styles/aerial_image"},
+                                             {Effect::ground_data, "data/ground_continuous"},
+                                             {Effect::adjacent, "data/adjacent_uncertainty"},
+                                             {Effect::vertical_lines, "effects/vertical_lines"},
+                                             {Effect::projections, "effects/projections"},
+                                             {Effect::curtains, "effects/curtains"},
+                                             {Effect::soft_shadows, "effects/soft_shadows"},
+                                             {Effect::volumetric_light, "effects/volumetric_light"},
+                                             {Effect::focus_ground, "focus/brightness"},
+                                             {Effect::focus_blur, "focus/blur"}};
+
+bool can_be_switched(Effect effect) { return effects::row_of(effect).given_up_from != effects::kNeverGivenUp; }
 
 /// Everything that a design may be drawn without.
 effects::EffectSet all_but_terrain() {
@@ -31,13 +50,13 @@ effects::EffectSet all_but_terrain() {
 bool asks_for(const design::DesignSettings& design, Effect effect) {
     if (effect == Effect::ridges) return design.terrain.style.sketch.ridges > 0;
     if (effect == Effect::warning_colors) return design.warning_colors;
-    return display::asked_effects(design).has(effect);
+    return effects::asked_effects(design).has(effect);
 }
 
 /// Why an effect that was asked for did not run; empty: it did.
 std::string why_not(const display::FrameRecord& record, Effect effect) {
     for (const display::EffectRecord& noted : record.effects)
-        if (noted.name.view() == effects::entry_of(effect).name && noted.state != display::EffectState::run)
+        if (noted.name.view() == effects::row_of(effect).name && noted.state != display::EffectState::run)
             return std::string(noted.reason.view());
     return {};
 }
@@ -51,37 +70,10 @@ struct CostBench::Side {
 };
 
 std::string design_calling_for(Effect effect) {
-    switch (effect) {
-        case Effect::warning_colors:
-        case Effect::silhouettes:
-        case Effect::haze:
-        case Effect::aerial_perspective:
-        case Effect::depth_of_field:
-        case Effect::antialiasing:
-        case Effect::stereo:
-        case Effect::cross_fade:
-        case Effect::panel_lighting:
-        case Effect::saliency:
-        case Effect::clutter: return "default";
-        case Effect::surface_grid: return "styles/line_texture";
-        case Effect::ridges: return "styles/ridges_and_valleys";
-        case Effect::moving_sun: return "styles/moving_sun";
-        case Effect::drape: return "styles/aerial_image";
-        case Effect::ground_data: return "data/ground_continuous";
-        case Effect::adjacent: return "data/adjacent_uncertainty";
-        case Effect::vertical_lines: return "effects/vertical_lines";
-        case Effect::projections: return "effects/projections";
-        case Effect::curtains: return "effects/curtains";
-        case Effect::soft_shadows: return "effects/soft_shadows";
-        case Effect::volumetric_light: return "effects/volumetric_light";
-        case Effect::focus_ground: return "focus/brightness";
-        case Effect::focus_blur: return "focus/blur";
-        case Effect::terrain:
-        case Effect::fixed_light:
-        case Effect::plain_color:
-        case Effect::count_: break;
-    }
-    return {};
+    for (const CallingDesign& calling : kCallingDesigns)
+        if (calling.effect == effect) return calling.design;
+    const bool is_free = effect == Effect::terrain || effects::row_of(effect).cost == "none";
+    return is_free ? "" : "default";
 }
 
 CostBench::Side CostBench::open(const PictureOptions& options) const {
@@ -162,7 +154,7 @@ void CostBench::measure_terrain(MeasuredCosts& measured) {
 
 MeasuredCost CostBench::measure_effect(Effect effect) const {
     MeasuredCost cost;
-    cost.name = effects::entry_of(effect).name;
+    cost.name = effects::row_of(effect).name;
     if (design_calling_for(effect).empty()) return cost;
     PictureOptions options = options_for(effect);
     cost.design = options.design;

@@ -19,7 +19,7 @@ struct BenchPlace {
     AircraftPose pose;  ///< with the time that data are shown at
 };
 
-/// A shipped design that calls for an effect, by itself or with display::with_effect; empty for what costs nothing or is measured
+/// A shipped design that calls for an effect, by itself or with effects::with_effect; empty for what costs nothing or is measured
 /// otherwise.
 [[nodiscard]] std::string design_calling_for(effects::Effect effect);
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "platform/clock/monotonic_clock.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
+#include "render_core/effects/effect_calls.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -15,7 +16,7 @@ constexpr int kLedgerRounds = 3, kLedgerWarmUp = 1;  // frames of each side and 
 
 Effect effect_named(std::string_view name) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n)
-        if (effects::entry_of(static_cast<Effect>(n)).name == name) return static_cast<Effect>(n);
+        if (effects::row_of(static_cast<Effect>(n)).name == name) return static_cast<Effect>(n);
     return Effect::count_;
 }
 
@@ -97,7 +98,7 @@ bool EffectLedger::wants(std::uint64_t n) const {
 
 void EffectLedger::note(const display::FrameRecord& record) {
     for (const display::EffectRecord& effect : record.effects) {
-        if (effect.state == EffectState::run || effect.reason.view() == display::kRemovedByPolicy) continue;
+        if (effect.state == EffectState::run || effect.reason.view() == effects::kRemovedByPolicy) continue;
         std::vector<LedgerFate>& fates = fates_[effect_named(effect.name.view())];
         const auto same = std::find_if(fates.begin(), fates.end(), [&](const LedgerFate& fate) {
             return fate.state == effect.state && fate.replaced_by == effect.replaced_by.view() &&
@@ -148,7 +149,7 @@ std::vector<LedgerPrice> EffectLedger::prices(const std::function<void(std::size
     between();
     for (const auto& [effect, fates] : fates_) {
         prices.push_back(price_of(effect, between));
-        prices.back().effect = effects::entry_of(effect).name;
+        prices.back().effect = effects::row_of(effect).name;
         prices.back().fates = fates;
         progress(prices.size(), total);
     }

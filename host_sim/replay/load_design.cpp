@@ -3,7 +3,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -69,8 +69,8 @@ void put_above(const PictureOptions& options, const std::string& path, design::D
     leave_out(options.shown, design);
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         const auto effect = static_cast<effects::Effect>(n);
-        if (options.with.has(effect)) design = display::with_effect(design, effect);
-        if (options.without.has(effect)) design = display::without_effect(design, effect);
+        if (options.with.has(effect)) design = effects::with_effect(design, effect);
+        if (options.without.has(effect)) design = effects::without_effect(design, effect);
     }
     if (options.saliency) design.effects.saliency.view = *options.saliency;
     if (options.clutter) design.effects.clutter = *options.clutter;

@@ -1,5 +1,7 @@
 #include "render_core/design/focus_settings.hpp"
 
+#include <algorithm>
+
 #include "render_core/base/units.hpp"
 #include "render_core/design/config_values.hpp"
 #include "render_core/design/view_effects.hpp"
@@ -168,6 +170,18 @@ const FocusData& data_of_context(const FocusList& foci) noexcept {
     for (const FocusSettings& focus : foci)
         if (focus.of_data.is_any()) return focus.of_data;
     return kAsTheyAre;
+}
+
+bool change_the_ground(const FocusList& foci) noexcept {
+    return std::any_of(foci.begin(), foci.end(), [](const FocusSettings& focus) {
+        return focus.terrain.is_any() || focus.border.kind != FocusBorderKind::none;
+    });
+}
+
+FocusTerrain darkened_instead_of_blurred(FocusTerrain look) noexcept {
+    if (look.blur_px > 0) look.brightness *= kBlurAsBrightness;
+    look.blur_px = 0;
+    return look;
 }
 
 void read_foci(ConfigSection& root, FocusList& foci) {

@@ -127,6 +127,12 @@ using FocusList = base::FixedVector<FocusSettings, scene::kMaxFoci>;
 /// What the context looks like, which is common to all foci: of the first that states it.
 [[nodiscard]] const FocusTerrain& terrain_of_context(const FocusList& foci) noexcept;
 [[nodiscard]] const FocusData& data_of_context(const FocusList& foci) noexcept;
+/// Whether one of them changes what the ground looks like.
+[[nodiscard]] bool change_the_ground(const FocusList& foci) noexcept;
+
+/// Where blur is not possible, or given up, the context is so much darker in its place.
+inline constexpr double kBlurAsBrightness = 0.7;
+[[nodiscard]] FocusTerrain darkened_instead_of_blurred(FocusTerrain look) noexcept;
 
 /// `root`: of the design file.
 void read_foci(base::ConfigSection& root, FocusList& foci);

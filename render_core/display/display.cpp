@@ -1,7 +1,7 @@
 #include "render_core/display/display.hpp"
 
 #include "render_core/design/weighted_design.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::display {
 
@@ -88,7 +88,8 @@ bool Display::can_show(const design::DesignSettings& possible) const {
 bool Display::set_design(const design::DesignSettings& design, const design::PhaseDesigns* phases) {
     const std::size_t count = phases != nullptr ? phases->size() : 0;
     for (std::size_t place = 0; place <= count; ++place)
-        if (!can_show(possible_design(place == 0 ? design : phases->at(place), planner_.settings().device))) return false;
+        if (!can_show(effects::possible_design(place == 0 ? design : phases->at(place), planner_.settings().device)))
+            return false;
     keep_scene();
     planner_.set_designs(design, phases, memory_);
     return true;

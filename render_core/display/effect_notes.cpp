@@ -29,10 +29,10 @@ EffectState state_of(effects::PlanState state) {
 void note(Effect effect, const effects::PlannedEffect& planned, FrameRecord& record) {
     if (planned.state == effects::PlanState::not_asked_for) return;
     EffectRecord noted;
-    noted.name = Name(effects::entry_of(effect).name);
+    noted.name = Name(effects::row_of(effect).name);
     noted.state = state_of(planned.state);
     noted.reason.append(planned.reason);
-    if (planned.replaced_by != Effect::count_) noted.replaced_by = Name(effects::entry_of(planned.replaced_by).name);
+    if (planned.replaced_by != Effect::count_) noted.replaced_by = Name(effects::row_of(planned.replaced_by).name);
     noted.bound = planned.bound;
     static_cast<void>(record.effects.try_push_back(noted));
 }

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "render_core/effects/effect_catalogue.hpp"
+#include "render_core/effects/effect_table.hpp"
 #include "render_core/gl/gl.hpp"
 
 namespace tedavis::display {

@@ -4,12 +4,12 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/display/data_legends.hpp"
-#include "render_core/display/effect_calls.hpp"
 #include "render_core/display/frame_notes.hpp"
 #include "render_core/display/symbology_plan.hpp"
 #include "render_core/display/terrain_ground.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::display {
 

@@ -166,6 +166,8 @@ private:
     [[nodiscard]] bool shows_measure() const;
     [[nodiscard]] bool has_what_gives_way() const;
     void plan_effects();
+    void state_view(effects::EffectFacts& facts);
+    void state_data(effects::EffectFacts& facts);
     [[nodiscard]] ShadowPlan plan_shadows();
     [[nodiscard]] effects::EffectSet asked() const;
     void count();

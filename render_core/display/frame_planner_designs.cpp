@@ -2,9 +2,9 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/design/weighted_design.hpp"
-#include "render_core/display/effect_calls.hpp"
 #include "render_core/display/eye_pair.hpp"
 #include "render_core/display/frame_planner.hpp"
+#include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -28,9 +28,9 @@ base::Error FramePlanner::take_designs(const DisplaySettings& settings, PlannerM
         const design::DesignSettings& asked = place == 0 ? settings.design : settings.phases->at(place);
         if (const auto order = effects::replacement_order(asked.effects.instead); !order.ok())
             return base::make_error("the design's ", order.error().view());
-        asked_of_[place] = asked_effects(asked);
+        asked_of_[place] = effects::asked_effects(asked);
         design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
-        kept = possible_design(asked, settings_.device);
+        kept = effects::possible_design(asked, settings_.device);
         if (kept.sky.air.is_shown != design_.sky.air.is_shown || stereo_margin_px(kept) != stereo_margin_px(design_))
             return differing(design_, kept);
     }
@@ -51,8 +51,8 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
     phases_ = phases != nullptr ? *phases : design::PhaseDesigns();
     for (std::size_t place = 0; place <= count; ++place) {
         const design::DesignSettings& asked = place == 0 ? design : phases->at(place);
-        asked_of_[place] = asked_effects(asked);
-        (place == 0 ? design_ : phases_.at(place)) = possible_design(asked, settings_.device);
+        asked_of_[place] = effects::asked_effects(asked);
+        (place == 0 ? design_ : phases_.at(place)) = effects::possible_design(asked, settings_.device);
     }
     cut(memory);
     show_design(0);
@@ -75,7 +75,7 @@ void FramePlanner::set_foci(const design::FocusList& chosen, PlannerMemory& memo
     for (std::size_t place = 0; place < design_count(); ++place) {
         design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
         TEDAVIS_CHECK(with_foci(chosen, place, kept));
-        asked_of_[place].add(asked_effects(kept));
+        asked_of_[place].add(effects::asked_effects(kept));
     }
     chosen_foci_ = chosen.size();
     memory.clutter.forget();

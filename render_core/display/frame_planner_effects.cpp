@@ -1,53 +1,98 @@
 // Which effects a frame has, and what they need.
 #include <cmath>
 
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/display/cue_states.hpp"
 #include "render_core/display/frame_planner.hpp"
+#include "render_core/display/visible_bounds.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/effects/design_effects.hpp"
+#include "render_core/effects/effect_calls.hpp"
 
 namespace tedavis::display {
 
+namespace {
+
+effects::InputState input_of(GroundDataState state) { return {state == GroundDataState::shown, reason_of(state)}; }
+
+effects::InputState input_of(DrapeState state) {
+    if (state == DrapeState::not_in_database) return {false, "the terrain database has no image"};
+    if (state == DrapeState::not_on_device) return {false, "the device has no room for an image"};
+    return {};
+}
+
+double dimming_of(const policy::PanelLight& panel) {
+    return 1 - std::fmin(panel.white.x, std::fmin(panel.white.y, panel.white.z));
+}
+
+}  // namespace
+
 void FramePlanner::plan_effects() {
-    EffectFacts facts{asked(), settings_.device.forbidden, effects_in_reserve(look_), frame_->decisions};
-    facts.is_near = is_near();
-    facts.light = frame_->light.source;
-    facts.drape = terrain_.drape(look_.terrain.style);
-    facts.ground_data = frame_->data.ground;
-    facts.adjacent = frame_->maps_beside.state;
-    facts.adjacent_maps = frame_->maps_beside.drawn;
-    facts.haze_per_m = frame_->camera.eye.haze_per_m;
-    if (frame_->decisions.show_terrain && !elements_.has_anything()) {
-        facts.nearest_m = terrain_.nearest_m(frame_->camera.eye.view);
-        facts.farthest_m = terrain_.farthest_m(frame_->camera.eye.view);
-    }
-    facts.parallax_px = parallax_bound_px(frame_->eyes, frame_->camera.eye.view.focal_px, facts.nearest_m, facts.farthest_m);
     frame_->shadows = plan_shadows();
-    facts.shadows = frame_->shadows;
     frame_->focus = focus_of(look_.effects.depth_of_field, elements_, frame_->camera.eye.view.eye);
-    facts.focus = frame_->focus;
     frame_->panel = policy::panel_light(look_.effects, frame_->state.own_ship.position, frame_->flight_time.utc);
-    facts.panel = frame_->panel;
-    facts.cues = cue_states(elements_.reports());
-    facts.air = look_.sky.air;
-    facts.has_foci = frame_->foci_plan.foci.is_any();
-    facts.context_blur_px = terrain_of_context(look_.foci).blur_px;
-    facts.reads_distances = reads_distances(look_);
-    facts.shows_clutter = look_.effects.clutter != design::ClutterView::none;
-    const double held_clutter = look_.priority.held_clutter();
-    facts.has_what_gives_way = held_clutter < 1 && has_what_gives_way();
-    facts.is_stereo = painter_.is_stereo;
-    facts.is_forced = effects_are_forced_;
     frame_->earlier_share = next_fade_share();
-    facts.fade_share = frame_->earlier_share;
     frame_->design = design_at(memory_->transition.keeps ? memory_->transition.to : memory_->shown).name;
-    facts.order = order_of(look_);
+    effects::EffectFacts facts;
+    facts.asked = asked();
+    facts.forbidden = settings_.device.forbidden;
+    facts.in_reserve = effects::effects_in_reserve(look_);
+    facts.order = effects::order_of(look_);
+    facts.is_forced = effects_are_forced_;
+    state_view(facts);
+    state_data(facts);
     count();
-    frame_->effects = memory_->budget.plan(effect_calls(facts), settings_.device.capability, frame_->counters,
+    frame_->effects = memory_->budget.plan(effects::effect_calls(facts), settings_.device.capability, frame_->counters,
                                            terrain_tolerance(), frame_->time);
     memory_->saliency.plan(frame_->effects.runs(effects::Effect::saliency), frame_->time);
     const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;
     memory_->clutter.plan(frame_->effects.runs(effects::Effect::clutter), frame_->time, memory_->shown,
-                          may_hold ? held_clutter : 1);
+                          may_hold ? look_.priority.held_clutter() : 1);
+}
+
+/// What may be shown, and how the eye sees it.
+void FramePlanner::state_view(effects::EffectFacts& facts) {
+    const Eye& eye = frame_->camera.eye;
+    SeenSpan seen;
+    if (frame_->decisions.show_terrain && !elements_.has_anything())
+        seen = {terrain_.nearest_m(eye.view), terrain_.farthest_m(eye.view)};
+    facts.shows_terrain = frame_->decisions.show_terrain;
+    facts.shows_warning_colors = frame_->decisions.show_warning_colors;
+    facts.is_unusual_attitude = frame_->decisions.unusual_attitude;
+    facts.is_near = is_near();
+    facts.is_stereo = painter_.is_stereo;
+    facts.parallax_px = parallax_bound_px(frame_->eyes, eye.view.focal_px, seen.nearest_m, seen.farthest_m);
+    facts.fade_share = frame_->earlier_share;
+    facts.light_has_date = frame_->light.source != policy::LightSource::no_date;
+    facts.sun_is_too_low = frame_->light.source == policy::LightSource::sun_too_low;
+    facts.panel_has_date = frame_->panel.has_date;
+    facts.panel_dimming = dimming_of(frame_->panel);
+    facts.has_haze = eye.haze_per_m > 0;
+    facts.has_air = look_.sky.air.is_shown;
+    facts.haze_bound = haze_bound(eye.haze_per_m, seen.farthest_m);
+    facts.air_bound = air_bound(look_.sky.air, seen.farthest_m);
+    facts.focus_blur_px = frame_->focus.blur_px;
+    facts.focus_is_known = frame_->focus.is_known;
+    facts.widest_blur_px = blur_bound(frame_->focus, seen);
+    facts.has_foci = frame_->foci_plan.foci.is_any();
+    facts.context_blur_px = terrain_of_context(look_.foci).blur_px;
+    facts.reads_distances = effects::reads_distances(look_);
+}
+
+void FramePlanner::state_data(effects::EffectFacts& facts) {
+    facts.image = input_of(terrain_.drape(look_.terrain.style));
+    facts.ground_data = input_of(frame_->data.ground);
+    facts.has_symbology = frame_->maps_beside.state != GroundDataState::not_asked_for;
+    facts.maps_beside = input_of(frame_->maps_beside.state);
+    facts.maps_drawn = frame_->maps_beside.drawn;
+    const CueStates cues = cue_states(elements_.reports());
+    facts.vertical_lines = cues[static_cast<std::size_t>(draw::Cue::vertical_lines)];
+    facts.projections = cues[static_cast<std::size_t>(draw::Cue::projection)];
+    facts.curtains = cues[static_cast<std::size_t>(draw::Cue::curtain)];
+    facts.shadows = frame_->shadows.state;
+    facts.widest_shadow_px = frame_->shadows.widest_px;
+    facts.shadow_in_air = frame_->shadows.in_air;
+    facts.shows_clutter = look_.effects.clutter != design::ClutterView::none;
+    facts.has_what_gives_way = look_.priority.held_clutter() < 1 && has_what_gives_way();
 }
 
 ShadowPlan FramePlanner::plan_shadows() {
@@ -55,7 +100,7 @@ ShadowPlan FramePlanner::plan_shadows() {
     if (!settings.is_any() || !frame_->decisions.show_terrain) return {};
     if (!elements_.is_started()) {
         ShadowPlan none;
-        none.state = ShadowState::nothing_casts;
+        none.state = effects::ShadowState::nothing_casts;
         return none;
     }
     const earth::Geodetic eye = earth::from_ecef(frame_->camera.eye.view.eye);

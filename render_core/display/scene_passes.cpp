@@ -125,7 +125,7 @@ draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
 /// One map serves all that reads it.
 draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
     const bool is_read = input.plan.runs(effects::Effect::soft_shadows) || input.plan.runs(effects::Effect::volumetric_light);
-    if (!is_read || !shadows_.is_started() || input.frame.shadows.state != ShadowState::cast) return {};
+    if (!is_read || !shadows_.is_started() || input.frame.shadows.state != effects::ShadowState::cast) return {};
     const ShadowPlan& plan = input.frame.shadows;
     EffectWork map;
     if (!input.has_shadow_map) {

@@ -9,7 +9,7 @@
 namespace tedavis::display {
 namespace {
 
-using Kind = effects::EffectCall::Kind;
+using effects::ShadowState;
 
 // The geoid is no plane, and terrain is drawn within its tolerance.
 constexpr double kHeightMargin_m = 30;
@@ -67,27 +67,6 @@ ShadowPlan plan_shadows(const ShadowScene& scene, const CasterSet& casters) {
     if (casters.glyphs != nullptr) found.add_glyphs(*casters.glyphs, casters.glyph_slots);
     plan.top_msl_m = plan.frame.top_m - scene.undulation_m + kHeightMargin_m;
     return plan;
-}
-
-effects::EffectCall shaft_call(const ShadowPlan& plan, bool is_near, double bound) noexcept {
-    effects::EffectCall call = soft_shadow_call(plan, is_near);
-    if (call.kind == Kind::called && plan.state == ShadowState::cast) {
-        if (!(bound > 0)) return {Kind::not_called_for, "there is neither air nor haze that scatters light"};
-        call.bound = plan.in_air * bound;
-    }
-    return call;
-}
-
-effects::EffectCall soft_shadow_call(const ShadowPlan& plan, bool is_near) noexcept {
-    if (!is_near) return {Kind::not_called_for, "the view is from far away"};
-    switch (plan.state) {
-        case ShadowState::not_asked_for: return {Kind::called, ""};  // not on this device
-        case ShadowState::sun_too_low: return {Kind::not_called_for, "the sun stands below 3 degrees"};
-        case ShadowState::values_on_ground: return {Kind::not_called_for, "the colours of the ground are values"};
-        case ShadowState::nothing_casts: return {Kind::not_called_for, "nothing over the ground casts a shadow into the view"};
-        case ShadowState::cast: break;
-    }
-    return {Kind::called, "", plan.widest_px};
 }
 
 }  // namespace tedavis::display

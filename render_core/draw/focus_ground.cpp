@@ -26,10 +26,6 @@ constexpr double kTenthsOfPixel = 10;
 constexpr double kFarthestReach = 12;
 constexpr double kBoxSlack_m = 2;
 
-bool changes_ground(const design::FocusSettings& focus) {
-    return focus.terrain.is_any() || focus.border.kind != FocusBorderKind::none;
-}
-
 bool is_path(const FocusRegion& region) { return region.kind == scene::FocusPoints::path && region.point_count > 1; }
 
 double step_m(const FocusRegion& region, double farthest_m) {
@@ -94,7 +90,7 @@ bool covers(const GroundFocusKind& built, const GroundFocusKind& wanted) noexcep
 
 GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept {
     GroundFocusKind kind;
-    if (!std::any_of(foci.begin(), foci.end(), changes_ground)) return kind;
+    if (!design::change_the_ground(foci)) return kind;
     kind.foci = static_cast<std::uint8_t>(foci.size());
     for (const design::FocusSettings& focus : foci) {
         kind.has_paths = kind.has_paths || focus.shape == design::FocusShape::path;
@@ -109,12 +105,6 @@ GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept {
     kind.sketches = context.sketch_outside;
     kind.blurs = context.blur_px > 0;
     return kind;
-}
-
-design::FocusTerrain darkened_instead_of_blurred(design::FocusTerrain look) noexcept {
-    if (look.blur_px > 0) look.brightness *= kBlurAsBrightness;
-    look.blur_px = 0;
-    return look;
 }
 
 double sharp_distance_m() noexcept { return 50 * (std::exp2(13 * kSharpCode / 255) - 1); }
@@ -140,7 +130,7 @@ void GroundFocus::set(const scene::FocusRegions* regions, const design::FocusLis
     }
     if (!is_any_) return;
     const design::FocusTerrain& asked = design::terrain_of_context(foci);
-    look_ = blurs ? asked : darkened_instead_of_blurred(asked);
+    look_ = blurs ? asked : design::darkened_instead_of_blurred(asked);
     unit_m_ = kFinestUnit_m;
     while (largest_m > kMostNumber * unit_m_ && unit_m_ < 1024) unit_m_ *= 2;
     texels_ = {};

@@ -34,11 +34,6 @@ struct GroundFocusKind {
 [[nodiscard]] bool covers(const GroundFocusKind& built, const GroundFocusKind& wanted) noexcept;
 [[nodiscard]] GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept;
 
-/// Where blur is not possible, or given up, the context is so much darker in its place.
-inline constexpr double kBlurAsBrightness = 0.7;
-
-[[nodiscard]] design::FocusTerrain darkened_instead_of_blurred(design::FocusTerrain look) noexcept;
-
 /// Distance that is sharp in shaders/focus.frag's code of degrees, which has the code kSharpCode / 255.
 inline constexpr double kSharpCode = 20;
 [[nodiscard]] double sharp_distance_m() noexcept;

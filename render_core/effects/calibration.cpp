@@ -21,7 +21,7 @@ void read_line(base::ConfigSection costs, std::string_view name, CostLine& line)
 }
 
 void read_costs(base::ConfigSection costs, CostTable& table) {
-    for (std::size_t n = 0; n < kEffectCount; ++n) read_line(costs, entry_of(static_cast<Effect>(n)).name, table.effects[n]);
+    for (std::size_t n = 0; n < kEffectCount; ++n) read_line(costs, row_of(static_cast<Effect>(n)).name, table.effects[n]);
     for (std::size_t n = 0; n < kOverheads; ++n) read_line(costs, kOverheadNames[n], table.overheads[n]);
     table.is_known = true;
 }

@@ -17,7 +17,7 @@ struct CostLine {
     double ms_per_thousand = 0;
 };
 
-/// What a frame costs beside the effects of the catalogue.
+/// What a frame costs beside the effects of the table.
 enum class Overhead : std::uint8_t {
     frame,     ///< sky, symbology and everything that no other line has
     elements,  ///< data over the terrain, a thousand features

@@ -83,7 +83,7 @@ void read_forbidden(base::ConfigSection section, EffectSet& forbidden) {
         const Effect effect = effect_of(names[i]);
         if (effect == Effect::count_)
             section.fault("forbid", "no effect has this name; `render_core/effects/README.md` lists them");
-        else if (!entry_of(effect).may_be_forbidden)
+        else if (!row_of(effect).may_be_forbidden)
             section.fault("forbid", "this one always stands or is what takes another's place; remove it");
         else
             forbidden.add(effect);

@@ -4,7 +4,7 @@ namespace tedavis::effects {
 namespace {
 
 bool is_possible(Effect effect, const EffectSet& forbidden, const DeviceCapability& device) {
-    return !forbidden.has(effect) && has(device, entry_of(effect).need);
+    return !forbidden.has(effect) && has(device, row_of(effect).need);
 }
 
 /// What takes the place of an effect that is too dear: the first of its list that a running display can turn to.
@@ -32,7 +32,7 @@ PlannedEffect plan_call(Effect effect, const PlanInput& input, const DeviceCapab
     if (forbidden.has(effect))
         planned.reason = "forbidden by the device's file";
     else if (call.kind == Kind::called && stands_in != effect)
-        planned.reason = lack_of(entry_of(effect).need);
+        planned.reason = lack_of(row_of(effect).need);
     if (stands_in == Effect::count_) return planned;
     planned.state = stands_in == effect ? PlanState::run : PlanState::replaced;
     if (stands_in != effect) planned.replaced_by = stands_in;
@@ -52,7 +52,7 @@ void give_up_if_too_costly(Effect effect, const PlanInput& input, const DeviceCa
 bool is_unseen(const PlanInput& input, const FramePlan& plan, Effect effect, double color_left) {
     if (input.is_forced || plan[effect].state != PlanState::run) return false;
     const double bound = input.calls[static_cast<std::size_t>(effect)].bound;
-    const Contribution contribution = entry_of(effect).contribution;
+    const Contribution contribution = row_of(effect).contribution;
     return contribution == Contribution::color      ? bound <= color_left
            : contribution == Contribution::geometry ? bound < kUnseenPixels
                                                     : bound == 0;
@@ -94,7 +94,7 @@ bool FramePlan::runs(Effect effect) const {
 double FramePlan::unseen_color() const {
     double sum = 0;
     for (std::size_t n = 0; n < kEffectCount; ++n)
-        if (entry_of(static_cast<Effect>(n)).contribution == Contribution::color) sum += effects_[n].bound;
+        if (row_of(static_cast<Effect>(n)).contribution == Contribution::color) sum += effects_[n].bound;
     return sum;
 }
 

@@ -7,16 +7,6 @@
 namespace tedavis::effects {
 namespace {
 
-/// What embellishes goes first, what tells forms apart last. Haze stays: it is cheap, and the terrain's errors are judged by what
-/// it hides.
-struct GivenUp {
-    Effect effect;
-    std::uint8_t from;
-};
-constexpr GivenUp kGivenUp[] = {{Effect::depth_of_field, 1}, {Effect::focus_blur, 1},   {Effect::volumetric_light, 1},
-                                {Effect::saliency, 1},       {Effect::antialiasing, 2}, {Effect::soft_shadows, 2},
-                                {Effect::silhouettes, 4}};
-
 // Triangles fall with a power of the error: measured over six views of two databases, from an error of 1 to 4 pixels, 0.1 (no
 // finer data) to 1.
 constexpr double kFinerPower = 1, kCoarserPower = 0.3;
@@ -26,16 +16,12 @@ double glyph_share(double detail) { return std::pow(scene::kCoarsestGlyphs, -2 *
 
 }  // namespace
 
-std::uint8_t given_up_from(Effect effect) noexcept {
-    for (const GivenUp& entry : kGivenUp)
-        if (entry.effect == effect) return entry.from;
-    return kNever;
-}
-
 EffectSet given_up_on(std::size_t rung) noexcept {
     EffectSet effects;
-    for (const GivenUp& entry : kGivenUp)
-        if (entry.from <= rung) effects.add(entry.effect);
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectRow& row = row_of(static_cast<Effect>(n));
+        if (row.given_up_from <= rung) effects.add(row.effect);
+    }
     return effects;
 }
 

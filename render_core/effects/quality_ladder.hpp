@@ -17,9 +17,8 @@ struct Rung {
 inline constexpr std::size_t kRungs = 6;
 inline constexpr std::array<Rung, kRungs> kLadder{{{1, 1}, {1.4, 0.8}, {2, 0.65}, {2.8, 0.5}, {4, 0.35}, {4, 0.2}}};
 
-/// From which rung on an effect is given up; kNever: on none.
-inline constexpr std::uint8_t kNever = 0xFF;
-[[nodiscard]] std::uint8_t given_up_from(Effect effect) noexcept;
+/// By EffectRow::given_up_from: what embellishes goes first, what tells forms apart last. Haze stays: it is cheap, and the
+/// terrain's errors are judged by what it hides.
 [[nodiscard]] EffectSet given_up_on(std::size_t rung) noexcept;
 
 /// What the terrain may miss on a rung: never so much more than `design_px` that `coarse_px` is passed, beyond which it would be

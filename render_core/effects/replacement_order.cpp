@@ -14,7 +14,7 @@ Sentence joined(std::initializer_list<std::string_view> parts) {
 }
 
 bool can_replace(Effect effect, Effect replacement) {
-    for (const Effect known : entry_of(effect).replacements)
+    for (const Effect known : row_of(effect).replacements)
         if (known == replacement) return true;
     return false;
 }
@@ -22,7 +22,7 @@ bool can_replace(Effect effect, Effect replacement) {
 }  // namespace
 
 ReplacementOrder::ReplacementOrder() : order_{} {
-    for (std::size_t n = 0; n < kEffectCount; ++n) order_[n] = entry_of(static_cast<Effect>(n)).replacements;
+    for (std::size_t n = 0; n < kEffectCount; ++n) order_[n] = row_of(static_cast<Effect>(n)).replacements;
 }
 
 base::Result<ReplacementOrder, Sentence> replacement_order(base::Span<const design::InsteadOf> stated) noexcept {

@@ -1,6 +1,6 @@
-/// What takes an effect's place, in order: the catalogue's, or what a design says instead. Pure; any thread.
+/// What takes an effect's place, in order: that of its row (effect_table.hpp), or what a design says instead. Pure; any thread.
 ///
-/// A design may leave out what the catalogue names and put it in another order; nothing else can take the place of an effect.
+/// A design may leave out what the row names and put it in another order; nothing else can take the place of an effect.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/design/view_effects.hpp"
-#include "render_core/effects/effect_catalogue.hpp"
+#include "render_core/effects/effect_table.hpp"
 
 namespace tedavis::effects {
 
@@ -16,7 +16,7 @@ using Replacements = std::array<Effect, 2>;  ///< count_ for none, which come la
 
 class ReplacementOrder {
 public:
-    ReplacementOrder();  ///< the catalogue's
+    ReplacementOrder();  ///< the rows'
     [[nodiscard]] const Replacements& of(Effect effect) const { return order_[static_cast<std::size_t>(effect)]; }
 
 private:

@@ -97,7 +97,7 @@ host_sim::MeasuredCosts measured(const std::string& folder, host_sim::Console& c
 
 const PixelEffect* pixel_effect(const std::string& name) {
     for (const PixelEffect& known : kPixelEffects)
-        if (effects::entry_of(known.effect).name == name) return &known;
+        if (effects::row_of(known.effect).name == name) return &known;
     return nullptr;
 }
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "render_core/effects/effect_catalogue.hpp"
+#include "render_core/effects/effect_table.hpp"
 #include "target/board_display.hpp"
 
 namespace tedavis::target {
@@ -17,7 +17,7 @@ inline std::string costs_of(const BoardSettings& settings, const std::string& re
     const auto line = [&](std::string_view name) {
         text += "[cost." + std::string(name) + "]\nfixed_ms = 9\nms_per_megapixel = 0\nms_per_thousand = 0\n";
     };
-    for (std::size_t n = 0; n < effects::kEffectCount; ++n) line(effects::entry_of(static_cast<effects::Effect>(n)).name);
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n) line(effects::row_of(static_cast<effects::Effect>(n)).name);
     for (const std::string_view name : effects::kOverheadNames) line(name);
     return text;
 }

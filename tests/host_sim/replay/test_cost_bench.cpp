@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/replay/load_design.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 #include "render_core/effects/quality_ladder.hpp"
 
 namespace tedavis::host_sim::test_cost_bench {
@@ -16,8 +16,8 @@ TEST(CostBench, EveryEffectThatCostsHasADesignThatCallsForIt) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         const auto effect = static_cast<Effect>(n);
         const std::string name = design_calling_for(effect);
-        const bool is_free = effects::entry_of(effect).cost == "none" || effect == Effect::terrain;
-        EXPECT_EQ(name.empty(), is_free) << effects::entry_of(effect).name;
+        const bool is_free = effects::row_of(effect).cost == "none" || effect == Effect::terrain;
+        EXPECT_EQ(name.empty(), is_free) << effects::row_of(effect).name;
         if (name.empty()) continue;
         PictureOptions options;
         options.design = name;
@@ -31,8 +31,8 @@ TEST(CostBench, EveryEffectThatCostsHasADesignThatCallsForIt) {
         } else if (effect == Effect::warning_colors) {
             EXPECT_TRUE(with.warning_colors && !without.warning_colors);
         } else {
-            EXPECT_TRUE(display::asked_effects(with).has(effect)) << name;
-            EXPECT_FALSE(display::asked_effects(without).has(effect)) << name;
+            EXPECT_TRUE(effects::asked_effects(with).has(effect)) << name;
+            EXPECT_FALSE(effects::asked_effects(without).has(effect)) << name;
         }
     }
 }

@@ -17,7 +17,7 @@ MeasuredCosts measured() {
     double ms = 0.125;
     for (std::size_t n = 0; n < effects::kEffectCount; ++n, ms += 0.125)
         m.costs.push_back(
-            {std::string(effects::entry_of(static_cast<effects::Effect>(n)).name), {ms, ms / 2, 3}, ms, 0.1, "x", ""});
+            {std::string(effects::row_of(static_cast<effects::Effect>(n)).name), {ms, ms / 2, 3}, ms, 0.1, "x", ""});
     for (const std::string_view name : effects::kOverheadNames)
         m.costs.push_back({std::string(name), {1, 2, 3}, 1, 0.1, "x", ""});
     m.costs[2].note = "the view\nhas none";

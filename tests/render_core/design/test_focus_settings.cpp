@@ -181,5 +181,13 @@ TEST(FocusSettings, OneLineStatesWhatATableDoes) {
     EXPECT_NE(read_focus("radius_m = 1").error().message.view().find("--focus:1: 'radius_m' must be"), std::string::npos);
 }
 
+TEST(FocusSettings, BrightnessStandsForBlur) {
+    const FocusTerrain blurred{true, 0.6, 0.3, 5}, sharp{false, 0.6, 1, 0};
+    EXPECT_DOUBLE_EQ(darkened_instead_of_blurred(blurred).brightness, 0.6 * kBlurAsBrightness);
+    EXPECT_EQ(darkened_instead_of_blurred(blurred).blur_px, 0);
+    EXPECT_TRUE(darkened_instead_of_blurred(blurred).sketch_outside);
+    EXPECT_EQ(darkened_instead_of_blurred(sharp).brightness, 0.6);
+}
+
 }  // namespace
 }  // namespace tedavis::design::test_focus_settings

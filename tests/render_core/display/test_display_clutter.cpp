@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 #include "tests/support/held_edges.hpp"
 #include "tests/support/map_scene.hpp"
 #include "tests/support/scene_drafts.hpp"
@@ -199,7 +199,7 @@ TEST(DisplayClutter, WhereItCannotBeMeasuredItSaysSo) {
     design::DesignSettings stereo = design_with(kBudget);
     stereo.effects.stereo.mode = design::StereoMode::side_by_side;
     EXPECT_FALSE(shown(stereo).record.clutter.measured.whole.is_known);
-    const design::DesignSettings possible = possible_design(design_with(kBudget), test_support::shipped_device("sc2"));
+    const design::DesignSettings possible = effects::possible_design(design_with(kBudget), test_support::shipped_device("sc2"));
     EXPECT_EQ(possible.priority.held_clutter(), 1) << "none is held";
     effects::PlanInput input;
     input[effects::Effect::clutter].kind = effects::EffectCall::Kind::called;

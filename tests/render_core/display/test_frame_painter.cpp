@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "render_core/display/display.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 #include "tests/support/hills_display.hpp"
 
 namespace tedavis::display::test_frame_painter {
@@ -26,7 +26,7 @@ design::DesignSettings stereo_design(StereoMode mode) {
 
 EffectState state_of(const HeadlessDisplay& headless, Effect effect) {
     for (const EffectRecord& noted : const_cast<HeadlessDisplay&>(headless).display().record().effects)
-        if (noted.name.view() == effects::entry_of(effect).name) return noted.state;
+        if (noted.name.view() == effects::row_of(effect).name) return noted.state;
     return EffectState::skipped;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render_core/display/display.hpp"
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/hills_display.hpp"
 #include "tests/support/loaded_scene.hpp"
@@ -235,14 +235,14 @@ TEST(GridOnData, ItsProgramIsBuiltAtStartOrRefusedLater) {
 
 TEST(GridOnData, OneEffectIsForGroundAndData) {
     const auto with = design_of(Shown::data_with_grid, design::DataTechnique::prism);
-    EXPECT_TRUE(asked_effects(with).has(effects::Effect::surface_grid));
-    const design::DesignSettings bare = without_effect(with, effects::Effect::surface_grid);
+    EXPECT_TRUE(effects::asked_effects(with).has(effects::Effect::surface_grid));
+    const design::DesignSettings bare = effects::without_effect(with, effects::Effect::surface_grid);
     EXPECT_FALSE(has_grid_on_data(bare));
     EXPECT_FALSE(bare.data.elements[0].grid) << "isosurfaces have their own lines again";
     effects::DeviceSettings device = test_support::shipped_device("desktop");
-    EXPECT_TRUE(has_grid_on_data(possible_design(with, device)));
+    EXPECT_TRUE(has_grid_on_data(effects::possible_design(with, device)));
     device.forbidden.add(effects::Effect::surface_grid);
-    EXPECT_FALSE(has_grid_on_data(possible_design(with, device)));
+    EXPECT_FALSE(has_grid_on_data(effects::possible_design(with, device)));
 }
 
 }  // namespace

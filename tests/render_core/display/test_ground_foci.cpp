@@ -1,7 +1,8 @@
 // What foci change of the ground in whole frames: when, by which effect, and that nothing changes where none is anywhere.
 #include <gtest/gtest.h>
 
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
+#include "render_core/effects/effect_calls.hpp"
 #include "tests/support/hills_display.hpp"
 
 namespace tedavis::display::test_ground_foci {
@@ -45,7 +46,7 @@ public:
     /// Of the last picture; without a name where the design does not ask for it.
     [[nodiscard]] EffectRecord effect(Effect asked) {
         for (const EffectRecord& noted : display_.display().record().effects)
-            if (noted.name.view() == effects::entry_of(asked).name) return noted;
+            if (noted.name.view() == effects::row_of(asked).name) return noted;
         return {};
     }
     [[nodiscard]] Display& display() { return display_.display(); }
@@ -103,7 +104,7 @@ TEST_P(GroundFoci, TheRecoverySeesAllOfTheGround) {
     const HillsPicture level = picture_of(GetParam(), without_foci(design_with(dark())));
     Hills with(GetParam(), design_with(dark()));
     EXPECT_EQ(with.picture(100), rolled);
-    EXPECT_EQ(with.effect(Effect::focus_ground).reason.view(), kRemovedByPolicy);
+    EXPECT_EQ(with.effect(Effect::focus_ground).reason.view(), effects::kRemovedByPolicy);
     EXPECT_NE(with.picture(0), level) << "and then it is back";
     EXPECT_EQ(with.effect(Effect::focus_ground).state, EffectState::run);
 }

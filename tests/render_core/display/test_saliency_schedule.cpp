@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
 
@@ -82,7 +82,7 @@ TEST(SaliencySchedule, CostsNothingWhereItIsNotComputed) {
 
 TEST(SaliencySchedule, ADeviceThatCannotCopyItsPictureSaysSoAndPaysNothing) {
     const design::DesignSettings possible =
-        possible_design(design_with(design::SaliencyView::heat), test_support::shipped_device("sc2"));
+        effects::possible_design(design_with(design::SaliencyView::heat), test_support::shipped_device("sc2"));
     EXPECT_EQ(possible.effects.saliency.view, design::SaliencyView::none);
     effects::PlanInput input;
     input[Effect::saliency].kind = effects::EffectCall::Kind::called;

@@ -9,6 +9,7 @@
 namespace tedavis::display::test_shadow_plan {
 namespace {
 
+using effects::Effect;
 using Kind = effects::EffectCall::Kind;
 
 using Shadows = test_support::ShadedView;
@@ -18,7 +19,7 @@ TEST_F(Shadows, AreCalledForWhereSomethingCastsThem) {
     EXPECT_EQ(call().kind, Kind::called);
     EXPECT_GT(plan().widest_px, 50);
     EXPECT_NEAR(plan().frame.top_m, 500, 1);
-    EXPECT_EQ(soft_shadow_call(plan(), false).kind, Kind::not_called_for) << "the map's";
+    EXPECT_EQ(call(Effect::soft_shadows, 0, false).kind, Kind::not_called_for) << "the map's";
 }
 
 TEST_F(Shadows, SayWhyTheyAreNotCalledFor) {
@@ -41,17 +42,17 @@ TEST_F(Shadows, SayWhyTheyAreNotCalledFor) {
 TEST_F(Shadows, InTheAirNeedAirThatScattersLight) {
     settings_.in_air = 0.5;
     add_plate(1000, 50);
-    EXPECT_EQ(shaft_call(plan(), true, 0).why, "there is neither air nor haze that scatters light");
-    EXPECT_EQ(shaft_call(plan(), true, 0).kind, Kind::not_called_for);
-    EXPECT_EQ(shaft_call(plan(), true, 0.8).kind, Kind::called);
-    EXPECT_NEAR(shaft_call(plan(), true, 0.8).bound, 0.4, 1e-12);
+    EXPECT_EQ(call(Effect::volumetric_light, 0).why, "there is neither air nor haze that scatters light");
+    EXPECT_EQ(call(Effect::volumetric_light, 0).kind, Kind::not_called_for);
+    EXPECT_EQ(call(Effect::volumetric_light, 0.8).kind, Kind::called);
+    EXPECT_NEAR(call(Effect::volumetric_light, 0.8).bound, 0.4, 1e-12);
     light_.elevation_rad = 0.03;
-    EXPECT_EQ(shaft_call(plan(), true, 0.8).why, "the sun stands below 3 degrees");
+    EXPECT_EQ(call(Effect::volumetric_light, 0.8).why, "the sun stands below 3 degrees");
 }
 
 TEST_F(Shadows, BehindTheEyeThereAreNone) {
     add_plate(-5000, 50);
-    EXPECT_EQ(plan().state, ShadowState::nothing_casts);
+    EXPECT_EQ(plan().state, effects::ShadowState::nothing_casts);
 }
 
 TEST_F(Shadows, AreBoundedByTheirWidthInThePicture) {

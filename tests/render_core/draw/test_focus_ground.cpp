@@ -81,14 +81,6 @@ TEST(FocusGround, NumbersOfTheTableAreExactToAUnit) {
     }
 }
 
-TEST(FocusGround, BrightnessStandsForBlur) {
-    const design::FocusTerrain blurred{true, 0.6, 0.3, 5}, sharp{false, 0.6, 1, 0};
-    EXPECT_DOUBLE_EQ(darkened_instead_of_blurred(blurred).brightness, 0.6 * kBlurAsBrightness);
-    EXPECT_EQ(darkened_instead_of_blurred(blurred).blur_px, 0);
-    EXPECT_TRUE(darkened_instead_of_blurred(blurred).sketch_outside);
-    EXPECT_EQ(darkened_instead_of_blurred(sharp).brightness, 0.6);
-}
-
 TEST(FocusGround, ProgramsForMoreShowLess) {
     GroundFocusKind built{2, true, false, true};
     EXPECT_TRUE(covers(built, built));

@@ -18,7 +18,7 @@ std::string good() {
         text << "[cost." << name << "]\nfixed_ms = " << n << "\nms_per_megapixel = " << n << ".25\nms_per_thousand = " << n
              << ".5\n";
     };
-    for (std::size_t e = 0; e < kEffectCount; ++e) line(entry_of(static_cast<Effect>(e)).name);
+    for (std::size_t e = 0; e < kEffectCount; ++e) line(row_of(static_cast<Effect>(e)).name);
     for (const std::string_view name : kOverheadNames) line(name);
     return text.str();
 }

@@ -13,21 +13,21 @@ TEST(QualityLadder, EveryRungAsksForNoMoreThanTheOneBefore) {
         EXPECT_LE(kLadder[n].detail_factor, kLadder[n - 1].detail_factor);
         for (std::size_t e = 0; e < kEffectCount; ++e) {
             const auto effect = static_cast<Effect>(e);
-            EXPECT_LE(given_up_on(n - 1).has(effect), given_up_on(n).has(effect)) << entry_of(effect).name;
+            EXPECT_LE(given_up_on(n - 1).has(effect), given_up_on(n).has(effect)) << row_of(effect).name;
         }
     }
 }
 
 TEST(QualityLadder, WhatSafetyNeedsIsOnNoRung) {
     for (const Effect effect : {Effect::terrain, Effect::warning_colors, Effect::ground_data, Effect::adjacent, Effect::haze}) {
-        EXPECT_EQ(given_up_from(effect), kNever) << entry_of(effect).name;
+        EXPECT_EQ(row_of(effect).given_up_from, kNeverGivenUp) << row_of(effect).name;
         EXPECT_FALSE(given_up_on(kRungs - 1).has(effect));
     }
 }
 
 TEST(QualityLadder, WhatEmbellishesGoesFirst) {
-    EXPECT_LT(given_up_from(Effect::depth_of_field), given_up_from(Effect::antialiasing));
-    EXPECT_LT(given_up_from(Effect::antialiasing), given_up_from(Effect::silhouettes));
+    EXPECT_LT(row_of(Effect::depth_of_field).given_up_from, row_of(Effect::antialiasing).given_up_from);
+    EXPECT_LT(row_of(Effect::antialiasing).given_up_from, row_of(Effect::silhouettes).given_up_from);
 }
 
 TEST(QualityLadder, NothingIsGivenUpThatTheDesignGetsWhole) {

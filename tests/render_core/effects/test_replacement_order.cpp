@@ -21,11 +21,11 @@ std::string refusal(const design::InsteadOf& one) {
     return order.ok() ? "" : std::string(order.error().view());
 }
 
-TEST(ReplacementOrder, IsTheCataloguesWhereNothingIsStated) {
+TEST(ReplacementOrder, IsTheTablesWhereNothingIsStated) {
     const auto order = replacement_order({});
     ASSERT_TRUE(order.ok());
     for (std::size_t n = 0; n < kEffectCount; ++n)
-        EXPECT_EQ(order.value().of(static_cast<Effect>(n)), entry_of(static_cast<Effect>(n)).replacements);
+        EXPECT_EQ(order.value().of(static_cast<Effect>(n)), row_of(static_cast<Effect>(n)).replacements);
 }
 
 TEST(ReplacementOrder, ADesignMayWantNothingInAnEffectsPlace) {

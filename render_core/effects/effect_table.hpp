@@ -1,5 +1,6 @@
-/// Every effect that a picture may have: what it needs, what an upper bound of its visible contribution is made of, and what
-/// takes its place. A declaration only; effect_planner decides.
+/// Every effect that a picture may have, a row each: which key of a design asks for it, what the device must have, what it costs,
+/// what takes its place, and when scene and view call for it. effect_planner decides by the rows; no other place lists effects
+/// for these questions, so that a new effect is one row here, its painter, and its test (CONTRIBUTING.md, "A new effect").
 ///
 /// Pure. Thread  any. Memory  none.
 #pragma once
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "render_core/design/design_settings.hpp"
 #include "render_core/effects/device_capability.hpp"
 
 namespace tedavis::effects {
@@ -69,18 +71,41 @@ enum class Need : std::uint8_t {
     picture_copy
 };
 
-struct EffectEntry {
+struct EffectCall;
+struct EffectFacts;
+
+/// No rung of the quality ladder gives it up.
+inline constexpr std::uint8_t kNeverGivenUp = 255;
+
+struct EffectRow {
+    using Design = design::DesignSettings;
+
     Effect effect = Effect::count_;
-    std::string_view name;  ///< as in records and files
+    std::string_view name;        ///< as in records and files
+    std::string_view design_key;  ///< that asks for it: "[table] key"; empty: nothing does, or every design
     Contribution contribution = Contribution::content;
     Need need = Need::nothing;
     bool may_be_forbidden = false;                                       ///< by a device's file
     std::string_view bound;                                              ///< of what its bound is made; empty: it has none
     std::string_view cost;                                               ///< what it adds to a frame
     std::array<Effect, 2> replacements{Effect::count_, Effect::count_};  ///< in order; count_ for none
+    std::uint8_t given_up_from = kNeverGivenUp;                          ///< rung of the quality ladder
+    bool distracts = false;     ///< from the recovery out of an unusual attitude: not shown during it
+    bool needs_terrain = true;  ///< it is not shown where terrain is not
+
+    /// Null: it only takes the place of others.
+    bool (*is_asked)(const Design&) = nullptr;
+    /// Makes a design ask for it. Null: it needs more than to be asked for.
+    void (*ask)(Design&) = nullptr;
+    /// Makes a design ask for it no more. Null: nothing does.
+    void (*take_out)(Design&) = nullptr;
+    /// Makes a design show `by` (count_: nothing) in its place, as `asked` wants it. Null: take_out() does.
+    void (*replace)(const Design& asked, Effect by, Design& possible) = nullptr;
+    /// What scene and view say to it, where a design asks for it and it may be shown. Null: it only takes the place of others.
+    EffectCall (*call)(const EffectFacts&) = nullptr;
 };
 
-[[nodiscard]] const EffectEntry& entry_of(Effect effect) noexcept;
+[[nodiscard]] const EffectRow& row_of(Effect effect) noexcept;
 /// count_ for no such name.
 [[nodiscard]] Effect effect_of(std::string_view name) noexcept;
 

@@ -1,10 +1,11 @@
-#include "render_core/display/cue_calls.hpp"
+#include "render_core/display/cue_states.hpp"
 
 #include <gtest/gtest.h>
 
-#include "render_core/display/effect_calls.hpp"
+#include "render_core/effects/design_effects.hpp"
+#include "render_core/effects/effect_calls.hpp"
 
-namespace tedavis::display::test_cue_calls {
+namespace tedavis::display::test_cue_states {
 namespace {
 
 using effects::Effect;
@@ -28,32 +29,32 @@ ElementReport report_of(const design::DataElement& element, ElementState state) 
 
 design::ElementCues every_cue() { return {1000, true, design::LineMotion::along, 50, 0.5, 0.3}; }
 
-TEST(CueCalls, TheDesignAsksForThemByTheirTables) {
+TEST(CueStates, TheDesignAsksForThemByTheirTables) {
     design::DesignSettings design;
-    for (const Effect effect : kAll) EXPECT_FALSE(asked_effects(design).has(effect));
+    for (const Effect effect : kAll) EXPECT_FALSE(effects::asked_effects(design).has(effect));
     ASSERT_TRUE(design.data.elements.try_push_back(with({})));
-    for (const Effect effect : kAll) EXPECT_FALSE(asked_effects(design).has(effect));
+    for (const Effect effect : kAll) EXPECT_FALSE(effects::asked_effects(design).has(effect));
     ASSERT_TRUE(design.data.elements.try_push_back(with(every_cue())));
-    for (const Effect effect : kAll) EXPECT_TRUE(asked_effects(design).has(effect));
+    for (const Effect effect : kAll) EXPECT_TRUE(effects::asked_effects(design).has(effect));
     design.data.elements[1].cues = {};
     design.data.elements[1].cues.curtain = 0.2;
-    EXPECT_FALSE(asked_effects(design).has(Effect::vertical_lines));
-    EXPECT_FALSE(asked_effects(design).has(Effect::projections));
-    EXPECT_TRUE(asked_effects(design).has(Effect::curtains));
+    EXPECT_FALSE(effects::asked_effects(design).has(Effect::vertical_lines));
+    EXPECT_FALSE(effects::asked_effects(design).has(Effect::projections));
+    EXPECT_TRUE(effects::asked_effects(design).has(Effect::curtains));
 }
 
-TEST(CueCalls, WhatADeviceForbidsIsNotBuilt) {
+TEST(CueStates, WhatADeviceForbidsIsNotBuilt) {
     design::DesignSettings design;
     ASSERT_TRUE(design.data.elements.try_push_back(with(every_cue())));
     for (const Effect effect : kAll) {
         effects::DeviceSettings device;
         device.forbidden.add(effect);
-        const design::DesignSettings possible = possible_design(design, device);
-        for (const Effect other : kAll) EXPECT_EQ(asked_effects(possible).has(other), other != effect);
+        const design::DesignSettings possible = effects::possible_design(design, device);
+        for (const Effect other : kAll) EXPECT_EQ(effects::asked_effects(possible).has(other), other != effect);
     }
 }
 
-TEST(CueCalls, StatesAreThoseOfElementsThatAreShown) {
+TEST(CueStates, StatesAreThoseOfElementsThatAreShown) {
     const design::DataElement element = with(every_cue()), plain = with({});
     ElementReports reports;
     ASSERT_TRUE(reports.try_push_back(report_of(element, ElementState::out_of_date)));
@@ -63,7 +64,7 @@ TEST(CueCalls, StatesAreThoseOfElementsThatAreShown) {
     reports[0].state = ElementState::shown;
     ASSERT_TRUE(reports.try_push_back(report_of(element, ElementState::shown)));
     reports[2].cues[0] = {10, 0};
-    const CueState lines = cue_states(reports)[0];
+    const effects::CueState lines = cue_states(reports)[0];
     EXPECT_TRUE(lines.is_shown);
     EXPECT_EQ(lines.drawn, 15u);
     EXPECT_EQ(lines.hidden, 6u);
@@ -71,25 +72,32 @@ TEST(CueCalls, StatesAreThoseOfElementsThatAreShown) {
     EXPECT_EQ(cue_states(reports)[2].drawn, 0u);
 }
 
-TEST(CueCalls, TheRecordSaysWhy) {
-    EXPECT_EQ(cue_call({}, false).kind, Kind::not_called_for);
-    EXPECT_EQ(cue_call({}, false).why, "no element that asks for it is shown");
-    EXPECT_EQ(cue_call({true, 0, 0}, false).kind, Kind::not_called_for);
-    EXPECT_EQ(cue_call({true, 0, 0}, false).why, "nothing floats over ground that is known");
-    EXPECT_EQ(cue_call({true, 0, 7}, false).kind, Kind::no_input);
-    EXPECT_EQ(cue_call({true, 3, 7}, false).kind, Kind::called);
-    EXPECT_NE(cue_call({true, 3, 7}, false).why, cue_call({true, 3, 0}, false).why);
+TEST(CueStates, TheRecordSaysWhy) {
+    const auto call = [](const effects::CueState& state) {
+        effects::EffectFacts facts;
+        facts.shows_terrain = true;
+        facts.asked.add(Effect::curtains);
+        facts.curtains = state;
+        return effects::effect_calls(facts)[Effect::curtains];
+    };
+    EXPECT_EQ(call({}).kind, Kind::not_called_for);
+    EXPECT_EQ(call({}).why, "no element that asks for it is shown");
+    EXPECT_EQ(call({true, 0, 0}).kind, Kind::not_called_for);
+    EXPECT_EQ(call({true, 0, 0}).why, "nothing floats over ground that is known");
+    EXPECT_EQ(call({true, 0, 7}).kind, Kind::no_input);
+    EXPECT_EQ(call({true, 3, 7}).kind, Kind::called);
+    EXPECT_NE(call({true, 3, 7}).why, call({true, 3, 0}).why);
 }
 
-TEST(CueCalls, WhatIsForbiddenIsToldByThePlanner) {
+TEST(CueStates, WhatIsForbiddenIsToldByThePlanner) {
     design::DesignSettings design;
     ASSERT_TRUE(design.data.elements.try_push_back(with(every_cue())));
-    policy::DisplayDecisions decisions;
-    decisions.show_terrain = true;
-    EffectFacts facts{asked_effects(design), {}, {}, decisions};
+    effects::EffectFacts facts;
+    facts.shows_terrain = true;
+    facts.asked = effects::asked_effects(design);
     facts.forbidden.add(Effect::curtains);
-    facts.cues[0] = {true, 8, 0};
-    const effects::FramePlan plan = effects::plan_effects(effect_calls(facts), {});
+    facts.vertical_lines = {true, 8, 0};
+    const effects::FramePlan plan = effects::plan_effects(effects::effect_calls(facts), {});
     EXPECT_EQ(plan[Effect::vertical_lines].state, effects::PlanState::run);
     EXPECT_EQ(plan[Effect::projections].state, effects::PlanState::skipped);
     EXPECT_EQ(plan[Effect::curtains].state, effects::PlanState::skipped);
@@ -97,4 +105,4 @@ TEST(CueCalls, WhatIsForbiddenIsToldByThePlanner) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_cue_calls
+}  // namespace tedavis::display::test_cue_states

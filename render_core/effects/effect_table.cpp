@@ -1,0 +1,510 @@
+#include "render_core/effects/effect_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/effects/design_effects.hpp"
+#include "render_core/effects/effect_facts.hpp"
+
+namespace tedavis::effects {
+namespace {
+
+using Design = design::DesignSettings;
+using Kind = EffectCall::Kind;
+
+constexpr EffectCall kCalled{Kind::called, ""};
+constexpr EffectCall kFromFarAway{Kind::not_called_for, "the view is from far away"};
+
+// ---- When scene and view call for it --------------------------------------------------------------------------------
+
+EffectCall always(const EffectFacts&) { return kCalled; }
+
+EffectCall where(const InputState& input) { return {input.is_there ? Kind::called : Kind::no_input, input.why}; }
+
+/// `is_forbidden`: then nothing of it was built, and the planner says so.
+EffectCall cue_call(const CueState& state, bool is_forbidden) {
+    if (is_forbidden) return kCalled;
+    if (!state.is_shown) return {Kind::not_called_for, "no element that asks for it is shown"};
+    if (state.drawn > 0) return {Kind::called, state.hidden > 0 ? "for want of room only a part of it" : ""};
+    if (state.hidden > 0) return {Kind::no_input, "the device has no room left for it"};
+    return {Kind::not_called_for, "nothing floats over ground that is known"};
+}
+
+EffectCall sun_call(const EffectFacts& facts) {
+    if (!facts.light_has_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
+    if (facts.sun_is_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};
+    return kCalled;
+}
+
+EffectCall beside_call(const EffectFacts& facts) {
+    if (!facts.has_symbology) return {Kind::not_called_for, "a free view has no symbology"};
+    if (facts.maps_beside.is_there && facts.maps_drawn == 0)
+        return {Kind::no_input, "there is no room beside the symbology and the legends"};
+    return where(facts.maps_beside);
+}
+
+EffectCall focus_call(const EffectFacts& facts) {
+    if (!facts.is_near) return kFromFarAway;
+    if (facts.focus_blur_px <= 0) return kCalled;  // not on this device
+    if (!facts.focus_is_known) return {Kind::no_input, "nothing of the role that is in focus is shown"};
+    return {Kind::called, "", facts.widest_blur_px};
+}
+
+EffectCall context_call(const EffectFacts& facts) {
+    if (!facts.has_foci) return {Kind::not_called_for, "no focus is anywhere"};
+    return kCalled;
+}
+
+EffectCall context_blur_call(const EffectFacts& facts) {
+    const EffectCall call = context_call(facts);
+    if (call.kind != Kind::called) return call;
+    if (facts.reads_distances) return {Kind::no_input, "silhouettes, depth of field or light shafts need the distances instead"};
+    return {Kind::called, "", facts.context_blur_px};
+}
+
+EffectCall clutter_call(const EffectFacts& facts) {
+    if (facts.shows_clutter) return kCalled;
+    if (facts.is_stereo) return {Kind::no_input, "regions of a picture for each eye are not those of the view"};
+    if (!facts.has_what_gives_way) return {Kind::not_called_for, "nothing is shown that gives way"};
+    return kCalled;
+}
+
+EffectCall panel_call(const EffectFacts& facts) {
+    if (!facts.panel_has_date) return {Kind::no_input, "the time of the flight is no date"};
+    if (facts.panel_dimming <= 0) return {Kind::not_called_for, "it is day"};
+    return {Kind::called, "", facts.panel_dimming};
+}
+
+EffectCall soft_shadow_call(const EffectFacts& facts) {
+    if (!facts.is_near) return kFromFarAway;
+    switch (facts.shadows) {
+        case ShadowState::not_asked_for: return kCalled;  // not on this device
+        case ShadowState::sun_too_low: return {Kind::not_called_for, "the sun stands below 3 degrees"};
+        case ShadowState::values_on_ground: return {Kind::not_called_for, "the colours of the ground are values"};
+        case ShadowState::nothing_casts: return {Kind::not_called_for, "nothing over the ground casts a shadow into the view"};
+        case ShadowState::cast: break;
+    }
+    return {Kind::called, "", facts.widest_shadow_px};
+}
+
+EffectCall light_shaft_call(const EffectFacts& facts) {
+    EffectCall call = soft_shadow_call(facts);
+    if (call.kind != Kind::called || facts.shadows != ShadowState::cast) return call;
+    const bool has_air = facts.asked.has(Effect::aerial_perspective) && facts.has_air;
+    const double bound = has_air ? facts.air_bound : facts.has_haze ? facts.haze_bound : 0;
+    if (!(bound > 0)) return {Kind::not_called_for, "there is neither air nor haze that scatters light"};
+    call.bound = facts.shadow_in_air * bound;
+    return call;
+}
+
+// ---- What a design says of it ---------------------------------------------------------------------------------------
+
+template <double design::ElementCues::*Cue>
+bool asks_for_cue(const Design& design) {
+    const design::DataElementList& elements = design.data.elements;
+    return std::any_of(elements.begin(), elements.end(),
+                       [](const design::DataElement& element) { return element.cues.*Cue > 0; });
+}
+
+template <double design::ElementCues::*Cue>
+void take_out_cue(Design& design) {
+    for (design::DataElement& element : design.data.elements) element.cues.*Cue = 0;
+}
+
+/// Ways that would cast shadows are projected onto the ground instead, as strongly at least.
+void project_casters(const design::CasterRoles& casters, double strength, design::DataElementList& elements) {
+    if (!(strength > 0)) return;
+    for (design::DataElement& element : elements) {
+        const bool is_way =
+            element.technique == design::DataTechnique::tube || element.technique == design::DataTechnique::space_time;
+        if (is_way && casters.has(element.role)) element.cues.projection = std::fmax(element.cues.projection, strength);
+    }
+}
+
+void replace_silhouettes(const Design& asked, Effect by, Design& possible) {
+    design::SketchSettings& sketch = possible.terrain.style.sketch;
+    if (by == Effect::ridges) sketch.ridges = std::fmax(sketch.ridges, asked.terrain.style.sketch.silhouettes);
+    if (by != Effect::silhouettes) sketch.silhouettes = 0;
+}
+
+void replace_soft_shadows(const Design& asked, Effect by, Design& possible) {
+    const design::ShadowSettings& shadows = asked.effects.shadows;
+    if (by == Effect::projections) project_casters(shadows.casters, shadows.on_ground, possible.data.elements);
+    if (by != Effect::soft_shadows) possible.effects.shadows.on_ground = 0;
+}
+
+void replace_volumetric_light(const Design& asked, Effect by, Design& possible) {
+    const design::ShadowSettings& shadows = asked.effects.shadows;
+    double& on_ground = possible.effects.shadows.on_ground;
+    if (by == Effect::projections) project_casters(shadows.casters, shadows.in_air, possible.data.elements);
+    if (by == Effect::soft_shadows) on_ground = std::fmax(on_ground, shadows.in_air);
+    if (by != Effect::volumetric_light) possible.effects.shadows.in_air = 0;
+}
+
+/// Blur is another effect.
+bool asks_for_context(const Design& design) {
+    design::FocusTerrain context = terrain_of_context(design.foci);
+    context.blur_px = 0;
+    bool asks = context.is_any();
+    for (const design::FocusSettings& focus : design.foci) asks = asks || focus.border.kind != design::FocusBorderKind::none;
+    return asks;
+}
+
+void take_out_context(Design& design) {
+    for (design::FocusSettings& focus : design.foci) {
+        const double blur_px = focus.terrain.blur_px;
+        focus.terrain = {};
+        focus.terrain.blur_px = blur_px;
+        focus.border = {};
+    }
+}
+
+void take_out_context_blur(Design& design) {
+    for (design::FocusSettings& focus : design.foci) focus.terrain.blur_px = 0;
+}
+
+/// Alpha of the picture has room for distances, or for how sharp it is.
+void replace_context_blur(const Design&, Effect by, Design& possible) {
+    if (by == Effect::focus_blur && !reads_distances(possible)) return;
+    for (design::FocusSettings& focus : possible.foci) {
+        if (by != Effect::count_) focus.terrain = design::darkened_instead_of_blurred(focus.terrain);
+        focus.terrain.blur_px = 0;
+    }
+}
+
+void take_out_grid(Design& design) {
+    design.terrain.style.grid.spacing_m = 0;
+    for (design::DataElement& element : design.data.elements) element.grid = false;
+}
+
+void take_out_image(Design& design) {
+    design::TerrainTexture& texture = design.terrain.style.texture;
+    if (texture == design::TerrainTexture::image) texture = design::TerrainTexture::plain;
+}
+
+// ---- The table ------------------------------------------------------------------------------------------------------
+
+/// States a row; what a row does not state is EffectRow's own.
+class Row {
+public:
+    constexpr Row(Effect effect, std::string_view name) {
+        row_.effect = effect;
+        row_.name = name;
+    }
+    constexpr Row costs(std::string_view cost) const { return with(&EffectRow::cost, cost); }
+    constexpr Row needs(Need need) const { return with(&EffectRow::need, need); }
+    constexpr Row may_be_forbidden() const { return with(&EffectRow::may_be_forbidden, true); }
+    constexpr Row distracts() const { return with(&EffectRow::distracts, true); }
+    constexpr Row without_terrain() const { return with(&EffectRow::needs_terrain, false); }
+    constexpr Row given_up_from(std::uint8_t rung) const { return with(&EffectRow::given_up_from, rung); }
+    constexpr Row changes(Contribution contribution, std::string_view bound) const {
+        return with(&EffectRow::contribution, contribution).with(&EffectRow::bound, bound);
+    }
+    constexpr Row replaced_by(Effect first, Effect second = Effect::count_) const {
+        Row row = *this;
+        row.row_.replacements = {first, second};
+        return row;
+    }
+    constexpr Row asked_by(std::string_view key, bool (*is_asked)(const Design&)) const {
+        return with(&EffectRow::design_key, key).with(&EffectRow::is_asked, is_asked);
+    }
+    constexpr Row on_asking(void (*ask)(Design&)) const { return with(&EffectRow::ask, ask); }
+    constexpr Row on_taking_out(void (*take_out)(Design&)) const { return with(&EffectRow::take_out, take_out); }
+    constexpr Row on_replacing(void (*replace)(const Design&, Effect, Design&)) const {
+        return with(&EffectRow::replace, replace);
+    }
+    constexpr Row called(EffectCall (*call)(const EffectFacts&)) const { return with(&EffectRow::call, call); }
+    constexpr operator EffectRow() const { return row_; }
+
+private:
+    template <class Value>
+    constexpr Row with(Value EffectRow::*member, Value value) const {
+        Row row = *this;
+        row.row_.*member = value;
+        return row;
+    }
+    EffectRow row_;
+};
+
+constexpr std::array<EffectRow, kEffectCount> kTable{{
+    Row(Effect::terrain, "terrain")
+        .costs("the terrain pass")
+        .asked_by("", [](const Design&) { return true; })
+        .called([](const EffectFacts&) {
+            return EffectCall{Kind::called, "terrain in view"};
+        }),
+    Row(Effect::warning_colors, "warning_colors")
+        .costs("a variant of the terrain's program")
+        .asked_by("[warning] enabled", [](const Design&) { return true; })
+        .on_taking_out([](Design& design) { design.warning_colors = false; })
+        .called([](const EffectFacts& facts) -> EffectCall {
+            if (facts.shows_warning_colors) return {Kind::called, "height is geometric and valid"};
+            return {Kind::not_called_for, "not asked for or height not to be trusted"};
+        }),
+    Row(Effect::silhouettes, "silhouettes")
+        .needs(Need::depth24_target)
+        .may_be_forbidden()
+        .costs("a picture off screen, and a pass of five taps")
+        .replaced_by(Effect::ridges)
+        .given_up_from(4)
+        .asked_by("[terrain.sketch] silhouettes",
+                  [](const Design& design) { return design.terrain.style.sketch.silhouettes > 0; })
+        .on_taking_out([](Design& design) { design.terrain.style.sketch.silhouettes = 0; })
+        .on_replacing(replace_silhouettes)
+        .called([](const EffectFacts& facts) -> EffectCall {
+            if (facts.is_near) return kCalled;
+            return {Kind::not_called_for, "seen from so far away depths hardly differ"};
+        }),
+    Row(Effect::ridges, "ridges").costs("a variant of the terrain's program").on_taking_out([](Design& design) {
+        design.terrain.style.sketch.ridges = 0;
+    }),
+    Row(Effect::moving_sun, "moving_sun")
+        .may_be_forbidden()
+        .costs("shadows anew at every quarter of a degree")
+        .replaced_by(Effect::fixed_light)
+        .asked_by("[terrain.shade] follows_sun", [](const Design& design) { return design.terrain.style.shade.follows_sun; })
+        .on_taking_out([](Design& design) { design.terrain.style.shade.follows_sun = false; })
+        .called(sun_call),
+    Row(Effect::fixed_light, "fixed_light").costs("none"),
+    Row(Effect::drape, "drape")
+        .may_be_forbidden()
+        .costs("pages of the image, and a tap")
+        .replaced_by(Effect::plain_color)
+        .asked_by("[terrain.texture] technique",
+                  [](const Design& design) { return design.terrain.style.texture == design::TerrainTexture::image; })
+        .on_taking_out(take_out_image)
+        .called([](const EffectFacts& facts) { return where(facts.image); }),
+    Row(Effect::plain_color, "plain_color").costs("none"),
+    Row(Effect::aerial_perspective, "aerial_perspective")
+        .needs(Need::half_float_texture)
+        .may_be_forbidden()
+        .changes(Contribution::color, "1 - what is left of the strongest band over the farthest ground, at the densest air")
+        .costs("three taps and a root a pixel; a table of 64 x 64 a step of the eye's height")
+        .replaced_by(Effect::haze)
+        .asked_by("[sky] aerial_perspective", [](const Design& design) { return design.sky.air.is_shown; })
+        .on_asking([](Design& design) { design.sky.air.is_shown = true; })
+        .on_taking_out([](Design& design) { design.sky.air.is_shown = false; })
+        .called([](const EffectFacts& facts) {
+            return facts.is_near ? EffectCall{Kind::called, "", facts.air_bound} : kFromFarAway;
+        }),
+    Row(Effect::haze, "haze")
+        .may_be_forbidden()
+        .changes(Contribution::color, "1 - exp(-farthest ground / haze distance)")
+        .costs("an exponential a vertex, and a blend a pixel")
+        .asked_by("[sky] haze_distance_m",
+                  [](const Design& design) { return !design.sky.air.is_shown && design.sky.haze_distance_m > 0; })
+        .on_taking_out([](Design& design) { design.sky.haze_distance_m = 0; })
+        .called([](const EffectFacts& facts) {
+            return facts.has_haze ? EffectCall{Kind::called, "", facts.haze_bound} : kFromFarAway;
+        }),
+    Row(Effect::surface_grid, "surface_grid")
+        .may_be_forbidden()
+        .costs(
+            "two lines' distances, a pixel of the ground; three, and a place's latitude, longitude and height, a pixel of data")
+        .asked_by("[terrain.grid] spacing_m", [](const Design& design) { return design.terrain.style.grid.spacing_m > 0; })
+        .on_taking_out(take_out_grid)
+        .called(always),
+    Row(Effect::ground_data, "ground_data")
+        .may_be_forbidden()
+        .costs("taps of the slice and of its colours, a pixel of the ground")
+        .asked_by("[data.ground] enabled", [](const Design& design) { return design.data.ground.is_shown; })
+        .on_taking_out([](Design& design) { design.data.ground.is_shown = false; })
+        .called([](const EffectFacts& facts) { return where(facts.ground_data); }),
+    Row(Effect::adjacent, "adjacent")
+        .may_be_forbidden()
+        .distracts()
+        .costs("quads of the symbology")
+        .asked_by("[data.adjacent] enabled", [](const Design& design) { return design.data.adjacent.is_shown; })
+        .on_taking_out([](Design& design) { design.data.adjacent.is_shown = false; })
+        .called(beside_call),
+    Row(Effect::depth_of_field, "depth_of_field")
+        .needs(Need::second_picture)
+        .may_be_forbidden()
+        .distracts()
+        .changes(Contribution::geometry, "the widest blur between the nearest ground and the farthest")
+        .costs("a picture off screen, and a pass of seventeen taps")
+        .given_up_from(1)
+        .asked_by("[effects.depth_of_field] blur_px",
+                  [](const Design& design) { return design.effects.depth_of_field.blur_px > 0; })
+        .on_asking([](Design& design) { design.effects.depth_of_field.blur_px = 4; })
+        .on_taking_out([](Design& design) { design.effects.depth_of_field.blur_px = 0; })
+        .called(focus_call),
+    Row(Effect::antialiasing, "antialiasing")
+        .needs(Need::second_picture)
+        .may_be_forbidden()
+        .changes(Contribution::geometry, "one pixel, where anything has an edge")
+        .costs("a picture off screen, and a pass of five taps; four more at edges")
+        .given_up_from(2)
+        .asked_by("[effects] antialiasing", [](const Design& design) { return design.effects.antialiasing; })
+        .on_asking([](Design& design) { design.effects.antialiasing = true; })
+        .on_taking_out([](Design& design) { design.effects.antialiasing = false; })
+        .called([](const EffectFacts&) {
+            return EffectCall{Kind::called, "", 1};
+        }),
+    Row(Effect::panel_lighting, "panel_lighting")
+        .may_be_forbidden()
+        .without_terrain()
+        .changes(Contribution::color, "1 - the darkest factor")
+        .costs("a blended pass over the display")
+        .asked_by("[effects] lighting",
+                  [](const Design& design) { return design.effects.lighting != design::PanelLighting::day; })
+        .on_asking([](Design& design) { design.effects.lighting = design::PanelLighting::night; })
+        .on_taking_out([](Design& design) { design.effects.lighting = design::PanelLighting::day; })
+        .called(panel_call),
+    Row(Effect::stereo, "stereo")
+        .needs(Need::second_picture)
+        .may_be_forbidden()
+        .distracts()
+        .changes(Contribution::geometry, "the greatest parallax between the nearest ground and the farthest")
+        .costs("the scene twice, into a picture off screen, and a tap")
+        .asked_by("[effects.stereo] mode",
+                  [](const Design& design) { return design.effects.stereo.mode != design::StereoMode::none; })
+        .on_asking([](Design& design) { design.effects.stereo.mode = design::StereoMode::side_by_side; })
+        .on_taking_out([](Design& design) { design.effects.stereo.mode = design::StereoMode::none; })
+        .called([](const EffectFacts& facts) {
+            return facts.is_near ? EffectCall{Kind::called, "", facts.parallax_px} : kFromFarAway;
+        }),
+    Row(Effect::cross_fade, "cross_fade")
+        .needs(Need::second_picture)
+        .may_be_forbidden()
+        .distracts()
+        .changes(Contribution::color, "the share of the scene as it was")
+        .costs("the scene as it was, once, into a picture off screen; then a blended tap")
+        .asked_by("[effects] fade_s", [](const Design& design) { return design.effects.fade_s > 0; })
+        .on_asking([](Design& design) { design.effects.fade_s = 0.5; })
+        .on_taking_out([](Design& design) { design.effects.fade_s = 0; })
+        .called([](const EffectFacts& facts) -> EffectCall {
+            if (facts.fade_share > 0) return {Kind::called, "", facts.fade_share};
+            return {Kind::not_called_for, "nothing has changed"};
+        }),
+    Row(Effect::vertical_lines, "vertical_lines")
+        .may_be_forbidden()
+        .costs("twelve triangles a line; those that travel are built every frame")
+        .asked_by("[data.element.cues] line_spacing_m", asks_for_cue<&design::ElementCues::line_spacing_m>)
+        .on_taking_out(take_out_cue<&design::ElementCues::line_spacing_m>)
+        .called(
+            [](const EffectFacts& facts) { return cue_call(facts.vertical_lines, facts.forbidden.has(Effect::vertical_lines)); }),
+    Row(Effect::projections, "projections")
+        .may_be_forbidden()
+        .costs("two triangles a stretch of 200 m")
+        .asked_by("[data.element.cues] projection", asks_for_cue<&design::ElementCues::projection>)
+        .on_taking_out(take_out_cue<&design::ElementCues::projection>)
+        .called([](const EffectFacts& facts) { return cue_call(facts.projections, facts.forbidden.has(Effect::projections)); }),
+    Row(Effect::curtains, "curtains")
+        .may_be_forbidden()
+        .costs("two triangles a stretch of 200 m, blended on both sides")
+        .asked_by("[data.element.cues] curtain", asks_for_cue<&design::ElementCues::curtain>)
+        .on_taking_out(take_out_cue<&design::ElementCues::curtain>)
+        .called([](const EffectFacts& facts) { return cue_call(facts.curtains, facts.forbidden.has(Effect::curtains)); }),
+    Row(Effect::soft_shadows, "soft_shadows")
+        .needs(Need::shadow_map)
+        .may_be_forbidden()
+        .distracts()
+        .changes(Contribution::geometry, "the widest thing that casts one, in pixels over the nearest ground")
+        .costs("a map of up to three levels; 10 taps a pixel of the ground, 32 more in a shadow")
+        .replaced_by(Effect::projections)
+        .given_up_from(2)
+        .asked_by("[effects.shadows] on_ground", [](const Design& design) { return design.effects.shadows.on_ground > 0; })
+        .on_asking([](Design& design) { design.effects.shadows.on_ground = 0.6; })
+        .on_taking_out([](Design& design) { design.effects.shadows.on_ground = 0; })
+        .on_replacing(replace_soft_shadows)
+        .called(soft_shadow_call),
+    Row(Effect::volumetric_light, "volumetric_light")
+        .needs(Need::shadow_map_and_picture)
+        .may_be_forbidden()
+        .distracts()
+        .changes(Contribution::color, "its strength times that of air, or of haze")
+        .costs("the same map; a pass of a tap a step at half the picture's size, and one of four taps")
+        .replaced_by(Effect::soft_shadows, Effect::projections)
+        .given_up_from(1)
+        .asked_by("[effects.shadows] in_air", [](const Design& design) { return design.effects.shadows.in_air > 0; })
+        .on_asking([](Design& design) { design.effects.shadows.in_air = 0.6; })
+        .on_taking_out([](Design& design) { design.effects.shadows.in_air = 0; })
+        .on_replacing(replace_volumetric_light)
+        .called(light_shaft_call),
+    Row(Effect::focus_ground, "focus_ground")
+        .may_be_forbidden()
+        .distracts()
+        .costs("a variant of the terrain's program; six taps and two for each point that is near, a pixel of ground at a rim or "
+               "between")
+        .asked_by("[focus.terrain], [focus.border]", asks_for_context)
+        .on_taking_out(take_out_context)
+        .called(context_call),
+    Row(Effect::focus_blur, "focus_blur")
+        .needs(Need::second_picture)
+        .may_be_forbidden()
+        .distracts()
+        .changes(Contribution::geometry, "the blur of the context")
+        .costs("a picture off screen, and a pass of seventeen taps")
+        .replaced_by(Effect::focus_ground)
+        .given_up_from(1)
+        .asked_by("[focus.terrain] blur_px", [](const Design& design) { return terrain_of_context(design.foci).blur_px > 0; })
+        .on_taking_out(take_out_context_blur)
+        .on_replacing(replace_context_blur)
+        .called(context_blur_call),
+    Row(Effect::saliency, "saliency")
+        .needs(Need::picture_copy)
+        .may_be_forbidden()
+        .distracts()
+        .costs("a copy of the picture, and some eighty passes at a quarter of its size, an eighth on ES 2; a blended tap")
+        .given_up_from(1)
+        .asked_by("[effects.saliency] view",
+                  [](const Design& design) { return design.effects.saliency.view != design::SaliencyView::none; })
+        .on_asking([](Design& design) { design.effects.saliency.view = design::SaliencyView::heat; })
+        .on_taking_out([](Design& design) { design.effects.saliency = {}; })
+        .called(always),
+    Row(Effect::clutter, "clutter")
+        .needs(Need::picture_copy)
+        .may_be_forbidden()
+        .distracts()
+        .costs(
+            "for a budget, twice a second (once on ES 2): edges of the picture, and the scene up to six times; as a view edges "
+            "of every picture and a blended tap")
+        .asked_by("[priority] clutter_budget, [effects.clutter] view",
+                  [](const Design& design) {
+                      return design.priority.held_clutter() < 1 || design.effects.clutter != design::ClutterView::none;
+                  })
+        .on_asking([](Design& design) { design.effects.clutter = design::ClutterView::regions; })
+        .on_taking_out([](Design& design) {
+            design.effects.clutter = design::ClutterView::none;
+            design.priority.clutter_budget = 1;
+        })
+        .called(clutter_call),
+}};
+
+constexpr bool is_in_order() {
+    for (std::size_t n = 0; n < kEffectCount; ++n)
+        if (kTable[n].effect != static_cast<Effect>(n)) return false;
+    return true;
+}
+static_assert(is_in_order());
+
+}  // namespace
+
+const EffectRow& row_of(Effect effect) noexcept { return kTable[static_cast<std::size_t>(effect)]; }
+
+Effect effect_of(std::string_view name) noexcept {
+    for (const EffectRow& row : kTable)
+        if (row.name == name) return row.effect;
+    return Effect::count_;
+}
+
+bool has(const DeviceCapability& device, Need need) noexcept {
+    if (need == Need::depth24_target) return device.depth24_targets;
+    if (need == Need::second_picture) return device.gl.calls == CallClass::es3 && device.off_screen_pictures >= 2;
+    if (need == Need::shadow_map_and_picture) return has(device, Need::shadow_map) && has(device, Need::second_picture);
+    if (need == Need::shadow_map) return device.gl.calls == CallClass::es3 && device.shadow_map_px > 0;
+    if (need == Need::picture_copy) return device.gl.calls != CallClass::sc2;
+    return need == Need::nothing || device.gl.calls == CallClass::es3;
+}
+
+std::string_view lack_of(Need need) noexcept {
+    if (need == Need::depth24_target) return "the device has no 24-bit depth off screen";
+    if (need == Need::second_picture) return "the device has no second picture off screen that is read by texels";
+    if (need == Need::shadow_map_and_picture) return "the device has no map of shadows, or no second picture off screen";
+    if (need == Need::shadow_map) return "the device has no map of shadows";
+    if (need == Need::picture_copy) return "the device cannot copy what it has drawn";
+    return need == Need::half_float_texture ? "the device has no textures of half floats" : "";
+}
+
+}  // namespace tedavis::effects

@@ -1,0 +1,126 @@
+#include "render_core/effects/effect_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "render_core/effects/quality_ladder.hpp"
+#include "tests/support/device_files.hpp"
+
+namespace tedavis::effects::test_effect_table {
+namespace {
+
+const char* name_of(Need need) {
+    return need == Need::depth24_target           ? "24-bit depth off screen"
+           : need == Need::half_float_texture     ? "textures of half floats"
+           : need == Need::second_picture         ? "a second picture off screen, ES 3"
+           : need == Need::shadow_map             ? "a map of shadows, ES 3"
+           : need == Need::shadow_map_and_picture ? "a map of shadows, a second picture off screen, ES 3"
+           : need == Need::picture_copy           ? "copies of what was drawn, ES"
+                                                  : "";
+}
+
+std::string rung_of(const EffectRow& row) { return row.given_up_from == kNeverGivenUp ? "" : std::to_string(row.given_up_from); }
+
+/// The table of the module's README, from the code.
+std::string table() {
+    std::ostringstream text;
+    text << "| effect | asked for by | shows | needs | bound of what is seen | cost | grows with | given up from rung | in its "
+            "place "
+            "|\n|---|---|---|---|---|---|---|---|---|\n";
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectRow& row = row_of(static_cast<Effect>(n));
+        text << "| `" << row.name << "` | " << (row.design_key.empty() ? "" : "`" + std::string(row.design_key) + "`") << " | "
+             << kContributionNames[static_cast<std::size_t>(row.contribution)] << " | " << name_of(row.need) << " | " << row.bound
+             << " | " << row.cost << " | " << kCostThingNames[static_cast<std::size_t>(thing_of(row.effect))] << " | "
+             << rung_of(row) << " | ";
+        for (const Effect replacement : row.replacements)
+            if (replacement != Effect::count_) text << "`" << row_of(replacement).name << "` ";
+        text << "|\n";
+    }
+    return text.str();
+}
+
+TEST(EffectTable, IsThePageOfTheModule) {
+    const std::string page = test_support::source_file("render_core/effects/README.md");
+    EXPECT_NE(page.find(table()), std::string::npos) << "write this table into render_core/effects/README.md:\n" << table();
+}
+
+TEST(EffectTable, NamesAreUniqueAndFoundAgain) {
+    std::set<std::string_view> names;
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectRow& row = row_of(static_cast<Effect>(n));
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_EQ(effect_of(row.name), static_cast<Effect>(n));
+    }
+    EXPECT_EQ(effect_of("aurora"), Effect::count_);
+    EXPECT_EQ(effect_of(""), Effect::count_);
+}
+
+/// What stands in last needs nothing. For content it cannot be taken away either: nothing is lost that others show.
+TEST(EffectTable, WhatStandsInIsAlwaysPossible) {
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectRow& row = row_of(static_cast<Effect>(n));
+        for (const Effect replacement : row.replacements) {
+            if (replacement == Effect::count_) continue;
+            const bool is_last = row.replacements.back() == Effect::count_ || replacement == row.replacements.back();
+            EXPECT_TRUE(!is_last || row_of(replacement).need == Need::nothing) << row.name;
+            if (row.contribution != Contribution::content) continue;
+            EXPECT_FALSE(row_of(replacement).may_be_forbidden);
+        }
+    }
+    for (const Effect always : {Effect::terrain, Effect::warning_colors}) EXPECT_FALSE(row_of(always).may_be_forbidden);
+}
+
+/// What is asked for can be left out again, and says when it is called for.
+TEST(EffectTable, RowsAreWhole) {
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectRow& row = row_of(static_cast<Effect>(n));
+        EXPECT_FALSE(row.cost.empty()) << row.name;
+        EXPECT_EQ(row.is_asked != nullptr, row.call != nullptr) << row.name;
+        EXPECT_TRUE(row.take_out != nullptr || row.effect == Effect::terrain || row.call == nullptr) << row.name;
+        if (row.ask == nullptr) continue;
+        design::DesignSettings design;
+        row.ask(design);
+        EXPECT_TRUE(row.is_asked(design)) << row.name;
+        row.take_out(design);
+        EXPECT_FALSE(row.is_asked(design)) << row.name;
+    }
+}
+
+TEST(EffectTable, OnlyEffectsOnColourOrPlacesHaveABound) {
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        const EffectRow& row = row_of(static_cast<Effect>(n));
+        EXPECT_EQ(row.bound.empty(), row.contribution == Contribution::content) << row.name;
+    }
+}
+
+TEST(EffectTable, ADeviceHasWhatItsFileSays) {
+    DeviceCapability device;
+    EXPECT_TRUE(has(device, Need::depth24_target));
+    device.depth24_targets = false;
+    EXPECT_FALSE(has(device, Need::depth24_target));
+    EXPECT_TRUE(has(device, Need::nothing));
+    EXPECT_TRUE(has(device, Need::picture_copy));
+    device.gl.calls = CallClass::es3;
+    EXPECT_TRUE(has(device, Need::half_float_texture));
+    EXPECT_FALSE(has(device, Need::second_picture));
+    device.off_screen_pictures = 2;
+    EXPECT_TRUE(has(device, Need::second_picture));
+    EXPECT_FALSE(has(device, Need::shadow_map));
+    device.shadow_map_px = 1024;
+    EXPECT_TRUE(has(device, Need::shadow_map));
+    EXPECT_TRUE(has(device, Need::shadow_map_and_picture));
+    device.gl.calls = CallClass::sc2;
+    EXPECT_FALSE(has(device, Need::shadow_map));
+    EXPECT_FALSE(has(device, Need::half_float_texture));
+    EXPECT_FALSE(has(device, Need::second_picture));
+    EXPECT_FALSE(has(device, Need::picture_copy));
+    EXPECT_EQ(lack_of(Need::half_float_texture), "the device has no textures of half floats");
+    EXPECT_EQ(lack_of(Need::depth24_target), "the device has no 24-bit depth off screen");
+}
+
+}  // namespace
+}  // namespace tedavis::effects::test_effect_table
