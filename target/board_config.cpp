@@ -3,8 +3,8 @@
 #include "bus/canaerospace/identifier_table.hpp"
 #include "platform/surface_settings.hpp"
 #include "render_core/base/config_reader.hpp"
+#include "target/design_files.hpp"
 #include "target/file_text.hpp"
-#include "target/palette_files.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -72,27 +72,25 @@ private:
         Path design;
         design::NamedPhases phases;
         take(root, "design", settings_.design, [&](std::string_view text, std::string_view path) {
-            PaletteFiles palettes(path, folder.view());
+            DesignFiles files(folder.view());
             design = Path(path);
-            return design::read_design_settings(text, path, palettes, &phases);
+            return design::read_design_settings(text, path, files, &phases);
         });
         for (const design::NamedPhase& named : phases) read_phase_design(root, named, design.view(), folder.view());
     }
 
-    /// A short name is a file beside the design that names it.
     void read_phase_design(base::ConfigSection& root, const design::NamedPhase& named, std::string_view design,
                            std::string_view palette_folder) {
         if (const design::DesignSettings* const known = settings_.phases.find(named.design); known != nullptr)
             return static_cast<void>(settings_.phases.add(named, *known));
-        Path path = path_beside(design, named.design.view());
-        if (design::is_short_name(named.design.view())) path.append(".toml");
+        const Path path = path_of_design({named.design.view(), design});
         const auto text = read_file_text(path.c_str());
         if (path.cut() || !text.ok())
             return root.fault("design",
                               path.cut() ? "a phase's design has a path that is too long" : text.error().message.view());
-        PaletteFiles palettes(path.view(), palette_folder);
+        DesignFiles files(palette_folder);
         design::NamedPhases nested;
-        const auto loaded = design::read_design_settings(text.value().view(), path.view(), palettes, &nested);
+        const auto loaded = design::read_design_settings(text.value().view(), path.view(), files, &nested);
         if (!loaded.ok() && !named_file_fault_) named_file_fault_ = base::make_error(loaded.error().message.view());
         if (!loaded.ok()) return;
         if (!nested.empty())

@@ -4,7 +4,7 @@
 ///     device = "es3-mid.toml"    files that the board file names are found from the board file's own folder
 ///     design = "default.toml"
 ///     palettes = "palettes"      folder of the palettes that the design names; absent: the board file's own
-///                                (designs that it names for phases lie beside it)
+///                                (designs that it names for phases, or is based on, lie beside it)
 ///     bus = "canaerospace.toml"
 ///     [terrain]                  absent: no terrain, the display says so
 ///     database = "area.tdb"

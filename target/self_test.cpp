@@ -23,13 +23,16 @@ std::string_view text_of(const unsigned char (&bytes)[N]) {
 }
 
 /// The design's palettes come from the program as well.
-class EmbeddedPalettes final : public design::PaletteSource {
+class EmbeddedPalettes final : public design::DesignSource {
 public:
     explicit EmbeddedPalettes(base::Span<const NamedPalette> palettes) : palettes_(palettes) {}
-    base::Result<design::Palette, base::Error> find(std::string_view name) override {
+    base::Result<design::Palette, base::Error> find(const base::StatedFile& stated) override {
         for (const NamedPalette& palette : palettes_)
-            if (palette.name == name) return design::read_palette(palette.text, name);
+            if (palette.name == stated.name) return design::read_palette(palette.text, palette.name);
         return base::fail(base::Error{"is none of the palettes that the self-test has"});
+    }
+    base::Result<design::DesignText, base::Error> find_design(const base::StatedFile& /*design*/) override {
+        return base::fail(base::Error{"the design of the self-test is based on none; leave 'based_on' out"});
     }
 
 private:

@@ -21,12 +21,14 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
 #include "host_sim/replay/load_design.hpp"
+#include "host_sim/replay/resolved_design.hpp"
 #include "host_sim/reports/height_findings.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "host_sim/scene_builder/scene_build.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
+#include "host_sim/toml_text.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/effects/calibration.hpp"
@@ -36,6 +38,7 @@ namespace tedavis::host_sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
 constexpr const char* kDevice = "a device";
 
@@ -107,7 +110,7 @@ std::string check_switches(const std::string& path) {
 
 /// Made as a build does, from all of its sources, and not written.
 std::string check_scene(const std::string& path) {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
+    const std::string folder = fs::path(path).parent_path().string();
     const MadeScene made = make_scene(parse_scene(read_file(path), path), folder, [](auto, auto, auto) {});
     return "a scene of " + std::to_string(made.draft.layers.size()) + " layers";
 }
@@ -165,7 +168,8 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 14> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 15> kConfigKinds = {{{"designs", "[view]", check_design},
+                                                      {"designs", "based_on =", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
@@ -182,7 +186,7 @@ constexpr std::array<FolderKind, 14> kConfigKinds = {{{"designs", "[view]", chec
 
 /// By the folder it lies in; elsewhere by what only its kind holds.
 FileChecker config_checker(const std::string& path) {
-    const std::filesystem::path place = std::filesystem::absolute(path).parent_path();
+    const fs::path place = fs::absolute(path).parent_path();
     const std::string folder = place.filename().string(), outer_folder = place.parent_path().filename().string();
     for (const FolderKind& kind : kConfigKinds) {
         if (folder == kind.folder || (outer_folder == kind.folder && place.filename() != "configs")) return kind.check;
@@ -201,7 +205,7 @@ FileChecker config_checker(const std::string& path) {
 }
 
 CheckedFile check_file(const std::string& path, const CheckOptions& options) {
-    const std::string extension = std::filesystem::path(path).extension().string();
+    const std::string extension = fs::path(path).extension().string();
     if (extension == ".toml") return config_checker(path)(path);
     if (extension == ".tdb") return check_terrain(path);
     if (extension == ".sdb") return check_scene_database(path);
@@ -231,7 +235,7 @@ std::string but_words(const std::string& path, const Findings& findings) {
 std::vector<std::string> sound_among(const std::vector<std::string>& files, FileChecker checker) {
     std::vector<std::string> sound;
     for (const std::string& path : files) {
-        if (std::filesystem::path(path).extension() != ".toml") continue;
+        if (fs::path(path).extension() != ".toml") continue;
         try {
             if (config_checker(path) != checker) continue;
             static_cast<void>(checker(path));
@@ -253,9 +257,28 @@ void require_starts(const std::string& device, const std::vector<std::string>& f
     for (const std::string& design : designs) trial.require(device, design);
 }
 
+Json sound_json(const std::string& path, const CheckedFile& file) {
+    return {{"file", path}, {"sound", true}, {"is", file.is}, {"warnings", findings_json(file.warnings)}};
+}
+
+/// One design, with all that it inherits.
+void print_resolved(const CheckOptions& options, Console& console) {
+    if (options.files.size() != 1) throw UserError("--resolved: prints one design; name one file");
+    const std::string path = resolve_config(options.files.front(), "designs");
+    if (fs::path(path).extension() != ".toml" || config_checker(path) != check_design)
+        throw UserError(path + ": is no design, and --resolved prints what a design inherits; leave it out");
+    Json result = sound_json(path, {check_design(path), {}});
+    result["resolved"] = resolved_design(path);
+    console.result(toml_text(result["resolved"]), json_text(Json::array({result})));
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options, Console& console) {
+    if (options.resolved) {
+        print_resolved(options, console);
+        return 0;
+    }
     Json results = Json::array();
     std::string text;
     bool all_sound = true;
@@ -264,7 +287,7 @@ int run_check(const CheckOptions& options, Console& console) {
         try {
             const CheckedFile file = check_file(path, options);
             if (file.is == kDevice) require_starts(path, options.files);
-            results.push_back({{"file", path}, {"sound", true}, {"is", file.is}, {"warnings", findings_json(file.warnings)}});
+            results.push_back(sound_json(path, file));
             text += path + ": sound, " + file.is + but_words(path, file.warnings) + "\n";
             append(warnings, file.warnings);
         } catch (const UserError& error) {

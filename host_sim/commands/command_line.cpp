@@ -42,6 +42,8 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     check->add_option("--bus", c.bus, "bus file or shipped name: how the frames of logs are read")->capture_default_str();
     check->add_option("--switch-config", c.switch_config,
                       "panel of switch logs, file or shipped name; default: the shipped one that fits best");
+    check->add_flag("--resolved", c.resolved,
+                    "prints one design, a file or a shipped name, with all that it inherits by based_on, as a file of its own");
     add_strict(check, c.strict);
     EvaluateOptions& e = line.evaluate;
     CLI::App* evaluate = add_command(app, line, "evaluate", "clutter and saliency of pictures, of a flight, or of two designs",

@@ -82,11 +82,11 @@ void put_above(const PictureOptions& options, const std::string& path, design::D
 /// One design file, as the command line wants it.
 design::DesignSettings load_file(const std::string& path, const PictureOptions& options, design::NamedPhases& phases,
                                  std::vector<ReadFile>* files) {
-    PaletteFiles palettes(path);
+    DesignFiles named;
     const std::string text = read_file(path);
-    auto design = design::read_design_settings(text, path, palettes, &phases);
+    auto design = design::read_design_settings(text, path, named, &phases);
     if (files != nullptr) {
-        files->insert(files->end(), palettes.files().begin(), palettes.files().end());
+        files->insert(files->end(), named.files().begin(), named.files().end());
         files->push_back({path, text});
     }
     if (!design.ok()) throw UserError(std::string(design.error().message.view()));

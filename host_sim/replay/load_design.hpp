@@ -1,4 +1,4 @@
-/// The design that a run is drawn with: the file, the palettes that it names, and what the command line puts above it.
+/// The design that a run is drawn with: the file, the palettes and bases that it names, and what the command line puts above it.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host_sim/commands/replay.hpp"
-#include "host_sim/replay/palette_files.hpp"
+#include "host_sim/replay/design_files.hpp"
 #include "render_core/design/phase_designs.hpp"
 
 namespace tedavis::host_sim {

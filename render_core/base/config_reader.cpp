@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,22 @@ struct ConfigReader::Document {
     std::string name;
     toml::table root;
     std::set<const toml::node*> read;
+    std::set<toml::node*> files;  ///< values that name a file
     base::Error error;
     bool failed = false;
+
+    void report(const toml::source_region& place, std::string_view sentence);
 };
 
 namespace {
 
-const toml::table& as_table(const void* table) { return *static_cast<const toml::table*>(table); }
-const toml::node& as_node(const void* node) { return *static_cast<const toml::node*>(node); }
-std::uint32_t line_of(const toml::node& node) { return node.source().begin.line; }
+toml::table& as_table(void* table) { return *static_cast<toml::table*>(table); }
+toml::node& as_node(void* node) { return *static_cast<toml::node*>(node); }
+
+std::string_view file_of(const toml::node& node) {
+    const auto& path = node.source().path;
+    return path ? std::string_view(*path) : std::string_view();
+}
 
 std::string printed(double value) {
     char text[32];
@@ -62,6 +70,56 @@ const toml::node* first_unread(const toml::table& root, const std::set<const tom
     return nullptr;
 }
 
+/// The text `name` of a table; empty where there is none.
+std::string_view name_of(const toml::node& node) {
+    const toml::table* const table = node.as_table();
+    const toml::node* const name = table != nullptr ? table->get("name") : nullptr;
+    return name != nullptr ? name->value_exact<std::string_view>().value_or("") : std::string_view();
+}
+
+bool all_have_names(const toml::array& list) {
+    for (const toml::node& element : list)
+        if (name_of(element).empty()) return false;
+    return !list.empty();
+}
+
+/// A table, and the one that it is based on.
+struct BasedTable {
+    toml::table *own, *base;
+};
+
+/// Brings the own list into the order of the base's, and adds what only that has; tables of one name are left to be merged.
+void inherit_list(toml::array& own, toml::array& base, std::vector<BasedTable>& open) {
+    if (!all_have_names(own) || !base.is_homogeneous<toml::table>()) return;
+    for (std::size_t n = 0; n < base.size(); ++n) {
+        std::size_t same = n;
+        while (same < own.size() && name_of(own[same]) != name_of(base[n])) ++same;
+        const bool is_own = same < own.size();
+        toml::table moved = std::move(is_own ? *own[same].as_table() : *base[n].as_table());
+        if (is_own) own.erase(own.begin() + static_cast<std::ptrdiff_t>(same));
+        own.insert(own.begin() + static_cast<std::ptrdiff_t>(n), std::move(moved));
+        if (is_own) open.push_back({own[n].as_table(), base[n].as_table()});
+    }
+}
+
+/// Moves into the first table what it does not say itself; what is moved keeps its place in its file.
+void inherit_tables(toml::table& root, toml::table& base_root) {
+    std::vector<BasedTable> open{{&root, &base_root}};
+    while (!open.empty()) {
+        const auto [own, base] = open.back();
+        open.pop_back();
+        for (auto&& [key, node] : *base) {
+            toml::node* const said = own->get(key.str());
+            if (said == nullptr)
+                node.visit([table = own, &at = key](auto& value) { table->insert(at.str(), std::move(value)); });
+            else if (said->is_table() && node.is_table())
+                open.push_back({said->as_table(), node.as_table()});
+            else if (said->is_array() && node.is_array())
+                inherit_list(*said->as_array(), *node.as_array(), open);
+        }
+    }
+}
+
 }  // namespace
 
 ConfigReader::ConfigReader(std::string_view text, std::string_view name) : document_(std::make_unique<Document>()) {
@@ -70,42 +128,67 @@ ConfigReader::ConfigReader(std::string_view text, std::string_view name) : docum
     if (parsed) {
         document_->root = std::move(parsed).table();
     } else {
-        report(parsed.error().source().begin.line, std::string(parsed.error().description()) + "; mend the TOML there");
+        document_->report(parsed.error().source(), std::string(parsed.error().description()) + "; mend the TOML there");
     }
 }
 
 ConfigReader::~ConfigReader() = default;
 
+std::string_view ConfigReader::name() const { return document_->name; }
+
 ConfigSection ConfigReader::root() { return {this, &document_->root}; }
+
+void ConfigReader::inherit(std::string_view text, std::string_view name, Span<const std::string_view> own) {
+    toml::parse_result parsed = toml::parse(text, name);
+    if (!parsed)
+        return document_->report(parsed.error().source(), std::string(parsed.error().description()) + "; mend the TOML there");
+    toml::table base = std::move(parsed).table();
+    for (const std::string_view key : own) base.erase(key);
+    inherit_tables(document_->root, base);
+}
 
 bool ConfigReader::finish() {
     std::string path;
     if (const toml::node* unread = ok() ? first_unread(document_->root, document_->read, path) : nullptr)
-        report(line_of(*unread), "unknown key " + quoted(path) + "; correct or remove it");
+        report(unread, "unknown key " + quoted(path) + "; correct or remove it");
     return ok();
 }
 
 bool ConfigReader::ok() const { return !document_->failed; }
 const base::Error& ConfigReader::error() const { return document_->error; }
 
-void ConfigReader::report(std::uint32_t line, std::string_view sentence) {
-    if (document_->failed) return;
-    document_->failed = true;
-    document_->error.message.append(document_->name);
-    if (line > 0) document_->error.message.append(":" + std::to_string(line));
-    document_->error.message.append(": ");
-    document_->error.message.append(sentence);
+std::string ConfigReader::json(PathFrom path_from) {
+    for (toml::node* const node : document_->files) {
+        toml::value<std::string>& path = *node->as_string();
+        if (file_of(path) != document_->name) path = path_from({*path, file_of(path)}, document_->name);
+    }
+    std::ostringstream text;
+    text << toml::json_formatter(document_->root);
+    return text.str();
+}
+
+void ConfigReader::report(const void* node, std::string_view sentence) {
+    document_->report(node != nullptr ? static_cast<const toml::node*>(node)->source() : toml::source_region(), sentence);
+}
+
+void ConfigReader::Document::report(const toml::source_region& place, std::string_view sentence) {
+    if (failed) return;
+    failed = true;
+    error.message.append(place.path ? *place.path : name);
+    if (place.begin.line > 0) error.message.append(":" + std::to_string(place.begin.line));
+    error.message.append(": ");
+    error.message.append(sentence);
 }
 
 bool ConfigSection::has(std::string_view key) const { return table_ != nullptr && as_table(table_).contains(key); }
 
-const void* ConfigSection::find(std::string_view key, bool required) {
-    const toml::node* node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
+void* ConfigSection::find(std::string_view key, bool required) {
+    toml::node* const node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
     if (node != nullptr) {
         reader_->document_->read.insert(node);
     } else if (required) {
-        const std::uint32_t line = table_ != nullptr ? line_of(as_table(table_)) : 0;
-        reader_->report(line, "key " + quoted(key) + " is missing; add it");
+        const toml::node* const table = table_ != nullptr ? &as_table(table_) : nullptr;
+        reader_->report(table, "key " + quoted(key) + " is missing; add it");
     }
     return node;
 }
@@ -115,11 +198,11 @@ double ConfigSection::number(std::string_view key, double low, double high, doub
 }
 
 double ConfigSection::number(std::string_view key, double low, double high) {
-    const void* found = find(key, true);
+    void* const found = find(key, true);
     if (found == nullptr) return low;
     const auto value = as_node(found).value<double>();
     if (value && *value >= low && *value <= high) return *value;
-    reader_->report(line_of(as_node(found)), quoted(key) + " must be a number from " + printed(low) + " to " + printed(high));
+    reader_->report(found, quoted(key) + " must be a number from " + printed(low) + " to " + printed(high));
     return low;
 }
 
@@ -128,31 +211,38 @@ std::int64_t ConfigSection::integer(std::string_view key, std::int64_t low, std:
 }
 
 std::int64_t ConfigSection::integer(std::string_view key, std::int64_t low, std::int64_t high) {
-    const void* found = find(key, true);
+    void* const found = find(key, true);
     if (found == nullptr) return low;
     const auto value = as_node(found).value_exact<std::int64_t>();
     if (value && *value >= low && *value <= high) return *value;
-    reader_->report(line_of(as_node(found)),
-                    quoted(key) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    reader_->report(found, quoted(key) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     return low;
 }
 
 bool ConfigSection::boolean(std::string_view key, bool fallback) {
-    const void* found = find(key, false);
+    void* const found = find(key, false);
     if (found == nullptr) return fallback;
     const auto value = as_node(found).value_exact<bool>();
-    if (!value) reader_->report(line_of(as_node(found)), quoted(key) + " must be true or false");
+    if (!value) reader_->report(found, quoted(key) + " must be true or false");
     return value.value_or(fallback);
 }
 
 std::string_view ConfigSection::text(std::string_view key, std::string_view fallback) { return has(key) ? text(key) : fallback; }
 
 std::string_view ConfigSection::text(std::string_view key) {
-    const void* found = find(key, true);
+    void* const found = find(key, true);
     if (found == nullptr) return {};
     const auto value = as_node(found).value_exact<std::string_view>();
-    if (!value) reader_->report(line_of(as_node(found)), quoted(key) + " must be a text in quotes");
+    if (!value) reader_->report(found, quoted(key) + " must be a text in quotes");
     return value.value_or(std::string_view());
+}
+
+StatedFile ConfigSection::file(std::string_view key) {
+    const std::string_view name = text(key);
+    toml::node* const node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
+    if (node == nullptr || !node->is_string()) return {};
+    reader_->document_->files.insert(node);
+    return {name, file_of(*node)};
 }
 
 std::size_t ConfigSection::index_among(Span<const std::string_view> names, std::string_view key) {
@@ -167,7 +257,7 @@ std::size_t ConfigSection::index_among(Span<const std::string_view> names, std::
 }
 
 void ConfigSection::numbers(std::string_view key, double low, double high, Span<double> out) {
-    const void* found = find(key, false);
+    void* const found = find(key, false);
     if (found == nullptr) return;
     const toml::array* array = as_node(found).as_array();
     bool good = array != nullptr && array->size() == out.size();
@@ -177,12 +267,12 @@ void ConfigSection::numbers(std::string_view key, double low, double high, Span<
         if (good) out[i] = *value;
     }
     if (!good)
-        reader_->report(line_of(as_node(found)), quoted(key) + " must be " + std::to_string(out.size()) + " numbers from " +
-                                                     printed(low) + " to " + printed(high));
+        reader_->report(found, quoted(key) + " must be " + std::to_string(out.size()) + " numbers from " + printed(low) + " to " +
+                                   printed(high));
 }
 
 std::size_t ConfigSection::element_count(std::string_view key) {
-    const void* found = find(key, false);
+    void* const found = find(key, false);
     if (found == nullptr) return 0;
     const toml::array* array = as_node(found).as_array();
     if (array != nullptr) return array->size();
@@ -191,7 +281,7 @@ std::size_t ConfigSection::element_count(std::string_view key) {
 }
 
 std::size_t ConfigSection::texts(std::string_view key, Span<std::string_view> out) {
-    const void* found = find(key, false);
+    void* const found = find(key, false);
     if (found == nullptr) return 0;
     const toml::array* array = as_node(found).as_array();
     bool good = array != nullptr && array->size() <= out.size();
@@ -206,16 +296,17 @@ std::size_t ConfigSection::texts(std::string_view key, Span<std::string_view> ou
 }
 
 ConfigSection ConfigSection::section(std::string_view key) {
-    const void* found = find(key, false);
-    const toml::table* table = found != nullptr ? as_node(found).as_table() : nullptr;
+    void* const found = find(key, false);
+    toml::table* table = found != nullptr ? as_node(found).as_table() : nullptr;
     if (found != nullptr && table == nullptr) fault(key, quoted(key) + " must be a table");
     return {reader_, table};
 }
 
 std::size_t ConfigSection::table_count(std::string_view key) {
-    const void* found = find(key, false);
+    void* const found = find(key, false);
     if (found == nullptr) return 0;
     const toml::array* array = as_node(found).as_array();
+    if (array != nullptr && array->empty()) return 0;
     if (array == nullptr || !array->is_homogeneous<toml::table>()) {
         fault(key, quoted(key) + " must be written as [[" + std::string(key) + "]] tables");
         return 0;
@@ -224,8 +315,8 @@ std::size_t ConfigSection::table_count(std::string_view key) {
 }
 
 ConfigSection ConfigSection::table_at(std::string_view key, std::size_t index) {
-    const toml::node* node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
-    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+    toml::node* const node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
+    toml::array* const array = node != nullptr ? node->as_array() : nullptr;
     return {reader_, array != nullptr && index < array->size() ? array->get(index)->as_table() : nullptr};
 }
 
@@ -241,7 +332,15 @@ std::string_view ConfigSection::key_at(std::size_t index) const {
 
 void ConfigSection::fault(std::string_view key, std::string_view sentence) {
     const toml::node* node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
-    reader_->report(node != nullptr ? line_of(*node) : 0, sentence);
+    reader_->report(node, sentence);
+}
+
+void ConfigSection::remove(std::string_view key) {
+    if (table_ == nullptr) return;
+    toml::node* const node = as_table(table_).get(key);
+    reader_->document_->read.erase(node);
+    reader_->document_->files.erase(node);
+    as_table(table_).erase(key);
 }
 
 }  // namespace tedavis::base

@@ -3,11 +3,14 @@
 /// The first fault is kept as one sentence "file:line: what, what to do"; a faulty read returns the lower bound (empty
 /// for texts), so a loader reads all keys and asks `finish()` once. A key that nobody read is a fault too: misspelt
 /// settings are never ignored. Texts returned live as long as the reader.
+///
+/// A file may be based on others: the loader takes the key that says so and hands over what it names, before it reads the rest.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -18,6 +21,11 @@
 namespace tedavis::base {
 
 class ConfigReader;
+
+/// A file that a key names, and the file that says so, from whose folder a relative path is meant.
+struct StatedFile {
+    std::string_view name, stated_in;
+};
 
 /// A table of the file; a section of a table that is absent reads as empty (every key at its fallback).
 class ConfigSection {
@@ -33,6 +41,8 @@ public:
     bool boolean(std::string_view key, bool fallback);
     std::string_view text(std::string_view key, std::string_view fallback);
     std::string_view text(std::string_view key);
+    /// As text().
+    StatedFile file(std::string_view key);
     /// Sets `value` (an enumeration, a bool or an index) to what the name at this key stands for: names[0] for `first`, the
     /// others for what follows it. Absent it stays; faults list the names and set `first`.
     template <class Value>
@@ -55,17 +65,20 @@ public:
     [[nodiscard]] std::size_t key_count() const;
     [[nodiscard]] std::string_view key_at(std::size_t index) const;
 
+    /// Forgets the key and what it says; texts that it returned are gone.
+    void remove(std::string_view key);
+
     /// Reports a fault of the loader's own at this key's line.
     void fault(std::string_view key, std::string_view sentence);
 
 private:
     friend class ConfigReader;
-    ConfigSection(ConfigReader* reader, const void* table) : reader_(reader), table_(table) {}
-    const void* find(std::string_view key, bool required);
+    ConfigSection(ConfigReader* reader, void* table) : reader_(reader), table_(table) {}
+    void* find(std::string_view key, bool required);
     /// Where the text at this key stands among the names; 0 after a fault.
     std::size_t index_among(Span<const std::string_view> names, std::string_view key);
     ConfigReader* reader_;
-    const void* table_;
+    void* table_;
 };
 
 class ConfigReader {
@@ -76,16 +89,29 @@ public:
     ConfigReader(const ConfigReader&) = delete;
     ConfigReader& operator=(const ConfigReader&) = delete;
 
+    /// As it was given.
+    [[nodiscard]] std::string_view name() const;
     [[nodiscard]] ConfigSection root();
+    /// Adds what the file `name` says and this reader's does not say: tables key by key, at any depth, and lists of tables by the
+    /// text `name` of each where this reader's tables all have one: equal names are one table, further tables stand behind those
+    /// of `name`. Any other value of this reader's stays as it is. `own` are keys of the root that `name` keeps to itself. Faults
+    /// name the file that says what is wrong.
+    void inherit(std::string_view text, std::string_view name, Span<const std::string_view> own);
     /// True when nothing was wrong and every key was read.
     [[nodiscard]] bool finish();
     [[nodiscard]] bool ok() const;
     [[nodiscard]] const base::Error& error() const;
 
+    /// What an inherited relative path is called in this reader's own file.
+    using PathFrom = std::string (*)(const StatedFile& stated, std::string_view own_file);
+    /// All that the file says and inherits, as JSON; of inherited values those that were read by file() as `path_from` calls
+    /// them.
+    [[nodiscard]] std::string json(PathFrom path_from);
+
 private:
     friend class ConfigSection;
     struct Document;
-    void report(std::uint32_t line, std::string_view sentence);
+    void report(const void* node, std::string_view sentence);
     std::unique_ptr<Document> document_;
 };
 

@@ -1,5 +1,7 @@
 #include "render_core/design/data_element.hpp"
 
+#include <algorithm>
+
 #include "render_core/design/config_values.hpp"
 
 namespace tedavis::design {
@@ -89,6 +91,18 @@ bool may_show_kinds(DataTechnique technique) {
     }
 }
 
+/// Designs that are based on this one find an element by its name.
+void refuse_equal_names(ConfigSection& data) {
+    std::string_view names[kMaxDataElements];
+    const std::size_t count = std::min(data.table_count("element"), kMaxDataElements);
+    for (std::size_t n = 0; n < count; ++n) {
+        ConfigSection element = data.table_at("element", n);
+        names[n] = element.text("name", "");
+        if (!names[n].empty() && std::find(names, names + n, names[n]) != names + n)
+            return fault_of(element, "name", "is taken by another element; give it another one");
+    }
+}
+
 DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     DataElement element;
     read_layer(section, element);
@@ -163,6 +177,7 @@ bool asks_for_grid(const DataElementList& elements) noexcept {
 }
 
 void read_data_elements(ConfigSection& data, PaletteSource& palettes, DataElementList& elements) {
+    refuse_equal_names(data);
     const std::size_t count = data.table_count("element");
     elements.clear();
     for (std::size_t n = 0; n < count; ++n)

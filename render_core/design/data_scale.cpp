@@ -61,7 +61,7 @@ void reduce_classes(DataScale& scale, std::size_t most) noexcept {
 }
 
 void read_scale(ConfigSection& section, PaletteSource& palettes, DataScale& scale, const ScaleKeys& keys) {
-    const auto found = palettes.find(section.text(keys.palette));
+    const auto found = palettes.find(section.file(keys.palette));
     if (!found.ok()) return section.fault(keys.palette, found.error().message.view());
     scale.palette = found.value();
     const auto classes = static_cast<std::size_t>(section.integer(keys.classes, 0, kMaxClasses, 0));

@@ -1,6 +1,7 @@
 #include "render_core/design/design_settings.hpp"
 
 #include "render_core/design/config_values.hpp"
+#include "render_core/design/inherit_bases.hpp"
 
 namespace tedavis::design {
 namespace {
@@ -65,7 +66,7 @@ bool palette_fits(TerrainTexture texture, const Palette& palette) {
 
 void read_texture_palette(ConfigSection& section, PaletteSource& palettes, TerrainSettings& terrain) {
     if (section.has("palette")) {
-        const auto found = palettes.find(section.text("palette"));
+        const auto found = palettes.find(section.file("palette"));
         if (!found.ok()) return section.fault("palette", found.error().message.view());
         terrain.palette = found.value();
     }
@@ -204,20 +205,26 @@ DesignSettings default_design_settings() noexcept {
 }
 
 base::Result<DesignSettings, base::Error> read_design_settings(std::string_view text, std::string_view file_name,
-                                                               PaletteSource& palettes, NamedPhases* phases) {
+                                                               DesignSource& files, NamedPhases* phases) {
     base::ConfigReader reader(text, file_name);
+    return read_design_settings(reader, files, phases);
+}
+
+base::Result<DesignSettings, base::Error> read_design_settings(base::ConfigReader& reader, DesignSource& files,
+                                                               NamedPhases* phases) {
     ConfigSection root = reader.root();
     DesignSettings design = default_design_settings();
     const std::string_view name = root.text("name");
     design.name = name;
     if (design.name.empty() || design.name.cut()) fault_of(root, "name", "must be 1 to 47 characters long");
+    inherit_bases(reader, files);
     read_view(root.section("view"), design.view);
-    read_terrain(root.section("terrain"), palettes, design.terrain);
+    read_terrain(root.section("terrain"), files, design.terrain);
     if (design.terrain.conservative_up && design.view.reference == Reference::flat) {
         ConfigSection terrain = root.section("terrain");
         fault_of(terrain, "conservative_up", "has no meaning where the ground is drawn flat; leave it out");
     }
-    read_data_style(root.section("data"), palettes, design.data);
+    read_data_style(root.section("data"), files, design.data);
     refuse_grid_without_spacing(root.section("data"), design);
     read_label_settings(root.section("labels"), design.labels);
     read_priority(root.section("priority"), design.priority);

@@ -1,7 +1,8 @@
 /// A design: everything about a picture that a designer chooses, read from one file of configs/designs/.
 ///
-/// Plain data in SI and radians; the file speaks in degrees, feet and hexadecimal sRGB colours. Every key is optional
-/// except `name`: what is absent has the value that stands here.
+/// A file may be based on another (inherit_bases.hpp): what it does not say, that one says. Plain data in SI and radians; the
+/// file speaks in degrees, feet and hexadecimal sRGB colours. Every key is optional except `name`: what is absent has the value
+/// that stands here.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "render_core/design/band_widening.hpp"
 #include "render_core/design/color.hpp"
 #include "render_core/design/data_style.hpp"
+#include "render_core/design/design_source.hpp"
 #include "render_core/design/focus_settings.hpp"
 #include "render_core/design/label_settings.hpp"
 #include "render_core/design/named_phases.hpp"
@@ -153,10 +155,13 @@ static_assert(std::is_trivially_copyable_v<DesignSettings>);
 /// Some focus is to be shown larger than what is round it: on a map or obliquely from far away, never as the own ship sees it.
 [[nodiscard]] bool magnifies(const DesignSettings& design) noexcept;
 
-/// Reads a design file and, through `palettes`, the palettes that it names; start-up only (allocates while it reads). The
-/// error is one sentence "file:line: what, what to do". `phases`, where given, gets the designs that the file names for phases.
+/// Reads a design file and, through `files`, the palettes that it names and the designs that it is based on; start-up only
+/// (allocates while it reads). The error is one sentence "file:line: what, what to do", of the file that is wrong. `phases`,
+/// where given, gets the designs that the file names for phases.
 [[nodiscard]] base::Result<DesignSettings, base::Error> read_design_settings(std::string_view text, std::string_view file_name,
-                                                                             PaletteSource& palettes,
+                                                                             DesignSource& files, NamedPhases* phases = nullptr);
+/// The same from a reader of the file that nobody read; it has what the file inherits afterwards.
+[[nodiscard]] base::Result<DesignSettings, base::Error> read_design_settings(base::ConfigReader& reader, DesignSource& files,
                                                                              NamedPhases* phases = nullptr);
 
 /// The values of an empty file: the picture of a display that was given no design.

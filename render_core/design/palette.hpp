@@ -74,8 +74,8 @@ static_assert(std::is_trivially_copyable_v<Palette>);
 class PaletteSource {
 public:
     virtual ~PaletteSource() = default;
-    /// `name` as the design writes it: of a shipped palette, or a path. The error is one sentence.
-    [[nodiscard]] virtual base::Result<Palette, base::Error> find(std::string_view name) = 0;
+    /// As a design writes it: the name of a shipped palette, or a path. The error is one sentence.
+    [[nodiscard]] virtual base::Result<Palette, base::Error> find(const base::StatedFile& palette) = 0;
 };
 
 /// A short name names a shipped file; a path has a dot or a slash.

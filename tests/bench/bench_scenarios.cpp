@@ -108,8 +108,8 @@ std::vector<Scenario> scenarios() {
 }
 
 design::DesignSettings design_of(const Scenario& scenario) {
-    test_support::ShippedPalettes palettes;
-    const auto design = design::read_design_settings(scenario.design, scenario.name, palettes);
+    test_support::ShippedFiles files;
+    const auto design = design::read_design_settings(scenario.design, scenario.name, files);
     if (!design) throw std::runtime_error(design.error().message.c_str());
     return design.value();
 }

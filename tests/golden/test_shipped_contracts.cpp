@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@
 #include "host_sim/evaluation/flight_run.hpp"
 #include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/replay/resolved_design.hpp"
+#include "host_sim/toml_text.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -61,9 +64,9 @@ public:
         run([&](host_sim::Console& console) { return run_replay(options, console); });
         return options.output;
     }
-    /// A shipped design with changes, each of which must have something to change.
+    /// A shipped design, with all that it inherits, and changes, each of which must have something to change.
     std::string changed_design(const std::string& shipped, const std::vector<Change>& changes) const {
-        std::string text = host_sim::read_file(root() + "/configs/designs/" + shipped + ".toml");
+        std::string text = host_sim::toml_text(host_sim::resolved_design(root() + "/configs/designs/" + shipped + ".toml"));
         for (const Change& change : changes) {
             std::size_t at = text.find(change.from);
             EXPECT_NE(at, std::string::npos) << change.from;

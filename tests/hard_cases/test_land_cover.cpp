@@ -214,7 +214,7 @@ TEST(LandCoverLegend, NamesTheKindsInUse) {
 /// What is shipped belongs together: the palette has a colour for each kind of the scene.
 TEST(LandCover, TheShippedPaletteNamesTheShippedKinds) {
     const std::string path = test_support::source_dir() + "/configs/scenes/jacksboro.toml";
-    const design::Palette palette = test_support::ShippedPalettes().find("data_land_cover").value();
+    const design::Palette palette = test_support::ShippedFiles().find({"data_land_cover", ""}).value();
     std::size_t kinds = 0;
     for (const host_sim::LayerRecipe& layer : host_sim::parse_scene(host_sim::read_file(path), path).layers)
         if (layer.role == scene::LayerRole::land_cover)

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -31,15 +32,23 @@ effects::DeviceSettings shipped_device(const std::string& name) {
     return device.value();
 }
 
-base::Result<design::Palette, base::Error> ShippedPalettes::find(std::string_view name) {
-    const std::string path = "configs/palettes/" + std::string(name) + ".toml";
+base::Result<design::Palette, base::Error> ShippedFiles::find(const base::StatedFile& palette) {
+    const std::string path = "configs/palettes/" + std::string(palette.name) + ".toml";
     return design::read_palette(source_file(path), path);
+}
+
+base::Result<design::DesignText, base::Error> ShippedFiles::find_design(const base::StatedFile& design) {
+    const std::string name(design.name);
+    const std::filesystem::path folder = std::filesystem::path(design.stated_in).parent_path();
+    path_ = design::is_short_name(name) ? "configs/designs/" + name + ".toml" : (folder / name).lexically_normal().string();
+    text_ = source_file(path_);
+    return design::DesignText{text_, path_};
 }
 
 design::DesignSettings shipped_design(const std::string& name) {
     const std::string path = "configs/designs/" + name + ".toml";
-    ShippedPalettes palettes;
-    const auto design = design::read_design_settings(source_file(path), path, palettes);
+    ShippedFiles files;
+    const auto design = design::read_design_settings(source_file(path), path, files);
     if (!design) {
         std::fprintf(stderr, "%s\n", design.error().message.c_str());
         std::abort();

@@ -40,9 +40,9 @@ namespace tedavis::test_support {
 
 class GreyPalettes final : public design::PaletteSource {
 public:
-    base::Result<design::Palette, base::Error> find(std::string_view name) override {
-        if (name == "kinds") return kinds_palette();
-        if (name != "grey") return base::fail(base::Error{"no palette is called so"});
+    base::Result<design::Palette, base::Error> find(const base::StatedFile& palette) override {
+        if (palette.name == "kinds") return kinds_palette();
+        if (palette.name != "grey") return base::fail(base::Error{"no palette is called so"});
         return grey_palette();
     }
 };

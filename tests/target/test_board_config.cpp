@@ -168,6 +168,25 @@ TEST(BoardConfig, DesignsOfPhasesLieBesideTheDesignThatNamesThem) {
     EXPECT_THAT(with("takeoff = 'low'\n"), HasSubstr("has a table [phases] itself"));
 }
 
+TEST(BoardConfig, BasesOfDesignsLieBesideThem) {
+    Board board;
+    const auto load = [&board] {
+        return board.load_text("device = '" + kRoot + "/configs/devices/es3-mid.toml'\ndesign = 'own.toml'\nbus = '" + kRoot +
+                               "/configs/buses/canaerospace.toml'\n[can]\ninterface = 'can0'\n");
+    };
+    board.folder.write("own.toml", "name = 'own'\nbased_on = 'base'\n[phases]\ncruise = 'high'\n");
+    EXPECT_THAT(load(), StartsWith(board.folder.file("own.toml") + ":2: " + board.folder.file("base.toml") + ": cannot be read"));
+    board.folder.write("base.toml", "name = 'base'\n[terrain]\ntau_px = 3\n");
+    board.folder.write("high.toml", "name = 'high'\nbased_on = 'own'\n[view]\ndpi = 120\n");
+    EXPECT_EQ(load(), "") << "high has no phases, though its base has";
+    const BoardSettings settings = load_board_settings(board.path.c_str()).value();
+    EXPECT_EQ(settings.design.terrain.tau_px, 3);
+    EXPECT_EQ(settings.phases.at(1).terrain.tau_px, 3);
+    EXPECT_EQ(settings.phases.at(1).view.dpi, 120);
+    board.folder.write("base.toml", "name = 'base'\nbased_on = 'own'\n");
+    EXPECT_THAT(load(), StartsWith(board.folder.file("base.toml") + ":2: 'based_on' names a design that is itself based on"));
+}
+
 TEST(PathBeside, StartsAtTheBoardFilesFolder) {
     EXPECT_EQ(path_beside("a/b/board.toml", "../x.toml").view(), "a/b/../x.toml");
     EXPECT_EQ(path_beside("board.toml", "x.toml").view(), "x.toml");

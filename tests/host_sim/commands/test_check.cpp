@@ -9,6 +9,7 @@
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/input_file.hpp"
 #include "tests/support/command_run.hpp"
+#include "tests/support/expect_user_error.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/raster_file.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -57,6 +58,32 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
     }
     const std::string by_phase = place.write("x.toml", "name = 'x'\n[phases]\nlunch = 'cruise'\n");
     EXPECT_THAT(check({by_phase}).notes, HasSubstr(by_phase + ":3: 'lunch' is no phase"));
+}
+
+TEST(CheckCommand, ADesignIsPrintedWithWhatItInherits) {
+    const auto resolved = [](const std::vector<std::string>& files, bool json = false) {
+        CheckOptions options;
+        options.files = files;
+        options.resolved = true;
+        return run_command([&](Console& console) { return run_check(options, console); }, json);
+    };
+    const test_support::TemporaryFolder place;
+    const std::string design = place.write("x.toml", "name = 'own'\nbased_on = 'approach'\n[sky]\nhaze_distance_m = 1000\n");
+    const CommandRun run = resolved({design});
+    EXPECT_EQ(run.code, 0) << run.notes;
+    EXPECT_THAT(run.results, HasSubstr("name = \"own\"\n"));
+    EXPECT_THAT(run.results, HasSubstr("\n[sky]\n"));
+    EXPECT_THAT(run.results, HasSubstr("haze_distance_m = 1000\n"));
+    EXPECT_THAT(run.results, HasSubstr("horizontal_accuracy_m = 30\n"));
+    const std::string again = place.write("again.toml", run.results);
+    EXPECT_EQ(resolved({again}).results, run.results);
+    EXPECT_EQ(resolved({design}, true).json()[0]["resolved"]["sky"]["haze_distance_m"], 1000);
+    EXPECT_EQ(resolved({"approach"}, true).json()[0]["resolved"]["name"], "approach") << "a shipped name";
+    EXPECT_THAT(check({design}).results, HasSubstr("sound, a design")) << "known by what it holds";
+    test_support::expect_user_error([&] { static_cast<void>(resolved({design, again})); }, "name one file");
+    test_support::expect_user_error([&] { static_cast<void>(resolved({kConfigs + "palettes/grey.toml"})); }, "is no design");
+    place.write("x.toml", "name = 'own'\nbased_on = 'x.toml'\n");
+    test_support::expect_user_error([&] { static_cast<void>(resolved({design})); }, "x.toml:2: 'based_on' names a design");
 }
 
 TEST(CheckCommand, PalettesAreJudgedAloneAndInTheirDesign) {

@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Palette shipped(const std::string& name) { return test_support::ShippedPalettes().find(name).value(); }
+Palette shipped(const std::string& name) { return test_support::ShippedFiles().find({name, ""}).value(); }
 
 Palette palette_of(std::initializer_list<Color> colors) {
     Palette palette;

@@ -81,6 +81,22 @@ TEST(DesignWatch, ThePaletteIsWatchedToo) {
     EXPECT_EQ(watch.designs().design.terrain.palette.stops[0].color, (design::Color{0x20, 0x20, 0x20}));
 }
 
+TEST(DesignWatch, TheBaseIsWatchedToo) {
+    const Watched watched;
+    watched.folder.write("base.toml", "name = \"base\"\n[terrain]\ntau_px = 5\n");
+    watched.write("name = \"a\"\nbased_on = \"base.toml\"\n");
+    DesignWatch watch(watched.options);
+    EXPECT_EQ(watch.designs().design.terrain.tau_px, 5);
+    watched.folder.write("base.toml", "name = \"base\"\n[terrain]\ntau_px = 6\n");
+    EXPECT_EQ(watch.look(), DesignNews::none);
+    EXPECT_EQ(watch.look(), DesignNews::changed);
+    EXPECT_EQ(watch.designs().design.terrain.tau_px, 6);
+    watched.folder.write("base.toml", "name = \"base\"\n[terrain]\ntau = 6\n");
+    EXPECT_EQ(watch.look(), DesignNews::none);
+    EXPECT_EQ(watch.look(), DesignNews::broken);
+    EXPECT_THAT(watch.message(), ::testing::HasSubstr("base.toml:3: unknown key"));
+}
+
 TEST(DesignWatch, TheCommandLineStaysAboveTheFile) {
     Watched watched;
     watched.options.tau_px = 8;

@@ -1,7 +1,9 @@
 #include "render_core/base/config_reader.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
@@ -10,6 +12,7 @@
 namespace tedavis::base::test_config_reader {
 namespace {
 
+using ::testing::HasSubstr;
 using Loader = std::function<void(ConfigSection)>;
 
 /// The error sentence after `load`, or "" when everything held.
@@ -228,6 +231,94 @@ TEST(ConfigReader, a_sentence_too_long_is_cut_not_lost) {
     EXPECT_FALSE(reader.finish());
     EXPECT_TRUE(reader.error().message.cut());
     EXPECT_EQ(reader.error().message.view().substr(0, 10), "x.toml:1: ");
+}
+
+/// A reader of "x.toml" that inherits from "base.toml".
+struct Inheriting {
+    ConfigReader reader;
+    Inheriting(const std::string& text, const std::string& base, Span<const std::string_view> own = {}) : reader(text, "x.toml") {
+        reader.inherit(base, "base.toml", own);
+    }
+    std::string json() {
+        return reader.json([](const StatedFile& stated, std::string_view own_file) {
+            return std::string(own_file) + " from " + std::string(stated.stated_in) + ": " + std::string(stated.name);
+        });
+    }
+};
+
+std::string without_blanks(std::string text) {
+    text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }), text.end());
+    return text;
+}
+
+TEST(ConfigReader, what_a_file_does_not_say_its_base_says) {
+    Inheriting both("a = 1\n[t]\nb = 2\n[t.deep]\nc = 3\n",
+                    "a = 10\nd = 40\n[t]\nb = 20\ne = 50\n[t.deep]\nf = 60\n[u]\ng = 70\n");
+    EXPECT_EQ(without_blanks(both.json()), R"({"a":1,"d":40,"t":{"b":2,"deep":{"c":3,"f":60},"e":50},"u":{"g":70}})");
+    Inheriting kinds("a = [1]\n[b]\nx = 1\n", "a = [2, 3]\nb = 4\n");
+    EXPECT_EQ(without_blanks(kinds.json()), R"({"a":[1],"b":{"x":1}})") << "lists of numbers, and unlike kinds, are one's own";
+}
+
+TEST(ConfigReader, lists_of_tables_inherit_by_name) {
+    const std::string base = "[[l]]\nname = 'p'\nx = 1\n[l.in]\ny = 2\n[[l]]\nx = 3\n[[l]]\nname = 'q'\nx = 4\n";
+    EXPECT_EQ(without_blanks(
+                  Inheriting("[[l]]\nname = 'q'\nx = 40\n[[l]]\nname = 'r'\n[[l]]\nname = 'p'\n[l.in]\nz = 5\n", base).json()),
+              R"({"l":[{"in":{"y":2,"z":5},"name":"p","x":1},{"x":3},{"name":"q","x":40},{"name":"r"}]})");
+    EXPECT_EQ(without_blanks(Inheriting("[[l]]\nname = 'q'\n[[l]]\nx = 7\n", base).json()), R"({"l":[{"name":"q"},{"x":7}]})")
+        << "a list with a table without name is one's own";
+    EXPECT_EQ(without_blanks(Inheriting("l = []\n", base).json()), R"({"l":[]})");
+    EXPECT_EQ(without_blanks(Inheriting("[[l]]\nname = 'p'\n[[l]]\nname = 'p'\nx = 9\n", "[[l]]\nname = 'p'\nx = 1\n").json()),
+              R"({"l":[{"name":"p","x":1},{"name":"p","x":9}]})")
+        << "the second of a name stays what it is";
+    EXPECT_EQ(without_blanks(Inheriting("", base).json()), without_blanks(Inheriting(base, "").json()));
+}
+
+TEST(ConfigReader, a_base_keeps_its_own_keys) {
+    constexpr std::string_view kOwn[] = {"name", "phases"};
+    Inheriting both("", "name = 'b'\nx = 1\n[phases]\ny = 2\n[t]\nname = 'kept'\n", kOwn);
+    EXPECT_EQ(without_blanks(both.json()), R"({"t":{"name":"kept"},"x":1})");
+}
+
+TEST(ConfigReader, faults_name_the_file_that_is_wrong) {
+    const auto message_of = [](const std::string& text, const std::string& base) {
+        Inheriting both(text, base);
+        ConfigSection root = both.reader.root();
+        root.section("t").number("x", 0, 5, 0);
+        if (root.table_count("l") > 0) root.table_at("l", 0).text("name");
+        return both.reader.finish() ? "" : std::string(both.reader.error().message.view());
+    };
+    EXPECT_EQ(message_of("[t]\n", "\n[t]\nx = 6\n"), "base.toml:3: 'x' must be a number from 0 to 5");
+    EXPECT_EQ(message_of("[t]\nx = 7\n", "\n[t]\nx = 1\n"), "x.toml:2: 'x' must be a number from 0 to 5");
+    EXPECT_EQ(message_of("[t]\nx = 1\n", "\n[t]\nx = 6\n"), "") << "what is said anew is not looked at";
+    EXPECT_EQ(message_of("[t]\n", "[t]\n\n\ny = 1\n"), "base.toml:4: unknown key 't.y'; correct or remove it");
+    EXPECT_EQ(message_of("[[l]]\nname = 'a'\n", "[[l]]\nname = 'a'\nz = 1\n"),
+              "base.toml:3: unknown key 'l.z'; correct or remove it");
+    EXPECT_EQ(message_of("", "[[l]]\n"), "base.toml:1: key 'name' is missing; add it");
+    EXPECT_THAT(message_of("", "x = 1\nx = 2\n"), HasSubstr("base.toml:2: "));
+}
+
+TEST(ConfigReader, a_key_that_is_removed_is_inherited) {
+    ConfigReader reader("a = 'own'\n", "x.toml");
+    EXPECT_EQ(reader.root().text("a"), "own");
+    reader.root().remove("a");
+    reader.root().remove("absent");
+    EXPECT_FALSE(reader.root().has("a"));
+    reader.inherit("a = 'base'\n", "base.toml", {});
+    EXPECT_FALSE(reader.finish()) << "nobody has read that of the base";
+    EXPECT_EQ(reader.error().message.view(), "base.toml:1: unknown key 'a'; correct or remove it");
+}
+
+TEST(ConfigReader, files_know_who_states_them) {
+    Inheriting both("own = 'a.txt'\nwrong = 1\n", "inherited = 'b.txt'\ntext = 'c.txt'\n");
+    ConfigSection root = both.reader.root();
+    EXPECT_EQ(root.file("own").stated_in, "x.toml");
+    const StatedFile inherited = root.file("inherited");
+    EXPECT_EQ(inherited.name, "b.txt");
+    EXPECT_EQ(inherited.stated_in, "base.toml");
+    EXPECT_EQ(both.reader.name(), "x.toml");
+    EXPECT_EQ(without_blanks(both.json()), R"({"inherited":"x.tomlfrombase.toml:b.txt","own":"a.txt","text":"c.txt","wrong":1})");
+    EXPECT_EQ(root.file("wrong").name, "");
+    EXPECT_EQ(both.reader.error().message.view(), "x.toml:2: 'wrong' must be a text in quotes");
 }
 
 }  // namespace

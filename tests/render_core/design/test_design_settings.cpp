@@ -17,14 +17,18 @@ namespace tedavis::design::test_design_settings {
 namespace {
 
 /// One palette of heights and one of slopes.
-class SeededPalettes final : public PaletteSource {
+class SeededPalettes final : public DesignSource {
 public:
-    base::Result<Palette, base::Error> find(std::string_view name) override {
+    base::Result<Palette, base::Error> find(const base::StatedFile& stated) override {
+        const std::string_view name = stated.name;
         Palette palette = alpine_palette();
         if (name != "seeded" && name != "slopes") return base::fail(base::Error{"no palette is called so"});
         palette.name = name;
         palette.kind = name == "slopes" ? PaletteKind::sequential : PaletteKind::hypsometric;
         return palette;
+    }
+    base::Result<DesignText, base::Error> find_design(const base::StatedFile& /*design*/) override {
+        return base::fail(base::Error{"no design is called so"});
     }
 };
 
@@ -49,8 +53,9 @@ TEST(DesignSettings, EveryShippedDesignLoadsUnderItsFileName) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(test_support::source_dir() + "/configs/designs")) {
         if (entry.path().extension() != ".toml") continue;
-        test_support::ShippedPalettes palettes;
-        const auto design = read_design_settings(file_text(entry.path()), entry.path().string(), palettes);
+        test_support::ShippedFiles named;
+        const std::string path = entry.path().lexically_relative(test_support::source_dir()).string();
+        const auto design = read_design_settings(file_text(entry.path()), path, named);
         ASSERT_TRUE(design.ok()) << design.error().message.view();
         EXPECT_EQ(design.value().name.view(), entry.path().stem().string());
         EXPECT_EQ(first_band_out_of_order(design.value().warning_bands), design.value().warning_bands.size());

@@ -63,8 +63,8 @@ private:
             "plain_color = '#ffffff'\n[terrain.shade]\ntechnique = 'none'\n[[terrain.shade.light]]\n"
             "azimuth_deg = 270\nelevation_deg = 30\n[terrain.sketch]\nline_color = '#000000'\n" +
             style;
-        test_support::ShippedPalettes palettes;
-        return design::read_design_settings("name = 'map'\n" + text, "map.toml", palettes).value();
+        test_support::ShippedFiles files;
+        return design::read_design_settings("name = 'map'\n" + text, "map.toml", files).value();
     }
 
     std::vector<std::uint8_t> image_ = test_support::build_image(test_support::make_raster(

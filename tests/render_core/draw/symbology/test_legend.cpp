@@ -75,9 +75,9 @@ TEST(Legend, SpeaksTheUnitOfTheDesignAndOfThePalette) {
     EXPECT_EQ(legend_text(input), "GROUNDELEVM0500100015002000SEANODATAOUTSIDERELATIVEM+610+305-152-305-610");
     input.legend.bands = false;
     input.legend.lowest = input.legend.highest = 0;
-    input.legend.palette = test_support::ShippedPalettes().find("slope").value();
+    input.legend.palette = test_support::ShippedFiles().find({"slope", ""}).value();
     EXPECT_EQ(legend_text(input), "SLOPEDEG0102030405060SEANODATAOUTSIDE");
-    input.legend.palette = test_support::ShippedPalettes().find("local_relief").value();
+    input.legend.palette = test_support::ShippedFiles().find({"local_relief", ""}).value();
     EXPECT_EQ(legend_text(input), "RELIEFM-60-40-200204060SEANODATAOUTSIDE");
     input.legend.palette.unit = design::PaletteUnit::one;
     EXPECT_EQ(legend_text(input).substr(0, 9), "RELIEF-60");

@@ -1,0 +1,12 @@
+/// JSON as TOML, for designs and the like: objects are tables, lists of objects are lists of tables.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace tedavis::host_sim {
+
+/// Numbers have the digits that bring them back bit for bit. Lists hold objects alone or none; null stands nowhere, as in TOML.
+[[nodiscard]] std::string toml_text(const nlohmann::ordered_json& table);
+
+}  // namespace tedavis::host_sim
