@@ -14,8 +14,8 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr int kCompression = 1;  // frames are written by the hundred: a larger file for a fraction of the time
-constexpr int kMostCompression = 9;
-constexpr std::uint32_t kMostPixelsASide = 32768;
+constexpr int kMaxCompression = 9;
+constexpr std::uint32_t kMaxPixelsASide = 32768;
 
 void append_bytes(png_structp png, png_bytep bytes, png_size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
@@ -73,7 +73,7 @@ RgbaPicture decoded(const std::string& bytes, const std::string& path) {
     png_set_option(reader.png, PNG_IGNORE_ADLER32, PNG_OPTION_ON);  // the chunks that it covers have checksums of their own
     png_read_info(reader.png, reader.info);
     RgbaPicture picture{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), {}};
-    if (picture.width > kMostPixelsASide || picture.height > kMostPixelsASide)
+    if (picture.width > kMaxPixelsASide || picture.height > kMaxPixelsASide)
         throw UserError(path + ": larger than 32768 pixels a side; scale it down");
     ask_for_rgba(reader);
     picture.pixels.resize(std::size_t{picture.width} * picture.height * 4);
@@ -126,7 +126,7 @@ std::string encode_grey_png(const GreyView& view) {
 std::string encode_small_png(const RgbaView& view) {
     const std::uint32_t channels = is_grey(view) ? 1 : 3;
     std::vector<std::uint8_t> line(std::size_t{view.width} * channels);
-    return encoded(view.width, view.height, {channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, kMostCompression, false},
+    return encoded(view.width, view.height, {channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, kMaxCompression, false},
                    [&](std::uint32_t y) -> const std::uint8_t* {
                        for (std::uint32_t x = 0; x < view.width; ++x)
                            std::copy_n(view.row(y) + std::size_t{x} * 4, channels, &line[std::size_t{x} * channels]);

@@ -6,7 +6,7 @@
 /// part refuses the whole report. Its time is that of its first part less the age that it states. A report that is older than the
 /// aircraft's last one is refused.
 ///
-/// With kMostTraffic aircraft the table is full, and the farthest from the own ship, the new one among them, has no room. While
+/// With kMaxTraffic aircraft the table is full, and the farthest from the own ship, the new one among them, has no room. While
 /// nobody knows where the own ship is, the new one has none. Places of those without a report for kTrafficKept are free.
 ///
 /// Thread  one. Memory  fixed, trivially copyable. Failure  none; what is not taken is counted.
@@ -53,7 +53,7 @@ private:
         std::uint8_t node = 0, code = 0;
         bool is_refused = false;
     };
-    using Places = std::array<flight::TrafficReport, flight::kMostTraffic>;
+    using Places = std::array<flight::TrafficReport, flight::kMaxTraffic>;
 
     [[nodiscard]] bool begins(const Assembly& assembly, const MessageHeader& header, base::Time received) const;
     void keep(const flight::TrafficReport& report, base::Time received, const flight::OwnShipEstimate& own_ship);

@@ -34,7 +34,7 @@ struct TrackerMemory {
     StateAssembler assembler;
     std::optional<SwitchToPhase> switches;
     flight::PhaseMonitor monitor;
-    flight::FlownWay trail;
+    flight::FlightTrail trail;
     base::Time next_step;
 };
 static_assert(std::is_trivially_copyable_v<TrackerMemory>);

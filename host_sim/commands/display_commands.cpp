@@ -197,18 +197,18 @@ void add_sweep(CLI::App& app, CommandLine& line) {
         ->check(CLI::Range(1.0, 100'000.0))
         ->capture_default_str();
     command->add_option("--bearings", o.rings.bearings, "viewpoints of a ring, evenly from north over east")
-        ->check(CLI::Range(std::size_t{1}, SweepRings::kMostBearings))
+        ->check(CLI::Range(std::size_t{1}, SweepRings::kMaxBearings))
         ->capture_default_str();
     command->add_option_function<std::string>(
         "--distances",
         [&o](const std::string& text) {
-            o.rings.distances_m = metres_from("--distances", text, SweepRings::kLeastDistance_m, SweepRings::kMostDistance_m);
+            o.rings.distances_m = metres_from("--distances", text, SweepRings::kMinDistance_m, SweepRings::kMaxDistance_m);
         },
         "metres from the place to the rings; default: 3000,6000");
     command->add_option_function<std::string>(
         "--heights",
         [&o](const std::string& text) {
-            o.rings.heights_m = metres_from("--heights", text, -SweepRings::kMostHeight_m, SweepRings::kMostHeight_m);
+            o.rings.heights_m = metres_from("--heights", text, -SweepRings::kMaxHeight_m, SweepRings::kMaxHeight_m);
         },
         "metres of the rings above the place; default: 300,1000");
     command->add_option("-o", o.output, "folder to write to: pictures, sweep.json, report.html")->required();

@@ -48,10 +48,10 @@ SweptPlace place_from(const std::string& text) {
 
 std::vector<double> metres_from(const std::string& option, const std::string& text, double least_m, double most_m) {
     const std::vector<double> n = parse_number_list(text, ',');
-    const bool is_sane = !n.empty() && n.size() <= SweepRings::kMostSteps &&
+    const bool is_sane = !n.empty() && n.size() <= SweepRings::kMaxSteps &&
                          std::all_of(n.begin(), n.end(), [&](double metres) { return metres >= least_m && metres <= most_m; });
     if (!is_sane)
-        throw UserError(option + " " + text + ": not 1 to " + std::to_string(SweepRings::kMostSteps) + " numbers of " +
+        throw UserError(option + " " + text + ": not 1 to " + std::to_string(SweepRings::kMaxSteps) + " numbers of " +
                         decimal(least_m, 0) + " to " + decimal(most_m, 0) + " m; write for instance 2000,5000");
     return n;
 }

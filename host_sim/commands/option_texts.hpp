@@ -17,7 +17,7 @@ namespace tedavis::host_sim {
 [[nodiscard]] AircraftPose pose_from(const std::string& text);
 /// "lat,lon" or "lat,lon,alt_m": degrees, and metres above mean sea level.
 [[nodiscard]] SweptPlace place_from(const std::string& text);
-/// "3000,6000": metres from `least` to `most`, at most SweepRings::kMostSteps of them.
+/// "3000,6000": metres from `least` to `most`, at most SweepRings::kMaxSteps of them.
 [[nodiscard]] std::vector<double> metres_from(const std::string& option, const std::string& text, double least_m, double most_m);
 /// The name of a phase, as it is.
 [[nodiscard]] std::string phase_from(const std::string& name);

@@ -5,8 +5,8 @@
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/effect_ledger.hpp"
 #include "host_sim/replay/flight_player.hpp"
-#include "host_sim/replay/frame_approach.hpp"
 #include "host_sim/replay/frame_instants.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/generated_flight.hpp"
 #include "host_sim/replay/run_recorder.hpp"
 #include "host_sim/reports/ledger_report.hpp"
@@ -46,9 +46,9 @@ int run_batch(const ReplayOptions& options, Console& console) {
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);
-    FrameApproach approach(player, session, session.device().frame_rate_hz);
+    FramePreroll preroll(player, session, session.device().frame_rate_hz);
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
-        approach.approach(times.at(n));
+        preroll.preroll(times.at(n));
         const FrameResult& drawn = recorder.draw(times.at(n));
         recorder.keep();
         if (options.ledger) enter(ledger, n, times.at(n), drawn, recorder, session);

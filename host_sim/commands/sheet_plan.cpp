@@ -19,7 +19,7 @@ namespace {
 
 using base::ConfigSection;
 
-constexpr std::size_t kMostGroups = 16, kMostPictures = 64, kMostViews = 64;
+constexpr std::size_t kMaxGroups = 16, kMaxPictures = 64, kMaxViews = 64;
 constexpr std::size_t kLongestTitle = 60;
 
 AircraftPose read_pose(ConfigSection section) {
@@ -76,8 +76,8 @@ public:
         SheetPlan::Group group;
         group.title = read_title(section);
         const std::size_t count = section.table_count("picture");
-        if (count == 0 || count > kMostPictures) section.fault("picture", "1 to 64 tables [[group.picture]] are needed");
-        for (std::size_t i = 0; i < count && i < kMostPictures; ++i) add_pictures(section.table_at("picture", i), group);
+        if (count == 0 || count > kMaxPictures) section.fault("picture", "1 to 64 tables [[group.picture]] are needed");
+        for (std::size_t i = 0; i < count && i < kMaxPictures; ++i) add_pictures(section.table_at("picture", i), group);
         return group;
     }
 
@@ -117,8 +117,8 @@ FlownHistory read_history(ConfigSection section) {
 
 void read_views(ConfigSection root, SheetPlan& plan) {
     const std::size_t count = root.table_count("view");
-    if (count > kMostViews) root.fault("view", "no more than 64 tables [[view]] are read");
-    for (std::size_t i = 0; i < count && i < kMostViews; ++i) {
+    if (count > kMaxViews) root.fault("view", "no more than 64 tables [[view]] are read");
+    for (std::size_t i = 0; i < count && i < kMaxViews; ++i) {
         ConfigSection section = root.table_at("view", i);
         const std::string name(section.text("name"));
         AircraftPose pose = read_pose(section);
@@ -138,10 +138,10 @@ void read_groups(ConfigSection root, const std::string& file_name, SheetPlan& pl
     const std::string designs(root.text("designs", ""));
     if (!designs.empty()) plan.designs = path_from(file_name, designs);
     const std::size_t groups = root.table_count("group");
-    if ((groups == 0 && other.empty()) || groups > kMostGroups)
+    if ((groups == 0 && other.empty()) || groups > kMaxGroups)
         root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'");
     GroupReader reader(root.number("little_detail", 0, 0.99, 0));
-    for (std::size_t i = 0; i < groups && i < kMostGroups; ++i) plan.groups.push_back(reader.read(root.table_at("group", i)));
+    for (std::size_t i = 0; i < groups && i < kMaxGroups; ++i) plan.groups.push_back(reader.read(root.table_at("group", i)));
 }
 
 /// What the ground shows and what stands over it.

@@ -261,9 +261,9 @@ int run_terrain_info(const TerrainInfoOptions& options, Console& console) {
 }
 
 int run_terrain_fractal(const TerrainFractalOptions& options, Console& console) {
-    if (options.size < kFewestFractalPosts || options.size > kMostFractalPosts)
+    if (options.size < kFewestFractalPosts || options.size > kMaxFractalPosts)
         throw UserError("--size " + std::to_string(options.size) + ": must be from " + std::to_string(kFewestFractalPosts) +
-                        " to " + std::to_string(kMostFractalPosts) + " posts");
+                        " to " + std::to_string(kMaxFractalPosts) + " posts");
     if (options.numbers != "float32" && options.numbers != "int16")
         throw UserError("--type " + options.numbers + ": unknown; choose float32 or int16");
     const InterruptGuard interrupt;

@@ -16,13 +16,13 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::size_t kMostWords = 16;
+constexpr std::size_t kMaxWords = 16;
 constexpr perception::RegionGrid kThirds{3, 3};
 
 std::vector<std::string> read_words(base::ConfigSection& section, std::string_view key) {
-    std::array<std::string_view, kMostWords> words;
+    std::array<std::string_view, kMaxWords> words;
     const std::size_t count = section.texts(key, {words.data(), words.size()});
-    return {words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(count, kMostWords))};
+    return {words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(count, kMaxWords))};
 }
 
 bool is_layer_name(std::string_view name) {
@@ -58,7 +58,7 @@ bool take_third(std::string_view name, ContractCondition& condition) {
 
 void read_cell(base::ConfigSection& section, ContractCondition& condition) {
     std::array<double, 2> cell{1, 1};
-    section.numbers("cell", 1, perception::RegionGrid::kMost, {cell.data(), 2});
+    section.numbers("cell", 1, perception::RegionGrid::kMax, {cell.data(), 2});
     condition.region = ClutterRegion::cell;
     condition.column = static_cast<int>(cell[0]) - 1;
     condition.row = static_cast<int>(cell[1]) - 1;
@@ -69,7 +69,7 @@ void read_cell(base::ConfigSection& section, ContractCondition& condition) {
 
 void read_clutter_region(base::ConfigSection& section, ContractCondition& condition) {
     std::array<double, 2> grid{8, 6};
-    section.numbers("grid", 1, perception::RegionGrid::kMost, {grid.data(), 2});
+    section.numbers("grid", 1, perception::RegionGrid::kMax, {grid.data(), 2});
     if (grid[0] != std::floor(grid[0]) || grid[1] != std::floor(grid[1]))
         section.fault("grid", "'grid' counts columns and rows: whole numbers");
     condition.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
@@ -122,7 +122,7 @@ void read_measure_keys(base::ConfigSection& section, ContractCondition& conditio
             read_condition_layer(section, condition, true);
             return read_left_out_layers(section, condition);
         case ContractMeasure::obstacle_rank:
-            read_condition_limit(section, true, 1, static_cast<double>(perception::kMostSalientPlaces), condition);
+            read_condition_limit(section, true, 1, static_cast<double>(perception::kMaxSalientPlaces), condition);
             condition.focus_share = section.number("focus", 0.01, 0.5, perception::kFocusShare);
             return read_left_out_layers(section, condition);
         case ContractMeasure::luminance_contrast:

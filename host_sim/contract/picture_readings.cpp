@@ -72,7 +72,7 @@ perception::SalientPlaces places_of(const ContractCondition& condition, const Me
     const double radius_px = condition.focus_share * std::min(frame.picture.width, frame.picture.height);
     std::vector<std::uint8_t> may;
     if (!condition.without.empty()) may = PlaceChoice(condition, *frame.mask, map).choose();
-    return perception::salient_places(map, radius_px, perception::kMostSalientPlaces, {may.data(), may.size()});
+    return perception::salient_places(map, radius_px, perception::kMaxSalientPlaces, {may.data(), may.size()});
 }
 
 double rank_of(const FrameObstacle& obstacle, const perception::SalientPlaces& places, double radius_px) {

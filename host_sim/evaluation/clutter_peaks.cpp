@@ -49,12 +49,12 @@ void sort_down(std::vector<Peak>& peaks, Rank rank) {
 }  // namespace
 
 PeakRule peak_rule_for(const std::vector<double>& times_s, const std::vector<double>& values) {
-    constexpr double kShareOfRange = 1.0 / 7, kLeast = 0.005, kShareOfFlight = 1.0 / 30, kLeast_s = 3;
-    PeakRule rule{kLeast, kLeast_s, 6};
+    constexpr double kShareOfRange = 1.0 / 7, kMin = 0.005, kShareOfFlight = 1.0 / 30, kMin_s = 3;
+    PeakRule rule{kMin, kMin_s, 6};
     if (values.empty()) return rule;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    rule.least_prominence = std::max(kLeast, kShareOfRange * (*high - *low));
-    rule.least_distance_s = std::max(kLeast_s, kShareOfFlight * std::abs(times_s.back() - times_s.front()));
+    rule.least_prominence = std::max(kMin, kShareOfRange * (*high - *low));
+    rule.least_distance_s = std::max(kMin_s, kShareOfFlight * std::abs(times_s.back() - times_s.front()));
     return rule;
 }
 

@@ -93,11 +93,11 @@ RgbaPicture saliency_picture(const FloatMap& map) {
 
 RgbaPicture heat_picture(const RgbaPicture& picture, const FloatMap& map) {
     // Most of a map is far below its maximum: colours are spread towards small values, and what is next to nothing stays grey.
-    constexpr float kSpread = 0.6f, kFullCover = 0.3f, kMostCover = 0.9f;
+    constexpr float kSpread = 0.6f, kFullCover = 0.3f, kMaxCover = 0.9f;
     RgbaPicture heat = blank(picture.width, picture.height);
     for (std::size_t n = 0; n < map.values.size(); ++n) {
         const float value = std::clamp(map.values[n], 0.0f, 1.0f);
-        const float cover = kMostCover * std::min(value / kFullCover, 1.0f);
+        const float cover = kMaxCover * std::min(value / kFullCover, 1.0f);
         paint(&heat.pixels[4 * n], dim_grey(&picture.pixels[4 * n]), heat_color(std::pow(value, kSpread)), cover);
     }
     return heat;

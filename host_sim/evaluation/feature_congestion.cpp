@@ -15,8 +15,8 @@ namespace {
 constexpr double kTheirUnit = 0.125;
 
 // What the eye does not tell apart.
-constexpr double kLeastLightness = 0.0007 * kTheirUnit, kLeastA = 0.1 * kTheirUnit, kLeastB = 0.05 * kTheirUnit;
-constexpr double kLeastDirection2 = 0.001;
+constexpr double kMinLightness = 0.0007 * kTheirUnit, kMinA = 0.1 * kTheirUnit, kMinB = 0.05 * kTheirUnit;
+constexpr double kMinDirection2 = 0.001;
 /// Energy of stripes of which half counts: that of their filter's noise, 1, for the stripes that it answers to best.
 constexpr double kStripeNoise = 0.32;
 
@@ -37,11 +37,11 @@ ValueMap color_clutter(const perception::LabPlanes& lab) {
     const ValueMap ll = window.covariance(l, l, mean_l, mean_l), la = window.covariance(l, a, mean_l, mean_a),
                    lb = window.covariance(l, b, mean_l, mean_b), aa = window.covariance(a, a, mean_a, mean_a),
                    ab = window.covariance(a, b, mean_a, mean_b), bb = window.covariance(b, b, mean_b, mean_b);
-    const double flat = std::cbrt(kLeastLightness * kLeastA * kLeastB);
+    const double flat = std::cbrt(kMinLightness * kMinA * kMinB);
     ValueMap clutter(l.width, l.height);
     for (std::size_t n = 0; n < clutter.values.size(); ++n) {
-        const double x = ll.values[n] + kLeastLightness * kLeastLightness, y = aa.values[n] + kLeastA * kLeastA,
-                     z = bb.values[n] + kLeastB * kLeastB;
+        const double x = ll.values[n] + kMinLightness * kMinLightness, y = aa.values[n] + kMinA * kMinA,
+                     z = bb.values[n] + kMinB * kMinB;
         const double xy = la.values[n], xz = lb.values[n], yz = ab.values[n];
         const double determinant = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
         clutter.values[n] = std::max(std::cbrt(std::sqrt(std::max(determinant, 0.0))) - flat, 0.0) / kUsualColor;
@@ -99,9 +99,9 @@ ValueMap direction_clutter(const perception::LabPlanes& lab) {
                    cs = window.covariance(cosine, sine, mean_cosine, mean_sine),
                    ss = window.covariance(sine, sine, mean_sine, mean_sine);
     for (std::size_t n = 0; n < clutter.values.size(); ++n) {
-        const double x = cc.values[n] + kLeastDirection2, y = ss.values[n] + kLeastDirection2;
+        const double x = cc.values[n] + kMinDirection2, y = ss.values[n] + kMinDirection2;
         const double area = std::sqrt(std::max(x * y - cs.values[n] * cs.values[n], 0.0));
-        clutter.values[n] = std::max(std::sqrt(area) - std::sqrt(kLeastDirection2), 0.0) / kUsualDirection;
+        clutter.values[n] = std::max(std::sqrt(area) - std::sqrt(kMinDirection2), 0.0) / kUsualDirection;
     }
     return clutter;
 }

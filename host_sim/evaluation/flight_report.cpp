@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kFirstColor = "#0b57a4";
 constexpr const char* kSecondColor = "#b26a00";
-constexpr std::size_t kMostValueRows = 80;
+constexpr std::size_t kMaxValueRows = 80;
 
 ComparedFlight side_of(const FlightReport& report, std::size_t n) {
     if (n >= report.flights.size()) return {};
@@ -262,7 +262,7 @@ std::string eye_section(const FlightReport& report) {
 
 /// Means and highest values of equal stretches of the flight.
 std::string value_table(const EvaluatedFlight& flight) {
-    const std::size_t count = flight.run.frames.size(), stride = (count + kMostValueRows - 1) / kMostValueRows;
+    const std::size_t count = flight.run.frames.size(), stride = (count + kMaxValueRows - 1) / kMaxValueRows;
     std::string rows;
     for (std::size_t first = 0; first < count; first += stride) {
         const SpanSummary span = summary_of(flight, first, std::min(first + stride, count));

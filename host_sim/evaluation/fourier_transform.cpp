@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr int kMostParts = 5;
+constexpr int kMaxParts = 5;
 constexpr std::array<int, 4> kParts = {4, 2, 3, 5};
 
 /// Without the standard's detour for infinities.
@@ -54,7 +54,7 @@ void FourierTransform::transform(const Complex* in, int stride, int length, Comp
 }
 
 void FourierTransform::combine(Complex* out, int stride, int parts, int part_length) const {
-    std::array<Complex, kMostParts> turned{}, corner{};
+    std::array<Complex, kMaxParts> turned{}, corner{};
     for (int n = 0; n < parts; ++n) corner[static_cast<std::size_t>(n)] = turns_[static_cast<std::size_t>(length_ / parts * n)];
     for (int k = 0; k < part_length; ++k) {
         for (int n = 0; n < parts; ++n)

@@ -54,10 +54,10 @@ std::string clutter_text(double clutter) { return decimal(clutter, 3); }
 std::string percent_text(double share) { return decimal(100 * share, 0) + " %"; }
 
 std::string layer_bar(const std::vector<LayerShare>& layers, const std::string& prioritized) {
-    constexpr double kRoomForName = 0.14, kLeast = 0.002;
+    constexpr double kRoomForName = 0.14, kMin = 0.002;
     std::string bar;
     for (const LayerShare& layer : layers) {
-        if (layer.share < kLeast) continue;
+        if (layer.share < kMin) continue;
         const bool is_first = layer.layer == prioritized;
         const std::string words = layer.layer + " " + percent_text(layer.share) + (is_first ? ", comes first" : "");
         bar += "<span" + std::string(is_first ? " class='first'" : "") + " title='" + escaped_html(words) +

@@ -15,7 +15,7 @@ class LabLevels {
 public:
     static constexpr int kLevels = 3;
 
-    /// A picture of at most perception::kMostPictureSide a side.
+    /// A picture of at most perception::kMaxPictureSide a side.
     explicit LabLevels(const RgbaPicture& picture);
 
     [[nodiscard]] const perception::LabPlanes& level(int n) const { return levels_[static_cast<std::size_t>(n)]; }

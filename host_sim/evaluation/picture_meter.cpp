@@ -44,9 +44,9 @@ void PictureMeter::make_room(int width, int height) {
 
 PictureMeasures PictureMeter::measure(const RgbaPicture& picture, const std::string& name, const LayerMask* mask,
                                       const std::vector<GazePixel>& gaze) {
-    constexpr auto kMost = static_cast<std::uint32_t>(perception::kMostPictureSide);
-    if (picture.width > kMost || picture.height > kMost)
-        throw UserError(name + ": larger than " + std::to_string(kMost) + " pixels a side; scale it down");
+    constexpr auto kMax = static_cast<std::uint32_t>(perception::kMaxPictureSide);
+    if (picture.width > kMax || picture.height > kMax)
+        throw UserError(name + ": larger than " + std::to_string(kMax) + " pixels a side; scale it down");
     const perception::PictureView view = perception_view(picture);
     make_room(view.width, view.height);
     width_ = picture.width;

@@ -19,7 +19,7 @@ class PictureMeter {
 public:
     explicit PictureMeter(const EvaluationSettings& settings) : settings_(settings) {}
 
-    /// `mask` may be null. Throws UserError for a picture larger than perception::kMostPictureSide, which `name` names.
+    /// `mask` may be null. Throws UserError for a picture larger than perception::kMaxPictureSide, which `name` names.
     [[nodiscard]] PictureMeasures measure(const RgbaPicture& picture, const std::string& name, const LayerMask* mask,
                                           const std::vector<GazePixel>& gaze);
 

@@ -13,7 +13,7 @@ namespace tedavis::host_sim {
     base::ConfigSection section = root.section("canny");
     if (!section.present()) return std::nullopt;
     perception::CannySettings canny;
-    canny.sigma = section.number("sigma", 0, perception::kMostSigma);
+    canny.sigma = section.number("sigma", 0, perception::kMaxSigma);
     canny.low = section.number("low", 0, 32767);
     canny.high = section.number("high", 0, 32767);
     if (canny.low > canny.high) section.fault("low", "'low' must not be above 'high'");

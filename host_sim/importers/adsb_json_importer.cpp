@@ -60,9 +60,9 @@ public:
         if (cell == nullptr) return std::nullopt;
         if (cell->is_string()) return parse_iso8601(cell->get<std::string>());
         const auto value = number(column);
-        constexpr double kMostSeconds = 7e9;
-        if (!value || *value < 0 || *value > kMostSeconds * 1000) return std::nullopt;
-        const double unit_ns = *value <= kMostSeconds ? 1e9 : 1e6, whole = std::floor(*value);
+        constexpr double kMaxSeconds = 7e9;
+        if (!value || *value < 0 || *value > kMaxSeconds * 1000) return std::nullopt;
+        const double unit_ns = *value <= kMaxSeconds ? 1e9 : 1e6, whole = std::floor(*value);
         return base::Time{static_cast<std::int64_t>(whole) * static_cast<std::int64_t>(unit_ns) +
                           std::llround((*value - whole) * unit_ns)};
     }

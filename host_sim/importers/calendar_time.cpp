@@ -6,7 +6,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000, kMostSeconds = 7'000'000'000;
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000, kMaxSeconds = 7'000'000'000;
 constexpr int kDaysOfMonth[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
 
 bool is_leap_year(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
@@ -111,7 +111,7 @@ std::optional<base::Time> parse_unix_seconds(std::string_view text) {
     std::int64_t seconds = reader.digits(1);
     while (reader.ok() && !reader.at_end() && !reader.accept('.')) {
         seconds = seconds * 10 + reader.digits(1);
-        if (seconds > kMostSeconds) return std::nullopt;
+        if (seconds > kMaxSeconds) return std::nullopt;
     }
     const std::int64_t ns = seconds * kNanosecondsPerSecond + reader.fraction_ns();
     if (!reader.ok() || !reader.at_end()) return std::nullopt;

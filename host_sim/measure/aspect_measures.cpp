@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kLeastEdge = 0.5;  // L* a pixel
+constexpr double kMinEdge = 0.5;  // L* a pixel
 
 }  // namespace
 
@@ -17,7 +17,7 @@ double edge_density(const RgbaView& picture) {
     const LabPicture lab(picture);
     std::uint64_t edges = 0;
     for (std::uint32_t y = 0; y < picture.height; ++y)
-        for (std::uint32_t x = 0; x < picture.width; ++x) edges += lab.gradient(x, y) > kLeastEdge ? 1 : 0;
+        for (std::uint32_t x = 0; x < picture.width; ++x) edges += lab.gradient(x, y) > kMinEdge ? 1 : 0;
     return static_cast<double>(edges) / std::max(static_cast<double>(picture.width) * picture.height, 1.0);
 }
 

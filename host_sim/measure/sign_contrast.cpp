@@ -12,14 +12,14 @@ namespace {
 using perception::contrast_ratio;
 
 constexpr std::size_t kOwnParts = 20, kAroundParts = 10;
-constexpr std::size_t kMostOfPart = 48;  // pixels: a stroke on a large panel is less than a twentieth of it
+constexpr std::size_t kMaxOfPart = 48;  // pixels: a stroke on a large panel is less than a twentieth of it
 
 /// The values that the lowest and the highest of so many equal parts reach, and the middle one. Puts them in another order.
 struct Quantiles {
     double low, middle, high;
 };
 Quantiles quantiles(std::vector<double>& values, std::size_t parts) {
-    const std::size_t last = values.size() - 1, part = std::min(last / parts, kMostOfPart);
+    const std::size_t last = values.size() - 1, part = std::min(last / parts, kMaxOfPart);
     const auto ranked = [&values](std::size_t rank) {
         const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
         std::nth_element(values.begin(), at, values.end());

@@ -4,7 +4,7 @@
 
 #include "platform/clock/monotonic_clock.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "render_core/effects/effect_calls.hpp"
+#include "render_core/effects/effect_requests.hpp"
 
 namespace tedavis::host_sim {
 namespace {

@@ -27,7 +27,7 @@ struct LedgerSample {
     base::Time time;
     flight::AircraftState aircraft;
     flight::PhaseStatus phase;
-    flight::FlownWay way;
+    flight::FlightTrail way;
     RgbaPicture shown;
 };
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "platform/clock/monotonic_clock.hpp"
-#include "render_core/flight/flown_way.hpp"
+#include "render_core/flight/flight_trail.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -15,7 +15,7 @@ double milliseconds_since(base::Time start) { return (platform::monotonic_now() 
 FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const flight::PhaseStatus& phase) {
     FrameResult result;
     const base::Time start = platform::monotonic_now();
-    const auto way = std::make_unique<flight::FlownWay>();
+    const auto way = std::make_unique<flight::FlightTrail>();
     for (const AircraftPose& before : poses_before(pose)) way->step(posed_aircraft(before, session.display()), before.time);
     const flight::AircraftState state = posed_aircraft(pose, session.display());
     session.display().settle(state, phase, pose.time);

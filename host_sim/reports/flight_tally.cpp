@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::size_t kMostSpans = 3;
+constexpr std::size_t kMaxSpans = 3;
 
 bool has_flag(const display::FrameRecord& record, std::string_view name) {
     return std::any_of(record.flags.begin(), record.flags.end(), [&](const display::Name& flag) { return flag.view() == name; });
@@ -42,8 +42,8 @@ void FlightTally::add_place(const display::FrameRecord& record, double time_s) {
     if (has_place(record))
         extent_.include(base::degrees(record.own_ship.position.latitude_rad),
                         base::degrees(record.own_ship.position.longitude_rad));
-    if (is_inside && !was_inside_ && spans_in_all_++ < kMostSpans) spans_.push_back({time_s, time_s});
-    if (is_inside && spans_in_all_ <= kMostSpans) spans_.back().last_s = time_s;
+    if (is_inside && !was_inside_ && spans_in_all_++ < kMaxSpans) spans_.push_back({time_s, time_s});
+    if (is_inside && spans_in_all_ <= kMaxSpans) spans_.back().last_s = time_s;
     was_inside_ = is_inside;
 }
 

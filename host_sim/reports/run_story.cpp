@@ -5,9 +5,9 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::size_t kMostSamples = 4096;
-constexpr std::size_t kMostThumbnails = 32;
-constexpr std::size_t kMostPhases = 4096;
+constexpr std::size_t kMaxSamples = 4096;
+constexpr std::size_t kMaxThumbnails = 32;
+constexpr std::size_t kMaxPhases = 4096;
 constexpr std::uint32_t kThumbnailWidth = 192;
 
 std::string phase_text(const display::FrameRecord& record) {
@@ -33,7 +33,7 @@ bool RunStory::add(const FrameResult& result, double height_above_terrain_m, dou
     if (frames_ % sample_stride_ == 0) {
         samples_.push_back({time_s, record.altitude_msl_m, height_above_terrain_m, ground_speed_mps, result.timing.total_ms,
                             record.own_ship.state == base::SignalState::valid, std::isfinite(height_above_terrain_m)});
-        if (samples_.size() == kMostSamples) {
+        if (samples_.size() == kMaxSamples) {
             halve(samples_);
             sample_stride_ *= 2;
         }
@@ -51,14 +51,14 @@ void RunStory::add_phase(const display::FrameRecord& record, double time_s) {
     const std::string phase = phase_text(record), source = flight::to_string(record.phase.source);
     if (!phases_.empty()) phases_.back().end_s = time_s;
     const bool same = !phases_.empty() && phases_.back().phase == phase && phases_.back().source == source;
-    if (!same && phases_.size() < kMostPhases) phases_.push_back({time_s, time_s, phase, source});
+    if (!same && phases_.size() < kMaxPhases) phases_.push_back({time_s, time_s, phase, source});
 }
 
 void RunStory::add_picture(const FrameResult& result, const RgbaView& view) {
     const double time_s = (result.record.time - origin_).to_seconds();
     thumbnails_.push_back(
         {result.record.frame, time_s, phase_text(result.record), encode_png(view_of(shrunk(view, kThumbnailWidth)))});
-    if (thumbnails_.size() < kMostThumbnails) return;
+    if (thumbnails_.size() < kMaxThumbnails) return;
     halve(thumbnails_);
     picture_stride_ *= 2;
 }

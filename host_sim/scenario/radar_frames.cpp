@@ -16,7 +16,7 @@ constexpr double kGrowth_per_hour = 0.6;
 constexpr std::uint8_t kRadarImportance = 150;
 
 int frames_until(double duration_s) {
-    return std::min(kMostRadarFrames, 1 + static_cast<int>(std::ceil(duration_s / kRadarInterval_s)));
+    return std::min(kMaxRadarFrames, 1 + static_cast<int>(std::ceil(duration_s / kRadarInterval_s)));
 }
 
 double strongest_dbz(const std::vector<StormCell>& cells, double east_m, double north_m, double time_s) {

@@ -1,5 +1,5 @@
 /// What a generated radar at the strip sees of the storm: the layer "radar", from the start on every kRadarInterval_s, up to the
-/// first time that is not before the flight's end (kMostRadarFrames at most).
+/// first time that is not before the flight's end (kMaxRadarFrames at most).
 ///
 /// Its attribute "reflectivity" (dBZ) is the strongest echo of the cells (storm_cells.hpp), kNoEcho_dbz where there is none, and
 /// missing beyond the range. The beam widens and rises with the distance d, and so the quality falls, 1 at the radar, 1 -
@@ -16,7 +16,7 @@ namespace tedavis::host_sim {
 
 inline constexpr std::uint32_t kRadarPosts = 73;
 inline constexpr int kRadarInterval_s = 300;
-inline constexpr int kMostRadarFrames = 24;
+inline constexpr int kMaxRadarFrames = 24;
 inline constexpr double kQualityLost = 0.7;
 
 /// The scenario must have weather.

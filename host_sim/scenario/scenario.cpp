@@ -19,8 +19,8 @@ using base::ConfigSection;
 
 constexpr std::array<std::string_view, 6> kKinds = {"stand", "roll", "hold", "fly_to", "final", "land"};
 constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switches"};
-constexpr std::size_t kMostLegs = 256;
-constexpr std::size_t kMostTraffic = bus::kTrafficNumbers;
+constexpr std::size_t kMaxLegs = 256;
+constexpr std::size_t kMaxTraffic = bus::kTrafficNumbers;
 
 double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
     return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa);
@@ -144,14 +144,14 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     scenario.scene = read_scene(root, file_name);
     if (ConfigSection weather = root.section("weather"); weather.present()) scenario.weather = read_weather(weather);
     const std::size_t aircraft = root.table_count("traffic");
-    if (aircraft > kMostTraffic) root.fault("traffic", "at most 32 tables [[traffic]]");
-    for (std::size_t i = 0; i < aircraft && i < kMostTraffic; ++i) {
+    if (aircraft > kMaxTraffic) root.fault("traffic", "at most 32 tables [[traffic]]");
+    for (std::size_t i = 0; i < aircraft && i < kMaxTraffic; ++i) {
         ConfigSection section = root.table_at("traffic", i);
         scenario.traffic.push_back(read_traffic(section));
     }
     const std::size_t legs = root.table_count("leg");
-    if (legs == 0 || legs > kMostLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
-    for (std::size_t i = 0; i < legs && i < kMostLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
+    if (legs == 0 || legs > kMaxLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
+    for (std::size_t i = 0; i < legs && i < kMaxLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
     if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return scenario;
 }

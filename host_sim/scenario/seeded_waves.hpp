@@ -1,5 +1,5 @@
 /// A smooth random function of place: a sum of plane waves whose directions, lengths and phases are drawn. Over space its mean is
-/// 0 and its variance 1; beyond kMost it never is.
+/// 0 and its variance 1; beyond kMax it never is.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 class SeededWaves {
 public:
     static constexpr std::size_t kWaves = 16;
-    static constexpr double kMost = 5.66;  ///< the square root of twice the number of waves
+    static constexpr double kMax = 5.66;  ///< the square root of twice the number of waves
 
     /// Lengths of waves over the ground lie between the two. `height_m`: over which height phases turn by half a circle at most.
     SeededWaves(SeededRandom& random, double shortest_m, double longest_m, double height_m);

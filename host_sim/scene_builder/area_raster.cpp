@@ -13,7 +13,7 @@ namespace {
 using scene::ScenePoint;
 
 constexpr double kEarthRadius_m = 6'371'000;
-constexpr double kMostSide = 8192, kWidest_rad = base::radians(180);
+constexpr double kMaxSide = 8192, kWidest_rad = base::radians(180);
 constexpr std::int64_t kNoArea = -1;
 
 struct Bounds {
@@ -44,7 +44,7 @@ scene::GridShape grid_over(const Bounds& bounds, double cell_m, const std::strin
         throw UserError(name + ": there are no areas to make a raster of; move 'region', or leave 'raster_m' out");
     if (!(bounds.east - bounds.west <= kWidest_rad))
         throw UserError(name + ": its areas lie half a turn of the Earth apart or more; choose a region");
-    if (columns > kMostSide || rows > kMostSide)
+    if (columns > kMaxSide || rows > kMaxSide)
         throw UserError(name + ": a raster of " + std::to_string(std::llround(columns)) + " x " +
                         std::to_string(std::llround(rows)) + " posts is too large; give a larger 'raster_m', or a region");
     return {bounds.west,

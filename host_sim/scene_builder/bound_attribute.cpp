@@ -43,14 +43,14 @@ float bound_value(const AttributeRecipe& recipe, double stated) {
 }
 
 scene::Uncertainty bound_uncertainty(const AttributeRecipe& recipe, double stated) {
-    constexpr double kMostPercent = 100, kRounding = 1e-6;  // of a bound
+    constexpr double kMaxPercent = 100, kRounding = 1e-6;  // of a bound
     const UncertaintyRecipe& unsure = recipe.uncertainty;
     if (unsure.kind == scene::UncertaintyKind::none) return {};
     const double in_unit = unsure.value.value_or(stated);
     if (!(in_unit >= 0) || std::isinf(in_unit)) return {};
     const bool is_of_full = unsure.is_quality || unsure.kind == scene::UncertaintyKind::ordinal;
     if (is_of_full && in_unit > unsure.full * (1 + kRounding)) return {};
-    if (unsure.kind == scene::UncertaintyKind::percent && in_unit > kMostPercent * (1 + kRounding)) return {};
+    if (unsure.kind == scene::UncertaintyKind::percent && in_unit > kMaxPercent * (1 + kRounding)) return {};
     const double level = std::fmin(in_unit / unsure.full, 1);
     return scene::Uncertainty::from_level(unsure.is_quality ? 1 - level : level);
 }

@@ -30,7 +30,7 @@ constexpr double kNothingDerived = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kPrefix = "derived:";
 constexpr std::array<std::string_view, 6> kNames = {"cross_wind", "cross_wind_speed", "head_wind",
                                                     "wind_speed", "ground_speed",     "vertical_speed"};
-constexpr std::size_t kMostNeighbours = 30;  // to either side, for a track
+constexpr std::size_t kMaxNeighbours = 30;  // to either side, for a track
 
 bool is_wind(DerivedQuantity quantity) { return quantity <= DerivedQuantity::wind_speed; }
 
@@ -73,9 +73,9 @@ public:
     }
     /// NaN where it stands still.
     [[nodiscard]] double track_rad() const {
-        for (std::size_t by = 1; by <= kMostNeighbours; ++by) {
+        for (std::size_t by = 1; by <= kMaxNeighbours; ++by) {
             const glm::dvec2 gone = way(before(by), behind(by));
-            if (glm::length(gone) >= kLeastTrack_m) return std::atan2(gone.x, gone.y);
+            if (glm::length(gone) >= kMinTrack_m) return std::atan2(gone.x, gone.y);
         }
         return kNothingDerived;
     }

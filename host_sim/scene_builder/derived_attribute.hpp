@@ -1,7 +1,7 @@
 /// Attributes that the desk computes for the points of lines: `variable = "derived:cross_wind"` and its like.
 ///
 /// Speeds and tracks are those between the points before and behind (at a line's ends, and beside points without a time, of what
-/// there is); a track needs at least kLeastTrack_m of way. Wind is interpolated (scene/grid_field.hpp) in the layer that
+/// there is); a track needs at least kMinTrack_m of way. Wind is interpolated (scene/grid_field.hpp) in the layer that
 /// `wind_layer` names, at each point's place, height and time, or at `wind_time`; outside of that grid, and of its times where it
 /// has several, it is missing. Its uncertainty comes along: of standard deviations, intervals and percents by their parts along
 /// and across the track, of classes the worse; of two kinds it is unknown.
@@ -15,7 +15,7 @@
 
 namespace tedavis::host_sim {
 
-inline constexpr double kLeastTrack_m = 50;
+inline constexpr double kMinTrack_m = 50;
 
 enum class DerivedQuantity : std::uint8_t { cross_wind, cross_wind_speed, head_wind, wind_speed, ground_speed, vertical_speed };
 

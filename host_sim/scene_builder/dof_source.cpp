@@ -13,7 +13,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::string_view kDateLine = "CURRENCY DATE =";
-constexpr std::size_t kLeastRecord = 101;  // up to the code of vertical accuracy, behind which nothing is needed
+constexpr std::size_t kMinRecord = 101;  // up to the code of vertical accuracy, behind which nothing is needed
 constexpr double kFullTolerance_m = 500 * base::kMetresPerFoot;
 /// Of horizontal codes 1 to 8 and of vertical codes A to H, either way.
 constexpr std::array<double, 8> kHorizontal_m = {
@@ -105,7 +105,7 @@ private:
     }
 
     void read_record() {
-        if (line_.size() < kLeastRecord) refuse("this record is cut");
+        if (line_.size() < kMinRecord) refuse("this record is cut");
         if (cell(kAction) == "D") return void(++dismantled_);
         SourceFeature obstacle;
         const double height_m = feet_as_metres(kAboveGround);

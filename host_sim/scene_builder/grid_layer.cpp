@@ -19,7 +19,7 @@ namespace {
 
 using scene::ValueState;
 
-constexpr std::uint64_t kMostPosts = 1u << 26;
+constexpr std::uint64_t kMaxPosts = 1u << 26;
 
 bool are_alike(const GridPlaces& a, const GridPlaces& b) {
     const double tolerance_deg = 1e-6 * a.step_lon_deg;
@@ -70,7 +70,7 @@ private:
         layer_.shape = scene::LayerShape::grid;
         const std::uint64_t posts =
             std::uint64_t{window_.columns.size()} * window_.rows.size() * axes_.level_count() * axes_.time_count();
-        if (posts > kMostPosts)
+        if (posts > kMaxPosts)
             throw UserError(recipe_.name + ": " + std::to_string(posts) +
                             " posts are too many for a scene; choose a region, or times");
         layer_.grid = {base::radians(window_.west_deg),

@@ -75,11 +75,11 @@ bool states_degrees(GDALDataset& dataset) {
 
 /// All of it, not one corner: metres near the origin of a local system begin like degrees.
 bool looks_geographic(GDALDataset& dataset, const double (&transform)[6]) {
-    constexpr double kMostLatitude_deg = 91;  // corners of pixels whose middles are posts
+    constexpr double kMaxLatitude_deg = 91;  // corners of pixels whose middles are posts
     const double columns = dataset.GetRasterXSize(), rows = dataset.GetRasterYSize();
     const double east = transform[0] + columns * transform[1], south = transform[3] + rows * transform[5];
     const bool is_on_earth = std::abs(transform[0]) <= kFullTurn_deg && std::abs(east) <= 2 * kFullTurn_deg &&
-                             std::abs(transform[3]) <= kMostLatitude_deg && std::abs(south) <= kMostLatitude_deg;
+                             std::abs(transform[3]) <= kMaxLatitude_deg && std::abs(south) <= kMaxLatitude_deg;
     return is_on_earth && std::abs(east - transform[0]) <= kFullTurn_deg + std::abs(transform[1]);
 }
 

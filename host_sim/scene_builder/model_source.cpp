@@ -65,9 +65,9 @@ public:
 private:
     void add(const aiMesh& mesh, const aiColor4D& material) {
         const std::size_t first = model_.vertices.size();
-        if (first + mesh.mNumVertices > kMostModelVertices || model_.triangles.size() + mesh.mNumFaces > kMostModelTriangles)
-            throw UserError(path_ + ": has more than " + std::to_string(kMostModelVertices) + " vertices or " +
-                            std::to_string(kMostModelTriangles) + " triangles; simplify the model");
+        if (first + mesh.mNumVertices > kMaxModelVertices || model_.triangles.size() + mesh.mNumFaces > kMaxModelTriangles)
+            throw UserError(path_ + ": has more than " + std::to_string(kMaxModelVertices) + " vertices or " +
+                            std::to_string(kMaxModelTriangles) + " triangles; simplify the model");
         for (unsigned n = 0; n < mesh.mNumVertices; ++n) model_.vertices.push_back(vertex(mesh, n, material));
         for (unsigned n = 0; n < mesh.mNumFaces; ++n) {
             const aiFace& face = mesh.mFaces[n];

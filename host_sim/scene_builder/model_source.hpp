@@ -11,7 +11,7 @@
 namespace tedavis::host_sim {
 
 /// Vertices and triangles that the board draws of a model.
-inline constexpr std::size_t kMostModelVertices = 4096, kMostModelTriangles = 4096;
+inline constexpr std::size_t kMaxModelVertices = 4096, kMaxModelTriangles = 4096;
 
 /// Throws UserError with the path: no model, nothing in it, numbers that are none, or too much.
 [[nodiscard]] ModelDraft read_model(const std::string& path);

@@ -30,7 +30,7 @@ std::string reason_against(const Viewpoint& viewpoint, SweptGround& ground) {
     const terrain::HeightAnswer below = ground.at(viewpoint.position.latitude_rad, viewpoint.position.longitude_rad);
     if (below.status == terrain::HeightStatus::outside) return "outside the terrain";
     if (!has_ground(below)) return "no ground height is known below";
-    return viewpoint.pose.altitude_msl_m < below.height.m + kLeastClearance_m ? "below the ground" : "";
+    return viewpoint.pose.altitude_msl_m < below.height.m + kMinClearance_m ? "below the ground" : "";
 }
 
 bool is_recovery_picture(const display::FrameRecord& record) {

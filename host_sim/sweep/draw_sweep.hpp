@@ -33,7 +33,7 @@ struct SweepJob {
 };
 
 /// Closer to the ground than this nothing is drawn.
-inline constexpr double kLeastClearance_m = 5;
+inline constexpr double kMinClearance_m = 5;
 
 /// `fault`: a sentence where a part of the terrain failed. Stopped, it has the views so far; throws Interrupted where there are
 /// none, and UserError where nothing can be seen from any viewpoint.

@@ -12,7 +12,7 @@ PlaceInPicture place_in_picture(const terrain::View& view, const earth::Ecef& pl
     const double x_px = 0.5 * view.width + view.focal_px * glm::dot(way, view.right) / ahead_m;
     const double y_px = 0.5 * view.height + view.focal_px * glm::dot(way, view.down) / ahead_m;
     if (x_px < 0 || y_px < 0 || x_px >= view.width || y_px >= view.height) return {};
-    return {true, x_px, y_px, std::max(view.focal_px * radius_m / ahead_m, PlaceInPicture::kLeastRadius_px)};
+    return {true, x_px, y_px, std::max(view.focal_px * radius_m / ahead_m, PlaceInPicture::kMinRadius_px)};
 }
 
 PlaceSaliency place_saliency(const FloatMap& map, const PlaceInPicture& place) {

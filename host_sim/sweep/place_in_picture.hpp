@@ -9,11 +9,11 @@ namespace tedavis::host_sim {
 
 /// Pixels from the picture's upper left corner.
 struct PlaceInPicture {
-    static constexpr double kLeastRadius_px = 8;
+    static constexpr double kMinRadius_px = 8;
     bool is_inside = false;  ///< its middle lies in the picture, before the eye; the rest is 0 otherwise
     double x_px = 0, y_px = 0, radius_px = 0;
 };
-/// `radius_m`: how far the place reaches; at least kLeastRadius_px in the picture, for nobody looks at a single pixel.
+/// `radius_m`: how far the place reaches; at least kMinRadius_px in the picture, for nobody looks at a single pixel.
 [[nodiscard]] PlaceInPicture place_in_picture(const terrain::View& view, const earth::Ecef& place, double radius_m);
 
 struct PlaceSaliency {

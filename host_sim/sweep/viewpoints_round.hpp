@@ -12,8 +12,8 @@ namespace tedavis::host_sim {
 
 /// Of a sweep: every distance with every height in every bearing.
 struct SweepRings {
-    static constexpr std::size_t kMostBearings = 72, kMostSteps = 16;
-    static constexpr double kLeastDistance_m = 10, kMostDistance_m = 100'000, kMostHeight_m = 30'000;
+    static constexpr std::size_t kMaxBearings = 72, kMaxSteps = 16;
+    static constexpr double kMinDistance_m = 10, kMaxDistance_m = 100'000, kMaxHeight_m = 30'000;
     std::size_t bearings = 8;  ///< evenly round the place, from north over east
     std::vector<double> distances_m{3000, 6000};
     std::vector<double> heights_m{300, 1000};  ///< above the place

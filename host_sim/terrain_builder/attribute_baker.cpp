@@ -14,7 +14,7 @@ using namespace terrain;
 
 constexpr std::uint32_t kSubtreeLevels = 3;  // a tile so many levels up is a task with all that lies below it: 2^20 posts
 constexpr std::uint32_t kPageSteps = kAttributePosts - 1;
-constexpr double kLeastEast = 0.01;  // of a step north, where meridians run together
+constexpr double kMinEast = 0.01;  // of a step north, where meridians run together
 
 /// Bits of u and v in turn: tiles that follow each other mostly share the tiles above them.
 std::uint64_t interleaved(std::uint32_t u, std::uint32_t v) {
@@ -41,7 +41,7 @@ void measure_spacing(const BuildPlan& plan, const TileKey& key, AttributeTile& t
         const double phi = latitude(first + row);
         const double east_m =
             earth::prime_vertical_radius_m(phi) * std::cos(phi) * base::radians(plan.header.step_lon_deg) * posts;
-        tile.east_m.push_back(std::max(east_m, kLeastEast * tile.north_m));
+        tile.east_m.push_back(std::max(east_m, kMinEast * tile.north_m));
     }
 }
 

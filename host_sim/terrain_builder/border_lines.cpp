@@ -74,7 +74,7 @@ void BorderLines::keep_row(const LatticeWindow& window, std::uint32_t line) {
     piece.tolerance_m = [this, j](std::uint32_t level, std::uint32_t) { return row_tolerance_m(level, j); };
     const double cell_m =
         base::radians(plan_.header.step_lon_deg) * earth::kGreatestCurvatureRadius_m * std::cos(plan_.lattice.latitude_rad(j));
-    piece.sagitta_m = cell_m * cell_m / (8 * earth::kLeastCurvatureRadius_m);
+    piece.sagitta_m = cell_m * cell_m / (8 * earth::kMinCurvatureRadius_m);
     const std::vector<std::uint8_t> levels = keep_levels(piece);
     rows_.write(std::uint64_t{line} * plan_.header.columns + piece.first, levels.data(), levels.size());
 }
@@ -115,7 +115,7 @@ void BorderLines::keep_column(const std::vector<float>& surface_m, const std::ve
         return plan_.tolerance_m(level, post / (kChunkCells << level));
     };
     const double cell_m = base::radians(plan_.header.step_lat_deg) * earth::kGreatestCurvatureRadius_m;
-    piece.sagitta_m = cell_m * cell_m / (8 * earth::kLeastCurvatureRadius_m);
+    piece.sagitta_m = cell_m * cell_m / (8 * earth::kMinCurvatureRadius_m);
     const std::vector<std::uint8_t> levels = keep_levels(piece);
     columns_.write(std::uint64_t{line} * plan_.header.rows + first, levels.data(), levels.size());
 }

@@ -19,14 +19,14 @@ using BuildProgress = std::function<void(std::string_view stage, std::uint64_t d
 struct BuildOptions {
     /// Vertical accuracy of the sources, 0 unknown; without one, unknown in a build and what is stated in a check.
     std::optional<double> le90_m;
-    std::uint32_t threads = 0;  ///< 0: as many as the machine has, at most kMostThreads
+    std::uint32_t threads = 0;  ///< 0: as many as the machine has, at most kMaxThreads
     std::string identity;       ///< of the sources: a build goes on only where it is the same
     BuildProgress progress;
     std::chrono::milliseconds between_records{15000};  ///< how much work a power loss may cost
 };
 
 /// Each needs memory for a unit; with more the build would leave its 512 MiB.
-inline constexpr std::uint32_t kMostThreads = 6;
+inline constexpr std::uint32_t kMaxThreads = 6;
 
 /// A unit is the domain of one chunk of this level: what one thread works on, with its posts in memory.
 inline constexpr std::uint32_t kUnitLevel = 5;

@@ -30,7 +30,7 @@ std::uint16_t count_strips(const ChunkDraft& draft, const std::vector<std::uint1
 constexpr double kMissOfPosts = 1.27, kMissOfVertices = 1.0;
 constexpr double kUsualSlope = 0.5;  // of the steepest of a chunk, which few of its triangles have
 constexpr double kLoosen = 1.25;
-constexpr int kMostAttempts = 6;
+constexpr int kMaxAttempts = 6;
 
 /// What the triangulation asks to know about the true surface and the curved Earth.
 struct GroundOfChunk {
@@ -61,7 +61,7 @@ Tin within_capacity(TinInput& input, double tolerance_m, double miss_of_toleranc
         input.tolerance_m = tolerance_m;
         input.miss_tolerance_m = miss_of_tolerance * tolerance_m;
         Tin tin = make_chunk_tin(input);
-        if (tin.vertices.size() < input.max_vertices || attempt == kMostAttempts) return tin;
+        if (tin.vertices.size() < input.max_vertices || attempt == kMaxAttempts) return tin;
         tolerance_m = kLoosen * std::max(tolerance_m, tin.candidate_error_m);
     }
 }

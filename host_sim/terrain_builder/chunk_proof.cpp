@@ -43,8 +43,8 @@ void append_new(const std::vector<Corners>& own, const std::vector<Corners>& mes
     }
 }
 
-constexpr double kMostRise_m = 10000;  // that heights of a raster may have
-constexpr double kMostShift = 0.1;     // of a cell: slopes of the cells beside it then cover where a place went
+constexpr double kMaxRise_m = 10000;  // that heights of a raster may have
+constexpr double kMaxShift = 0.1;     // of a cell: slopes of the cells beside it then cover where a place went
 
 CurvatureBound row_bound(const Lattice& lattice, std::uint32_t j0, std::uint32_t j1, double rise_m) {
     CurvatureBound bound;
@@ -60,8 +60,8 @@ struct CellSize {
 CellSize smallest_cell(const Lattice& lattice, const PostRange& domain) {
     const std::uint32_t j0 = std::max(domain.j0, 1u) - 1, j1 = std::min(domain.j1 + 1, lattice.rows() - 1);
     const double cosine = std::min(std::cos(lattice.latitude_rad(j0)), std::cos(lattice.latitude_rad(j1)));
-    return {earth::kLeastCurvatureRadius_m * cosine * std::abs(lattice.longitude_rad(1) - lattice.longitude_rad(0)),
-            earth::kLeastCurvatureRadius_m * (lattice.latitude_rad(j0) - lattice.latitude_rad(j1)) / (j1 - j0)};
+    return {earth::kMinCurvatureRadius_m * cosine * std::abs(lattice.longitude_rad(1) - lattice.longitude_rad(0)),
+            earth::kMinCurvatureRadius_m * (lattice.latitude_rad(j0) - lattice.latitude_rad(j1)) / (j1 - j0)};
 }
 
 /// The cells of a chunk and those round it, by their north-west posts: how steep the surface is there, drawn ones with void
@@ -237,8 +237,8 @@ bool ChunkProof::take_cells(const ChunkDraft& draft) {
         (plan_.has_north_pole() && domain_.j0 <= 1) || (plan_.has_south_pole() && domain_.j1 + 2 >= plan_.header.rows);
     if (draft.entry.level != 0 || draft.roundings.size() != draft.vertices.size() || beside_pole) return false;
     const CellSize cell = smallest_cell(plan_.lattice, domain_);
-    const CurvatureBound bound = row_bound(plan_.lattice, domain_.j0, domain_.j1, kMostRise_m);
-    if (bound.shift_m > kMostShift * std::min(cell.east_m, cell.south_m)) return false;
+    const CurvatureBound bound = row_bound(plan_.lattice, domain_.j0, domain_.j1, kMaxRise_m);
+    if (bound.shift_m > kMaxShift * std::min(cell.east_m, cell.south_m)) return false;
     const std::size_t columns = domain_.i1 - domain_.i0 + 1;
     roundings_.resize(columns * (domain_.j1 - domain_.j0 + 1));
     for (std::size_t n = 0; n < draft.vertices.size(); ++n)

@@ -12,8 +12,8 @@ namespace {
 using terrain::PostClass;
 
 constexpr std::uint32_t kNone = DelaunayMesh::kNone;
-constexpr std::size_t kFewestNear = 10, kMostNear = 100;  // triangles searched round a miss
-constexpr std::size_t kMostVertices = 65536;              // what 16-bit indices name
+constexpr std::size_t kFewestNear = 10, kMaxNear = 100;  // triangles searched round a miss
+constexpr std::size_t kMaxVertices = 65536;              // what 16-bit indices name
 
 MeshPost place_of(const TinPost& post) { return {post.i, post.j}; }
 
@@ -138,7 +138,7 @@ private:
         return fit;
     }
 
-    [[nodiscard]] bool is_full() const { return vertices_.size() >= std::min<std::size_t>(in_.max_vertices, kMostVertices); }
+    [[nodiscard]] bool is_full() const { return vertices_.size() >= std::min<std::size_t>(in_.max_vertices, kMaxVertices); }
 
     void mend_candidates() {
         while (!offers_.empty() && !is_full()) {
@@ -182,7 +182,7 @@ private:
         Held nearest;
         double least = std::numeric_limits<double>::infinity();
         near_.assign(1, triangle);
-        for (std::size_t at = 0; at < near_.size() && at < kMostNear; ++at) {
+        for (std::size_t at = 0; at < near_.size() && at < kMaxNear; ++at) {
             if (at >= kFewestNear && nearest.candidate != kNone) break;
             const std::uint32_t holder = near_[at];
             for (std::uint32_t n = holdings_[holder].first; n != kNone; n = next_[n]) {

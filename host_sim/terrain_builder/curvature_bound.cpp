@@ -66,7 +66,7 @@ CurvatureBound curvature_bound(const terrain::Lattice& lattice, std::uint32_t co
     CurvatureBound bound;
     bound.shift_m = sideways + down * turn + (wedge ? 0 : pole_shift_m(lattice, j0, j1));
     bound.down_m = down + sideways * turn;
-    bound.up_m = sideways * turn + bound.shift_m * bound.shift_m / (2 * earth::kLeastCurvatureRadius_m);
+    bound.up_m = sideways * turn + bound.shift_m * bound.shift_m / (2 * earth::kMinCurvatureRadius_m);
     return bound;
 }
 

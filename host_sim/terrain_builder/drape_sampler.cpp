@@ -17,13 +17,13 @@ using terrain::kDrapePosts;
 using terrain::kDrapeSteps;
 
 constexpr double kTexelsPerPost = kDrapeSteps / double{terrain::kChunkCells};
-constexpr std::uint32_t kKnot = 16;              // texels between places that others are interpolated from
-constexpr double kKnotAccuracy = 0.05;           // pixels; else every place is transformed
-constexpr double kNearlyAsFine = 1.01;           // a texel a hundredth larger than a pixel is as fine
-constexpr int kProbes = 17;                      // places along each side of terrain and image that look for the other
-constexpr double kMove = 1.0 / 64;               // posts
-constexpr std::size_t kStripBytes = 4u << 20;    // of pixels read at once
-constexpr std::int64_t kMostBlocks = 1'000'000;  // of a page; only where a map projection tears it apart
+constexpr std::uint32_t kKnot = 16;             // texels between places that others are interpolated from
+constexpr double kKnotAccuracy = 0.05;          // pixels; else every place is transformed
+constexpr double kNearlyAsFine = 1.01;          // a texel a hundredth larger than a pixel is as fine
+constexpr int kProbes = 17;                     // places along each side of terrain and image that look for the other
+constexpr double kMove = 1.0 / 64;              // posts
+constexpr std::size_t kStripBytes = 4u << 20;   // of pixels read at once
+constexpr std::int64_t kMaxBlocks = 1'000'000;  // of a page; only where a map projection tears it apart
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 using Pixel = DrapeSampler::Pixel;
@@ -173,7 +173,7 @@ struct DrapeSampler::Blocks {
             blocks.row = first(bounds.north, blocks.height);
             blocks.columns = first(bounds.east, blocks.width) + 2 - blocks.column;
             blocks.rows = first(bounds.south, blocks.height) + 2 - blocks.row;
-            if (blocks.columns * blocks.rows <= kMostBlocks) break;
+            if (blocks.columns * blocks.rows <= kMaxBlocks) break;
         }
         blocks.mean.resize(static_cast<std::size_t>(blocks.columns * blocks.rows));
         return blocks;

@@ -65,12 +65,12 @@ void ImageSource::find_bands() {
     }
     const int colours = count - (alpha_band_ != 0 ? 1 : 0);
     if (named[0] != 0 && named[1] != 0 && named[2] != 0)
-        colour_bands_ = named;
+        color_bands_ = named;
     else if (colours >= 3)
-        colour_bands_ = {1, 2, 3};
+        color_bands_ = {1, 2, 3};
     else
-        colour_bands_ = {1, 1, 1};
-    for (const int band : {colour_bands_[0], colour_bands_[1], colour_bands_[2], std::max(alpha_band_, 1)})
+        color_bands_ = {1, 1, 1};
+    for (const int band : {color_bands_[0], color_bands_[1], color_bands_[2], std::max(alpha_band_, 1)})
         if (dataset_->GetRasterBand(band)->GetRasterDataType() != GDT_Byte)
             throw UserError(file_ + ": its values are no 8-bit colours (" +
                             GDALGetDataTypeName(dataset_->GetRasterBand(band)->GetRasterDataType()) +
@@ -78,7 +78,7 @@ void ImageSource::find_bands() {
     if (colours < 3) palette_ = palette_of(*dataset_->GetRasterBand(1));
     for (std::size_t n = 0; n < 3; ++n) {
         int has = 0;
-        const double value = dataset_->GetRasterBand(colour_bands_[n])->GetNoDataValue(&has);
+        const double value = dataset_->GetRasterBand(color_bands_[n])->GetNoDataValue(&has);
         if (has != 0) no_data_[n] = value;
     }
 }
@@ -125,13 +125,13 @@ void ImageSource::find_crs(const DrapeOptions& options) {
 
 void ImageSource::read(int column, int row, int columns, int rows, std::uint8_t* rgba) const {
     const QuietGdal quiet;
-    const bool whole = read_colours(column, row, columns, rows, rgba) && read_coverage(column, row, columns, rows, rgba);
+    const bool whole = read_colors(column, row, columns, rows, rgba) && read_coverage(column, row, columns, rows, rgba);
     if (!whole || CPLGetLastErrorType() >= CE_Failure)
         throw UserError(file_ + ": the image ends early or is damaged (" + QuietGdal::last_message() + "); get a whole copy");
 }
 
-bool ImageSource::read_colours(int column, int row, int columns, int rows, std::uint8_t* rgba) const {
-    std::array<int, 3> bands = colour_bands_;
+bool ImageSource::read_colors(int column, int row, int columns, int rows, std::uint8_t* rgba) const {
+    std::array<int, 3> bands = color_bands_;
     const GSpacing line = static_cast<GSpacing>(kPixelBytes) * columns;
     return dataset_->RasterIO(GF_Read, column, row, columns, rows, rgba, columns, rows, GDT_Byte, 3, bands.data(), kPixelBytes,
                               line, 1) == CE_None;
@@ -140,9 +140,9 @@ bool ImageSource::read_colours(int column, int row, int columns, int rows, std::
 /// Alpha, and colours of palettes.
 bool ImageSource::read_coverage(int column, int row, int columns, int rows, std::uint8_t* rgba) const {
     const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    GDALRasterBand* const first = dataset_->GetRasterBand(colour_bands_[0]);
+    GDALRasterBand* const first = dataset_->GetRasterBand(color_bands_[0]);
     const int flags = first->GetMaskFlags();
-    const bool by_colour = no_data_[0] && no_data_[1] && no_data_[2];
+    const bool by_color = no_data_[0] && no_data_[1] && no_data_[2];
     GDALRasterBand* mask = alpha_band_ != 0 ? dataset_->GetRasterBand(alpha_band_) : nullptr;
     if (mask == nullptr && (flags & GMF_PER_DATASET) != 0) mask = first->GetMaskBand();
     const GSpacing line = static_cast<GSpacing>(kPixelBytes) * columns;
@@ -153,7 +153,7 @@ bool ImageSource::read_coverage(int column, int row, int columns, int rows, std:
         std::uint8_t* const p = rgba + kPixelBytes * n;
         if (mask == nullptr) p[3] = 255;
         // A pixel lacks data where all its colours say so: one black band makes no hole.
-        if (by_colour && p[0] == *no_data_[0] && p[1] == *no_data_[1] && p[2] == *no_data_[2]) p[3] = 0;
+        if (by_color && p[0] == *no_data_[0] && p[1] == *no_data_[1] && p[2] == *no_data_[2]) p[3] = 0;
     }
     if (!palette_.empty()) apply_palette(pixels, rgba);
     return true;

@@ -43,7 +43,7 @@ private:
     void find_bands();
     void find_place(const DrapeOptions& options);
     void find_crs(const DrapeOptions& options);
-    [[nodiscard]] bool read_colours(int column, int row, int columns, int rows, std::uint8_t* rgba) const;
+    [[nodiscard]] bool read_colors(int column, int row, int columns, int rows, std::uint8_t* rgba) const;
     [[nodiscard]] bool read_coverage(int column, int row, int columns, int rows, std::uint8_t* rgba) const;
     void apply_palette(std::size_t pixels, std::uint8_t* rgba) const;
 
@@ -52,8 +52,8 @@ private:
     int columns_ = 0, rows_ = 0;
     OGRSpatialReference crs_;
     std::array<double, 6> transform_{}, to_pixels_{};
-    std::array<int, 3> colour_bands_{};  ///< the same three times where the image is grey or has a palette
-    int alpha_band_ = 0;                 ///< 0: none
+    std::array<int, 3> color_bands_{};  ///< the same three times where the image is grey or has a palette
+    int alpha_band_ = 0;                ///< 0: none
     std::vector<std::array<std::uint8_t, 4>> palette_;
     std::array<std::optional<double>, 3> no_data_;
     bool placed_by_options_ = false;

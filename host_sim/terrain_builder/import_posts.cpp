@@ -10,7 +10,7 @@ using terrain::PostClass;
 
 constexpr std::uint32_t kBlockColumns = 4096;
 // A band of blocks fits into the block cache of the reader: strips and tiles of a file are unpacked once.
-constexpr std::uint32_t kBandPosts = 8u << 20, kFewestBandRows = 16, kMostBandRows = 256;
+constexpr std::uint32_t kBandPosts = 8u << 20, kFewestBandRows = 16, kMaxBandRows = 256;
 
 struct PoleHeight {
     double sum = 0;
@@ -77,7 +77,7 @@ void PostStatistics::include(base::Span<const float> heights_m, base::Span<const
 ImportBlocks::ImportBlocks(const BuildPlan& plan)
     : columns_(plan.source_columns),
       rows_(plan.source.rows),
-      block_rows_(std::clamp(kBandPosts / columns_, kFewestBandRows, kMostBandRows)),
+      block_rows_(std::clamp(kBandPosts / columns_, kFewestBandRows, kMaxBandRows)),
       across_((columns_ + kBlockColumns - 1) / kBlockColumns),
       down_((rows_ + block_rows_ - 1) / block_rows_) {}
 

@@ -10,7 +10,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr int kMostSamples = 64;  // a side
+constexpr int kMaxSamples = 64;  // a side
 
 struct Sample {
     std::vector<double> values;
@@ -21,7 +21,7 @@ struct Sample {
 Sample sample_of(const RasterSource& source) {
     const QuietGdal quiet;
     GDALRasterBand& band = *source.dataset->GetRasterBand(1);
-    const int columns = std::min(source.columns, kMostSamples), rows = std::min(source.rows, kMostSamples);
+    const int columns = std::min(source.columns, kMaxSamples), rows = std::min(source.rows, kMaxSamples);
     Sample sample;
     sample.values.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     sample.is_declared.resize(sample.values.size());

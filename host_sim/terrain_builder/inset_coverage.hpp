@@ -12,13 +12,13 @@
 
 namespace tedavis::host_sim {
 
-inline constexpr std::uint32_t kMostBaseLevel = 5;  ///< a chunk of it is a unit of work: posts 1 : 32 at most
+inline constexpr std::uint32_t kMaxBaseLevel = 5;  ///< a chunk of it is a unit of work: posts 1 : 32 at most
 
 class InsetCoverage {
 public:
     /// None: everything exists, down to level 0.
     InsetCoverage() = default;
-    /// `footprints` are the posts that insets cover, inside the lattice; `base_level` is 1..kMostBaseLevel.
+    /// `footprints` are the posts that insets cover, inside the lattice; `base_level` is 1..kMaxBaseLevel.
     InsetCoverage(const terrain::Lattice& lattice, std::uint32_t base_level, const std::vector<terrain::PostRange>& footprints);
 
     [[nodiscard]] std::uint32_t base_level() const { return base_level_; }

@@ -111,7 +111,7 @@ LinePiece InsetLines::line_of(const Piece& piece) const {
     const double step_deg =
         is_row ? plan_.header.step_lon_deg * std::cos(plan_.lattice.latitude_rad(row)) : plan_.header.step_lat_deg;
     const double cell_m = base::radians(step_deg) * earth::kGreatestCurvatureRadius_m;
-    line.sagitta_m = cell_m * cell_m / (8 * earth::kLeastCurvatureRadius_m);
+    line.sagitta_m = cell_m * cell_m / (8 * earth::kMinCurvatureRadius_m);
     return line;
 }
 

@@ -46,7 +46,7 @@ private:
             begin = n;
             ++inserted;
         }
-        while (!sides.empty() && sides.top().error_m > tolerance_m && inserted <= kMostBorderInsertions) {
+        while (!sides.empty() && sides.top().error_m > tolerance_m && inserted <= kMaxBorderInsertions) {
             const Side side = sides.top();
             sides.pop();
             keep(side.worst, level);

@@ -23,7 +23,7 @@ namespace tedavis::host_sim {
     return kTolerances[level < kLast ? level : kLast];
 }
 /// Between two corners of the level below; with four sides of two halves each a third of a chunk's vertices at most.
-inline constexpr std::uint32_t kMostBorderInsertions = 127;
+inline constexpr std::uint32_t kMaxBorderInsertions = 127;
 
 /// A piece of a line: whole segments of its top level, so that it can be treated alone.
 struct LinePiece {

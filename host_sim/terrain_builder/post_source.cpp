@@ -19,7 +19,7 @@ void require_size(double columns, double rows, const std::string& file, const Ra
     if (options.bounds && (columns < 2 || rows < 2))
         throw UserError("--bounds: fewer than 2 by 2 posts of " + file + " lie inside; give W,S,E,N in degrees");
     if (columns < 2 || rows < 2) throw UserError(file + ": has fewer than 2 by 2 posts; give a larger raster");
-    if (std::max(columns, rows) > PostSource::kMostPostsOfASide)
+    if (std::max(columns, rows) > PostSource::kMaxPostsOfASide)
         throw UserError(file + ": more than 2^24 posts a side; build parts of it with --bounds");
 }
 
@@ -129,7 +129,7 @@ void PostSource::require_place(const std::string& file) const {
 RasterSource& PostSource::opened(std::size_t source) {
     open_.erase(std::remove(open_.begin(), open_.end(), source), open_.end());
     open_.push_back(source);
-    if (open_.size() > kMostOpenFiles) {
+    if (open_.size() > kMaxOpenFiles) {
         sources_[open_.front()].dataset.reset();
         open_.pop_front();
     }

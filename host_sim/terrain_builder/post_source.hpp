@@ -5,7 +5,7 @@
 /// above MSL (EGM96), whatever unit and datum the files have. Sea is where a height above MSL is exactly zero in the file.
 ///
 /// A post has the same bits in every window. Memory: GDAL's block cache is bounded (for the whole process), and at most
-/// kMostOpenFiles files are open in an object; the rest is a few windows of PostInterpolator::kBlock posts a side.
+/// kMaxOpenFiles files are open in an object; the rest is a few windows of PostInterpolator::kBlock posts a side.
 /// Threads: one object a thread; objects of the same files agree to the bit.
 #pragma once
 
@@ -26,9 +26,9 @@ namespace tedavis::host_sim {
 
 class PostSource {
 public:
-    static constexpr std::uint32_t kMostPostsOfASide = 1u << 24;
+    static constexpr std::uint32_t kMaxPostsOfASide = 1u << 24;
     static constexpr std::int64_t kBlockCacheBytes = 64 << 20;
-    static constexpr std::size_t kMostOpenFiles = 24;
+    static constexpr std::size_t kMaxOpenFiles = 24;
 
     /// Throws UserError, one sentence, for what cannot be terrain (see open_raster_source) or does not fit together.
     PostSource(const std::vector<std::string>& files, const RasterOptions& options);

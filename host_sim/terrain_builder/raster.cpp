@@ -8,14 +8,14 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::uint64_t kMostPosts = 1u << 30;
+constexpr std::uint64_t kMaxPosts = 1u << 30;
 
 }  // namespace
 
 Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& options) {
     PostSource posts(files, options);
     const std::uint64_t count = std::uint64_t{posts.columns()} * posts.rows();
-    if (count > kMostPosts)
+    if (count > kMaxPosts)
         throw UserError(files.front() + ": more than 2^30 posts do not fit the memory; choose parts of it with --bounds");
     Raster raster;
     raster.columns = posts.columns();

@@ -20,7 +20,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr double kPlainShareOfPost = 0.01;
-constexpr int kColourBands = 3;
+constexpr int kColorBands = 3;
 
 std::string driver_of(const RasterSource& source) { return source.dataset->GetDriverName(); }
 
@@ -125,10 +125,9 @@ void read_scale(RasterSource& source, const VerticalReference& reference) {
         throw UserError(source.file + ": its scale and offset are no usable numbers; correct the raster's metadata");
 }
 
-bool has_colour_bytes(GDALDataset& dataset) {
-    bool bytes = dataset.GetRasterCount() >= kColourBands;
-    for (int band = 1; bytes && band <= kColourBands; ++band)
-        bytes = dataset.GetRasterBand(band)->GetRasterDataType() == GDT_Byte;
+bool has_color_bytes(GDALDataset& dataset) {
+    bool bytes = dataset.GetRasterCount() >= kColorBands;
+    for (int band = 1; bytes && band <= kColorBands; ++band) bytes = dataset.GetRasterBand(band)->GetRasterDataType() == GDT_Byte;
     return bytes;
 }
 
@@ -142,7 +141,7 @@ void settle_encoding(RasterSource& source, const RasterOptions& options) {
     const GDALColorInterp meaning = band->GetColorInterpretation();
     const bool colour =
         meaning == GCI_RedBand || meaning == GCI_GreenBand || meaning == GCI_BlueBand || meaning == GCI_PaletteIndex;
-    if (options.encoding && has_colour_bytes(*source.dataset)) {
+    if (options.encoding && has_color_bytes(*source.dataset)) {
         if (is_lossy(source))
             throw UserError(source.file +
                             ": its colours were compressed with loss, so they hold no heights any more; give the "
@@ -199,13 +198,13 @@ bool read_raw(const RasterSource& source, const PostWindow& w, std::vector<float
     if (!source.encoding)
         return source.dataset->GetRasterBand(1)->RasterIO(GF_Read, w.i, w.j, w.columns, w.rows, raw.data(), w.columns, w.rows,
                                                           GDT_Float32, 0, 0) == CE_None;
-    std::vector<std::uint8_t> colours(raw.size() * kColourBands);
-    int bands[kColourBands] = {1, 2, 3};
-    if (source.dataset->RasterIO(GF_Read, w.i, w.j, w.columns, w.rows, colours.data(), w.columns, w.rows, GDT_Byte, kColourBands,
-                                 bands, kColourBands, GSpacing{kColourBands} * w.columns, 1) != CE_None)
+    std::vector<std::uint8_t> colours(raw.size() * kColorBands);
+    int bands[kColorBands] = {1, 2, 3};
+    if (source.dataset->RasterIO(GF_Read, w.i, w.j, w.columns, w.rows, colours.data(), w.columns, w.rows, GDT_Byte, kColorBands,
+                                 bands, kColorBands, GSpacing{kColorBands} * w.columns, 1) != CE_None)
         return false;
     for (std::size_t n = 0; n < raw.size(); ++n) {
-        const std::uint8_t* const c = &colours[n * kColourBands];
+        const std::uint8_t* const c = &colours[n * kColorBands];
         raw[n] = static_cast<float>(decoded_height_m(*source.encoding, c[0], c[1], c[2]));
     }
     return true;

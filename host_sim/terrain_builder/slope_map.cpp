@@ -47,8 +47,8 @@ float steepest_slope(const BuildPlan& plan, const LatticeWindow& window, const P
     for (std::uint32_t j = posts.j0; j < posts.j1; ++j) {
         const LargestSteps steps = largest_steps(window, posts, j);
         const double east_m =
-            base::radians(plan.header.step_lon_deg) * earth::kLeastCurvatureRadius_m * std::min(cosine(j), cosine(j + 1));
-        const double north_m = earth::kLeastCurvatureRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1));
+            base::radians(plan.header.step_lon_deg) * earth::kMinCurvatureRadius_m * std::min(cosine(j), cosine(j + 1));
+        const double north_m = earth::kMinCurvatureRadius_m * (plan.lattice.latitude_rad(j) - plan.lattice.latitude_rad(j + 1));
         steepest = std::max(steepest, std::hypot(double{steps.east_m} / east_m, double{steps.south_m} / north_m));
     }
     return static_cast<float>(steepest + kGeoidSlope);

@@ -13,7 +13,7 @@ namespace tedavis::host_sim {
 namespace {
 
 std::unique_ptr<base::Workers> make_workers(std::uint32_t threads) {
-    const std::uint32_t most = std::min(platform::usable_processors(), kMostThreads);
+    const std::uint32_t most = std::min(platform::usable_processors(), kMaxThreads);
     auto workers = platform::make_thread_workers({threads == 0 ? most : threads, nullptr});
     if (!workers.ok()) throw UserError(std::string(workers.error().message.view()));
     return std::move(workers.value());

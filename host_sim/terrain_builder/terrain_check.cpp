@@ -208,7 +208,7 @@ private:
     void add(const ChunkViolation& violation) {
         ++check_.violations;
         check_.worst_excess_m = std::max(check_.worst_excess_m, violation.excess_m);
-        if (check_.first.size() < kMostReported) check_.first.push_back(violation);
+        if (check_.first.size() < kMaxReported) check_.first.push_back(violation);
     }
     void expect(bool holds, const std::string& part, const char* reason) {
         if (!holds) add({part, reason, 0});

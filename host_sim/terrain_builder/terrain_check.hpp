@@ -20,9 +20,9 @@ struct TerrainCheck {
     std::uint64_t chunks = 0;
     std::uint64_t violations = 0;
     double worst_excess_m = 0;
-    std::vector<ChunkViolation> first;  ///< in the file's order, kMostReported at most
+    std::vector<ChunkViolation> first;  ///< in the file's order, kMaxReported at most
 };
-inline constexpr std::size_t kMostReported = 1000;
+inline constexpr std::size_t kMaxReported = 1000;
 
 /// A database with a drape is checked with or without the image: without it only the drape's checksums are.
 /// Finds damaged checksums, vertices, classes, triangles and attributes that differ from the rasters (also where checksums were

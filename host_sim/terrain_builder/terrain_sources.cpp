@@ -19,9 +19,9 @@ std::uint32_t finer_levels(const PostGrid& whole, const TerrainSources& sources)
     double finest_deg = whole.step_lat_deg;
     for (const PostReaderFactory& open : sources.insets) finest_deg = std::min(finest_deg, open()->grid().step_lat_deg);
     const double doublings = std::ceil(std::log2(whole.step_lat_deg / finest_deg) - kNearlyAsDense);
-    auto levels = static_cast<std::uint32_t>(std::clamp(doublings, 1.0, double{kMostBaseLevel}));
+    auto levels = static_cast<std::uint32_t>(std::clamp(doublings, 1.0, double{kMaxBaseLevel}));
     const std::uint64_t cells = std::max(whole.columns, whole.rows) - 1;
-    while (levels > 1 && (cells << levels) >= PostSource::kMostPostsOfASide) --levels;
+    while (levels > 1 && (cells << levels) >= PostSource::kMaxPostsOfASide) --levels;
     return levels;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace terrain;
 
-constexpr std::uint64_t kMostTableBytes = 128u << 20;  // page table and undulation of the largest database
+constexpr std::uint64_t kMaxTableBytes = 128u << 20;  // page table and undulation of the largest database
 
 platform::FileByteSource opened(const std::string& path) {
     auto file = platform::open_file(path.c_str());
@@ -39,7 +39,7 @@ void refuse_database(const std::string& path, const TdbFailure& failure) {
 }
 
 OpenDatabase::OpenDatabase(const std::string& path) : path_(path), bytes_(opened(path)) {
-    const auto table_bytes = static_cast<std::size_t>(std::min(bytes_.size() + 4096, kMostTableBytes));
+    const auto table_bytes = static_cast<std::size_t>(std::min(bytes_.size() + 4096, kMaxTableBytes));
     memory_.reset(new unsigned char[table_bytes]);
     base::Arena arena(memory_.get(), table_bytes);
     auto database = TerrainDatabase::open(bytes_, arena);

@@ -8,7 +8,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kLeastElevation_rad = 3 * base::kRadiansPerDegree;
+constexpr double kMinElevation_rad = 3 * base::kRadiansPerDegree;
 constexpr double kAzimuth_rad = 315 * base::kRadiansPerDegree, kElevation_rad = 45 * base::kRadiansPerDegree;
 
 glm::dvec3 towards(double azimuth_rad, double elevation_rad) {
@@ -26,7 +26,7 @@ SunChoice sun_at(const AircraftPose& pose, const std::optional<base::Time>& time
     if (!time) return fixed;
     const earth::SunPosition sun = earth::sun_position((*time - base::Time{0}).to_seconds(), base::radians(pose.latitude_deg),
                                                        base::radians(pose.longitude_deg));
-    if (sun.elevation_rad < kLeastElevation_rad) return fixed;
+    if (sun.elevation_rad < kMinElevation_rad) return fixed;
     return {towards(sun.azimuth_rad, sun.elevation_rad), false};
 }
 

@@ -49,8 +49,8 @@ TracedData::TracedData(const TracedGround& ground, const std::string& scene_path
     unit_ = entry.unit;
     lowest_ = entry.minimum;
     highest_ = entry.maximum > entry.minimum ? entry.maximum : entry.minimum + 1.0;
-    columns_ = std::min(kMostAcross, ground.columns());
-    rows_ = std::min(kMostAcross, ground.rows());
+    columns_ = std::min(kMaxAcross, ground.columns());
+    rows_ = std::min(kMaxAcross, ground.rows());
     step_x_ = (ground.columns() - 1.0) / (columns_ - 1.0);
     step_y_ = (ground.rows() - 1.0) / (rows_ - 1.0);
     const scene::GridField field(*quantity.layer, *quantity.attribute);

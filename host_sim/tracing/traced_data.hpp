@@ -1,6 +1,6 @@
 /// A quantity of a scene database as colour on traced ground, the fainter the less sure it is (the thesis's future work, 6.2.4).
 ///
-/// It is sampled from the database's field at places of the ground, so many posts apart that kMostAcross do. Where a place, or
+/// It is sampled from the database's field at places of the ground, so many posts apart that kMaxAcross do. Where a place, or
 /// its uncertainty, is not known, the ground is as it is: missing data are never shown as values.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace tedavis::host_sim {
 
 class TracedData {
 public:
-    static constexpr std::uint32_t kMostAcross = 512;
+    static constexpr std::uint32_t kMaxAcross = 512;
 
     /// The quantity `name` ("layer" or "layer.attribute"; empty: the first quantity on a grid), at its lowest level and a time;
     /// by default its own first. Throws UserError: the file is damaged, or has no such quantity.

@@ -5,8 +5,8 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::uint32_t kMostPostsAlong = 65537;
-constexpr std::uint64_t kMostPosts = 1'600'000'000;
+constexpr std::uint32_t kMaxPostsAlong = 65537;
+constexpr std::uint64_t kMaxPosts = 1'600'000'000;
 
 raytrace::GroundSpace space_of(const std::string& path, const terrain::TerrainDatabase& database) {
     const terrain::Lattice& lattice = database.lattice();
@@ -15,8 +15,8 @@ raytrace::GroundSpace space_of(const std::string& path, const terrain::TerrainDa
         throw UserError(path +
                         ": goes round the Earth or to a pole, where the tracer has no grid; cut a part of it with "
                         "'terrain build --bounds W,S,E,N'");
-    if (lattice.columns() > kMostPostsAlong || lattice.rows() > kMostPostsAlong ||
-        std::uint64_t{lattice.columns()} * lattice.rows() > kMostPosts)
+    if (lattice.columns() > kMaxPostsAlong || lattice.rows() > kMaxPostsAlong ||
+        std::uint64_t{lattice.columns()} * lattice.rows() > kMaxPosts)
         throw UserError(path + ": has " + std::to_string(lattice.columns()) + " x " + std::to_string(lattice.rows()) +
                         " posts, and the tracer takes 65537 along a side and 1600 million in all; cut a part of it with "
                         "'terrain build --bounds W,S,E,N'");

@@ -30,7 +30,7 @@ constexpr std::array<Range, kColumns> kRanges = {{{"time_s", 0, 1e9},
                                                   {"pitch_deg", -90, 90},
                                                   {"roll_deg", -180, 180}}};
 constexpr std::string_view kHeader = "time_s,latitude_deg,longitude_deg,altitude_m,heading_deg,pitch_deg,roll_deg";
-constexpr std::size_t kMostPoints = 1'000'000;
+constexpr std::size_t kMaxPoints = 1'000'000;
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t\r");
@@ -66,7 +66,7 @@ private:
             line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
         }
         if (!rows_.empty() && !(row[kTime] > rows_.back()[kTime])) refuse("time_s does not rise; sort the points by time");
-        if (rows_.size() == kMostPoints) refuse("more than 1,000,000 points; thin the tour");
+        if (rows_.size() == kMaxPoints) refuse("more than 1,000,000 points; thin the tour");
         rows_.push_back(row);
     }
     [[nodiscard]] double number(std::string_view cell, const Range& range) const {

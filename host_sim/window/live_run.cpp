@@ -64,7 +64,7 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
       design_(options.picture),
       tour_(load_tour(options.tour, session.display())),
       controller_(transport_over(times_), static_cast<std::uint32_t>(player.switch_config().patterns.size()), tour_.has_value()),
-      approach_(player, session, session.device().frame_rate_hz),
+      preroll_(player, session, session.device().frame_rate_hz),
       recorder_(options_, session, player) {}
 
 bool LiveRun::turn(base::Duration wall) {
@@ -145,9 +145,9 @@ void LiveRun::aim(const Shown& wanted) {
 
 void LiveRun::draw(const Shown& wanted) {
     aim(wanted);
-    if (shown_ && (shown_->revision != wanted.revision || shown_->mode != wanted.mode)) approach_.forget();
+    if (shown_ && (shown_->revision != wanted.revision || shown_->mode != wanted.mode)) preroll_.forget();
     const base::Time now = shown_time();
-    approach_.approach(now);
+    preroll_.preroll(now);
     const display::FrameRecord& record = recorder_.draw(now).record;
     CameraPose eye = wanted.camera;
     if (wanted.mode == CameraMode::cockpit) {

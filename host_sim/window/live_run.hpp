@@ -12,8 +12,8 @@
 #include "host_sim/console.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
-#include "host_sim/replay/frame_approach.hpp"
 #include "host_sim/replay/frame_instants.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/run_recorder.hpp"
 #include "host_sim/window/camera_tour.hpp"
 #include "host_sim/window/design_watch.hpp"
@@ -65,7 +65,7 @@ private:
     DesignWatch design_;
     std::optional<CameraTour> tour_;
     WindowController controller_;
-    FrameApproach approach_;
+    FramePreroll preroll_;
     RunRecorder recorder_;
     std::optional<Shown> shown_;
     std::uint64_t revision_ = 0;  ///< of switches and design

@@ -18,7 +18,7 @@ void read_adjacent_view(base::ConfigSection section, PaletteSource& palettes, Ad
     section.choose("shows", kAdjacentShowsNames, view.shows);
     view.range_m = section.number("range_m", 500, 1'000'000, view.range_m);
     view.size = section.number("size", 1.5, 5, view.shows == AdjacentShows::members ? 2.5 : view.size);
-    view.cells = static_cast<std::uint32_t>(section.integer("cells", kLeastCells, kMostCells, view.cells));
+    view.cells = static_cast<std::uint32_t>(section.integer("cells", kMinCells, kMaxCells, view.cells));
     if (section.has("height_m")) view.height_m = section.number("height_m", -1000, 100'000);
     read_scale(section, palettes, view.scale);
     if (view.scale.palette.is_nominal()) fault_of(section, "palette", "is nominal, and maps show numbers; name another");

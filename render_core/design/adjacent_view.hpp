@@ -25,7 +25,7 @@ enum class AdjacentShows : std::uint8_t {
 inline constexpr std::size_t kAdjacentShows = 3;
 extern const std::array<std::string_view, kAdjacentShows> kAdjacentShowsNames;
 
-inline constexpr std::uint32_t kLeastCells = 4, kMostCells = 25;
+inline constexpr std::uint32_t kMinCells = 4, kMaxCells = 25;
 
 struct AdjacentView {
     bool is_shown = false;
@@ -35,7 +35,7 @@ struct AdjacentView {
     AdjacentShows shows = AdjacentShows::uncertainty;
     double range_m = 20'000;                          ///< from the own ship to the edges of a map
     double size = 5;                                  ///< side of a map in texts, at most; as there is room
-    std::uint32_t cells = kMostCells;                 ///< across a map, at most; several maps share what there is room for
+    std::uint32_t cells = kMaxCells;                  ///< across a map, at most; several maps share what there is room for
     std::uint32_t most_members = scene::kMaxMembers;  ///< of more, so many evenly spaced ones
     double height_m = std::numeric_limits<double>::quiet_NaN();  ///< as in GroundData
     DataScale scale;                                             ///< of uncertainty over 0..1

@@ -10,7 +10,7 @@ namespace {
 
 using base::ConfigSection;
 
-constexpr std::uint32_t kMostMeshWidths = 8, kOrdinaryMeshWidths = 5;
+constexpr std::uint32_t kMaxMeshWidths = 8, kOrdinaryMeshWidths = 5;
 
 /// Of a number of gradations, 1 .. kMaxClasses.
 double detail_of_gradations(double gradations) { return std::log2(gradations) / std::log2(double{kMaxClasses}); }
@@ -31,7 +31,7 @@ void read_uncertainty(ConfigSection section, GroundUncertainty& uncertainty) {
 void read_overlay(ConfigSection section, GroundOverlay& overlay) {
     section.choose("technique", kUncertaintyOverlayNames, overlay.technique);
     overlay.strength = section.number("strength", 0, 1, overlay.strength);
-    const std::uint32_t most = overlay.technique == UncertaintyOverlay::grid ? kMostMeshWidths : kMaxClasses;
+    const std::uint32_t most = overlay.technique == UncertaintyOverlay::grid ? kMaxMeshWidths : kMaxClasses;
     overlay.levels = static_cast<std::uint32_t>(section.integer("levels", 0, most, overlay.levels));
     if (overlay.levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 and more");
     overlay.threshold = section.number("threshold", 0, 1, overlay.threshold);
@@ -132,7 +132,7 @@ AdjacentView at_detail(const AdjacentView& view, double detail) noexcept {
     if (view.shows == AdjacentShows::members)
         reduced.most_members = std::min(view.most_members, static_cast<std::uint32_t>(gradations_of_detail(kept)));
     else
-        reduced.cells = std::max(kLeastCells, static_cast<std::uint32_t>(kept * static_cast<double>(view.cells)));
+        reduced.cells = std::max(kMinCells, static_cast<std::uint32_t>(kept * static_cast<double>(view.cells)));
     return reduced;
 }
 

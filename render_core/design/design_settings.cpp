@@ -24,7 +24,7 @@ void read_mode(ConfigSection& section, ViewSettings& view) {
     if (view.mode == ViewMode::map)
         fault_of(section, "projection", "is of mode 3d; the map shows equal lengths alike anyway, leave it out");
     view.mode = ViewMode::orthographic;
-    if (section.number("map_range_m", 500, 500'000, view.map_range_m) > kMostOrthographicRange_m)
+    if (section.number("map_range_m", 500, 500'000, view.map_range_m) > kMaxOrthographicRange_m)
         fault_of(section, "map_range_m", "is at most 15000 in the orthographic view; farther away lengths would differ");
 }
 

@@ -45,7 +45,7 @@ inline constexpr std::array<std::string_view, 2> kMapOrientationNames{"north_up"
 struct ViewSettings {
     ViewMode mode = ViewMode::perspective;
     MapOrientation map_orientation = MapOrientation::north_up;
-    /// (500 .. 500,000; orthographic ..kMostOrthographicRange_m) from the own ship to the nearest edge.
+    /// (500 .. 500,000; orthographic ..kMaxOrthographicRange_m) from the own ship to the nearest edge.
     double map_range_m = 20'000;
     double look_down_rad = base::radians(35);                   ///< (25 .. 90 degrees) of the orthographic view, from level
     double look_turn_rad = 0;                                   ///< (-180 .. 180 degrees) of it, clockwise from what is up
@@ -58,7 +58,7 @@ struct ViewSettings {
 };
 
 /// The eye is no farther than floats allow; beyond this range lengths would differ by more than a hundredth (display/eye.hpp).
-inline constexpr double kMostOrthographicRange_m = 15'000;
+inline constexpr double kMaxOrthographicRange_m = 15'000;
 
 /// What draws the terrain.
 enum class TerrainRenderer : std::uint8_t {

@@ -9,7 +9,7 @@ namespace {
 using base::kMetresPerNauticalMile;
 
 constexpr double kFarthestSpacing_m = 100 * kMetresPerNauticalMile;
-constexpr double kMostSpeed_mps = 1000;
+constexpr double kMaxSpeed_mps = 1000;
 constexpr std::string_view kLineMotions[] = {"still", "along", "away"};
 
 void read_spacing(base::ConfigSection& section, ElementCues& cues) {
@@ -18,10 +18,10 @@ void read_spacing(base::ConfigSection& section, ElementCues& cues) {
         return fault_of(section, "line_spacing_nm", "and 'line_spacing_m' say the same; give one of them");
     if (has_miles)
         cues.line_spacing_m =
-            kMetresPerNauticalMile * section.number("line_spacing_nm", kLeastLineSpacing_m / kMetresPerNauticalMile,
+            kMetresPerNauticalMile * section.number("line_spacing_nm", kMinLineSpacing_m / kMetresPerNauticalMile,
                                                     kFarthestSpacing_m / kMetresPerNauticalMile, 1);
     else if (section.has("line_spacing_m"))
-        cues.line_spacing_m = section.number("line_spacing_m", kLeastLineSpacing_m, kFarthestSpacing_m, 1000);
+        cues.line_spacing_m = section.number("line_spacing_m", kMinLineSpacing_m, kFarthestSpacing_m, 1000);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void read_element_cues(base::ConfigSection section, ElementCues& cues) {
             return fault_of(section, key, "is of vertical lines, and there are none; give 'line_spacing_m' or 'line_spacing_nm'");
     cues.lines_to_ground = section.boolean("lines_to_ground", false);
     section.choose("lines_move", kLineMotions, cues.lines_move);
-    cues.line_speed_mps = section.number("line_speed_mps", 0.1, kMostSpeed_mps, 0);
+    cues.line_speed_mps = section.number("line_speed_mps", 0.1, kMaxSpeed_mps, 0);
     const bool has_speed = section.has("line_speed_mps");
     if (cues.lines_move != LineMotion::still && !has_speed)
         fault_of(section, "lines_move", "needs 'line_speed_mps': how fast they go");

@@ -20,7 +20,7 @@ namespace tedavis::design {
 
 enum class LineMotion : std::uint8_t { still, along, away };
 
-inline constexpr double kLeastLineSpacing_m = 50;
+inline constexpr double kMinLineSpacing_m = 50;
 
 struct ElementCues {
     double line_spacing_m = 0;  ///< 0: no lines

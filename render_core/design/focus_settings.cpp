@@ -111,7 +111,7 @@ void read_look(ConfigSection ground, ConfigSection data, FocusSettings& focus) {
     terrain.sketch_outside = ground.boolean("sketch_outside", terrain.sketch_outside);
     terrain.brightness = ground.number("brightness", 0, 1, terrain.brightness);
     terrain.saturation = ground.number("saturation", 0, 1, terrain.saturation);
-    terrain.blur_px = ground.number("blur_px", 0, kMostBlur_px, terrain.blur_px);
+    terrain.blur_px = ground.number("blur_px", 0, kMaxBlur_px, terrain.blur_px);
     FocusData& look = focus.of_data;
     look.detail = data.number("detail", 0, 1, look.detail);
     look.brightness = data.number("brightness", 0.2, 1, look.brightness);
@@ -139,7 +139,7 @@ FocusSettings read_one(ConfigSection section) {
     read_context(section.section("context"), focus);
     read_look(section.section("terrain"), section.section("data"), focus);
     read_border(section.section("border"), focus.border);
-    focus.power = static_cast<std::uint32_t>(section.section("distortion").integer("power", 0, kMostFocusPower, 0));
+    focus.power = static_cast<std::uint32_t>(section.section("distortion").integer("power", 0, kMaxFocusPower, 0));
     if (focus.name.empty()) focus.name = kFocusShapeNames[static_cast<std::size_t>(focus.shape)];
     return focus;
 }

@@ -71,7 +71,7 @@ struct FocusOfData {
 struct FocusTerrain {
     bool sketch_outside = false;            ///< lines in the place of shaded ground
     double brightness = 1, saturation = 1;  ///< 0..1
-    double blur_px = 0;                     ///< 0..kMostBlur_px, growing with the distance from the focus
+    double blur_px = 0;                     ///< 0..kMaxBlur_px, growing with the distance from the focus
 
     [[nodiscard]] bool is_any() const { return sketch_outside || brightness < 1 || saturation < 1 || blur_px > 0; }
 };
@@ -100,7 +100,7 @@ struct FocusBorder {
     double width_px = 2;
 };
 
-inline constexpr std::uint32_t kMostFocusPower = 4;
+inline constexpr std::uint32_t kMaxFocusPower = 4;
 
 struct FocusSettings {
     base::FixedString<23> name;
@@ -118,7 +118,7 @@ struct FocusSettings {
     FocusTerrain terrain;
     FocusData of_data;
     FocusBorder border;
-    std::uint32_t power = 0;  ///< of two, by which the focus is larger than undistorted; 0..kMostFocusPower
+    std::uint32_t power = 0;  ///< of two, by which the focus is larger than undistorted; 0..kMaxFocusPower
 };
 static_assert(std::is_trivially_copyable_v<FocusSettings>);
 

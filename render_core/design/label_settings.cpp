@@ -5,14 +5,14 @@
 namespace tedavis::design {
 namespace {
 
-constexpr double kMostWeight = 10, kMostDwell_s = 60, kLeastChanges = 0.1, kMostChanges = 100, kUsualRelevance = 0.5;
+constexpr double kMaxWeight = 10, kMaxDwell_s = 60, kMinChanges = 0.1, kMaxChanges = 100, kUsualRelevance = 0.5;
 
 void read_weights(base::ConfigSection& section, LabelWeights& weights) {
-    weights.distance = section.number("distance", 0, kMostWeight, weights.distance);
-    weights.population = section.number("population", 0, kMostWeight, weights.population);
-    weights.height = section.number("height", 0, kMostWeight, weights.height);
-    weights.runway_length = section.number("runway_length", 0, kMostWeight, weights.runway_length);
-    weights.relevance = section.number("relevance", 0, kMostWeight, weights.relevance);
+    weights.distance = section.number("distance", 0, kMaxWeight, weights.distance);
+    weights.population = section.number("population", 0, kMaxWeight, weights.population);
+    weights.height = section.number("height", 0, kMaxWeight, weights.height);
+    weights.runway_length = section.number("runway_length", 0, kMaxWeight, weights.runway_length);
+    weights.relevance = section.number("relevance", 0, kMaxWeight, weights.relevance);
     if (weights.distance + weights.relevance > 0) return;
     fault_of(section, "relevance", "and 'distance' must not both be 0; nothing else is known of every feature");
 }
@@ -31,8 +31,8 @@ void read_label_settings(base::ConfigSection section, LabelSettings& labels) {
     labels.marker_above = section.number("marker_above", 0, 1, labels.marker_above);
     if (labels.marker_above > labels.name_above)
         fault_of(section, "marker_above", "must not be more than 'name_above': what has a name has a marker");
-    labels.dwell_s = section.number("dwell_s", 0, kMostDwell_s, labels.dwell_s);
-    labels.most_changes = section.number("most_changes", kLeastChanges, kMostChanges, labels.most_changes);
+    labels.dwell_s = section.number("dwell_s", 0, kMaxDwell_s, labels.dwell_s);
+    labels.most_changes = section.number("most_changes", kMinChanges, kMaxChanges, labels.most_changes);
     labels.show_suppressed = section.boolean("show_suppressed", labels.show_suppressed);
     base::ConfigSection relevance = section.section("role_relevance");
     for (std::size_t n = 0; n < kLabelRoles.size(); ++n)

@@ -97,7 +97,7 @@ bool reads_light(const TerrainStyle& style) {
            style.texture == TerrainTexture::local_relief || style.texture == TerrainTexture::openness;
 }
 
-constexpr double kMostHeightSpacing_m = 10'000;
+constexpr double kMaxHeightSpacing_m = 10'000;
 
 /// Of a tenth, the nearest of 1, 2 and 5 of its power of ten.
 double tenth_of(double spacing) {
@@ -109,8 +109,8 @@ double tenth_of(double spacing) {
 double height_spacing_m(ConfigSection& section, double spacing_m) {
     if (section.has("height_spacing_ft")) return section.number("height_spacing_ft", 3, 30'000, 500) * base::kMetresPerFoot;
     const double unit_m = section.has("spacing_nm") ? base::kMetresPerFoot : 1;
-    const double usual_m = std::fmin(unit_m * tenth_of(spacing_m / unit_m), kMostHeightSpacing_m);
-    return section.number("height_spacing_m", 1, kMostHeightSpacing_m, usual_m);
+    const double usual_m = std::fmin(unit_m * tenth_of(spacing_m / unit_m), kMaxHeightSpacing_m);
+    return section.number("height_spacing_m", 1, kMaxHeightSpacing_m, usual_m);
 }
 
 void read_grid(ConfigSection section, GridSettings& grid) {

@@ -13,7 +13,7 @@ constexpr std::string_view kStereoDeviceNames[] = {"side_by_side", "anaglyph", "
 
 void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
     if (!section.present()) return;
-    field.blur_px = section.number("blur_px", 0.5, kMostBlur_px, 4);
+    field.blur_px = section.number("blur_px", 0.5, kMaxBlur_px, 4);
     field.focus_near_m = section.number("focus_near_m", 0, 1e6, field.focus_near_m);
     field.focus_far_m = section.number("focus_far_m", 1, 1e6, field.focus_far_m);
     if (field.focus_near_m >= field.focus_far_m) fault_of(section, "focus_far_m", "must be farther than focus_near_m");
@@ -51,7 +51,7 @@ void read_clutter(base::ConfigSection section, ViewEffects& effects) {
         fault_of(section, "view", "would lie over the saliency map; leave out [effects.saliency] or this table");
 }
 
-void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMostInsteadOf>& all) {
+void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMaxInsteadOf>& all) {
     if (!section.present()) return;
     all.clear();
     for (std::size_t n = 0; n < section.key_count(); ++n) {

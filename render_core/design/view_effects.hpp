@@ -44,7 +44,7 @@
 
 namespace tedavis::design {
 
-inline constexpr double kMostBlur_px = 8;
+inline constexpr double kMaxBlur_px = 8;
 inline constexpr double kLongestFade_s = 2;  ///< what is shown longer than that would be old
 
 struct DepthOfField {
@@ -87,7 +87,7 @@ struct InsteadOf {
     base::FixedString<31> effect;
     base::FixedVector<base::FixedString<31>, 2> instead;
 };
-inline constexpr std::size_t kMostInsteadOf = 8;
+inline constexpr std::size_t kMaxInsteadOf = 8;
 
 struct ViewEffects {
     bool antialiasing = false;
@@ -98,7 +98,7 @@ struct ViewEffects {
     Stereo stereo;
     Saliency saliency;
     ClutterView clutter = ClutterView::none;
-    base::FixedVector<InsteadOf, kMostInsteadOf> instead;  ///< where another order is wanted than the effects' own
+    base::FixedVector<InsteadOf, kMaxInsteadOf> instead;  ///< where another order is wanted than the effects' own
     ShadowSettings shadows;
 };
 

@@ -48,9 +48,9 @@ std::size_t band_of(const WarningBands& bands, double terrain_above_aircraft_m, 
 }
 
 bool warn_of_ground_ahead(const WarningBands& bands) noexcept {
-    constexpr double kLeastStrength = 0.4;
+    constexpr double kMinStrength = 0.4;
     const std::size_t band = band_of(bands, 0, false);
-    return band < bands.size() && bands[band].strength >= kLeastStrength;
+    return band < bands.size() && bands[band].strength >= kMinStrength;
 }
 
 }  // namespace tedavis::design

@@ -8,9 +8,9 @@
 namespace tedavis::design {
 namespace {
 
-constexpr double kWhollyReadable = 0.5;   ///< of the shading that is left where continuous colours must be read
-constexpr double kLeastIntrinsic = 0.25;  ///< two gradations
-constexpr double kUnseen = 1.0 / 1024;    ///< of a strength: less than a step of a colour
+constexpr double kWhollyReadable = 0.5;  ///< of the shading that is left where continuous colours must be read
+constexpr double kMinIntrinsic = 0.25;   ///< two gradations
+constexpr double kUnseen = 1.0 / 1024;   ///< of a strength: less than a step of a colour
 
 constexpr double SketchSettings::*kLines[] = {
     &SketchSettings::silhouettes, &SketchSettings::ridges,   &SketchSettings::valleys,  &SketchSettings::suggestive_contours,
@@ -40,7 +40,7 @@ struct Details {
 Details uncertainty_details(const PrioritySettings& priority, const AspectWeights& weights) {
     const double terrain = weights.of[kTerrainAspect], unsure = weights.of[kUncertaintyAspect];
     const double room = terrain > unsure ? 1 - terrain : 1;
-    return {std::fmax(priority.intrinsic.at(unsure), kLeastIntrinsic), std::fmin(priority.extrinsic.at(unsure), room)};
+    return {std::fmax(priority.intrinsic.at(unsure), kMinIntrinsic), std::fmin(priority.extrinsic.at(unsure), room)};
 }
 
 void weigh_element(const PrioritySettings& priority, const AspectWeights& weights, const Details& details, DataElement& element) {
@@ -119,7 +119,7 @@ void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
     const Details details = uncertainty_details(priority, weights);
     // Where nothing else says how unsure the ground's colours are.
     const bool has_overlay_alone = design.data.ground.uncertainty.technique == IntrinsicUncertainty::none;
-    const double overlay = has_overlay_alone ? std::fmax(details.extrinsic, kLeastIntrinsic) : details.extrinsic;
+    const double overlay = has_overlay_alone ? std::fmax(details.extrinsic, kMinIntrinsic) : details.extrinsic;
     design.data.ground = at_detail(design.data.ground, {data, details.intrinsic, overlay});
     if (design.data.ground.overlay.strength <= 0) design.data.ground.overlay.technique = UncertaintyOverlay::none;
     weigh_elements(priority, weights, details, design.data.elements);

@@ -10,7 +10,7 @@
 namespace tedavis::display {
 
 struct CasterSet {
-    const draw::SolidBatch* solids[draw::SolidDrawer::kMostBuffers] = {};
+    const draw::SolidBatch* solids[draw::SolidDrawer::kMaxBuffers] = {};
     draw::CasterGroups groups;
     const draw::GlyphBatch* glyphs = nullptr;
     std::uint32_t glyph_slots = 0;  ///< a bit each

@@ -14,7 +14,7 @@ constexpr double kSpared = 1;  // budgets of excess, of all regions together, fo
 
 void ClutterControl::start(effects::Lane lane, draw::DrawnDesigns designs) {
     constexpr std::int64_t kIntervals[] = {2, 1};
-    epoch_.ns = flight::kDecisionInterval.ns * kIntervals[lane == effects::Lane::es2 ? 0 : 1];
+    interval_.ns = flight::kDecisionInterval.ns * kIntervals[lane == effects::Lane::es2 ? 0 : 1];
     for (const draw::DrawnDesign& drawn : designs) {
         shows_ = shows_ || drawn.design->effects.clutter != design::ClutterView::none;
         has_budget_ = has_budget_ || drawn.design->priority.held_clutter() < 1;
@@ -26,14 +26,14 @@ bool ClutterControl::can_show(const design::DesignSettings& design) const {
     return (has_budget_ || design.priority.held_clutter() >= 1) && (shows_ || !is_viewed);
 }
 
-std::int64_t ClutterControl::epoch_of(base::Time now) const {
-    const std::int64_t epoch = now.ns / epoch_.ns;
-    return now.ns % epoch_.ns < 0 ? epoch - 1 : epoch;
+std::int64_t ClutterControl::interval_of(base::Time now) const {
+    const std::int64_t interval = now.ns / interval_.ns;
+    return now.ns % interval_.ns < 0 ? interval - 1 : interval;
 }
 
-ClutterControl::Held& ClutterControl::place_of(std::int64_t epoch) {
-    constexpr auto kPlaces = static_cast<std::int64_t>(kMostHeld + 1);
-    return held_[static_cast<std::size_t>((epoch % kPlaces + kPlaces) % kPlaces)];
+ClutterControl::Held& ClutterControl::place_of(std::int64_t interval) {
+    constexpr auto kPlaces = static_cast<std::int64_t>(kMaxHeld + 1);
+    return held_[static_cast<std::size_t>((interval % kPlaces + kPlaces) % kPlaces)];
 }
 
 void ClutterControl::follow(base::Time now, const terrain::View& view) {
@@ -47,14 +47,14 @@ void ClutterControl::forget() {
     for (Held& held : held_) held.is_known = false;
 }
 
-/// Of an epoch before this time's, not too long ago.
+/// Of an interval before this time's, not too long ago.
 bool ClutterControl::counts(const Held& held, base::Time now, std::size_t design) const {
-    const std::int64_t age = epoch_of(now) - held.epoch;
-    return held.is_known && held.design == design && age >= 1 && age * epoch_.ns <= kHeld.ns;
+    const std::int64_t age = interval_of(now) - held.interval;
+    return held.is_known && held.design == design && age >= 1 && age * interval_.ns <= kHeld.ns;
 }
 
 bool ClutterControl::is_own(const Held& held, base::Time now, std::size_t design) const {
-    return held.is_known && held.design == design && held.epoch == epoch_of(now);
+    return held.is_known && held.design == design && held.interval == interval_of(now);
 }
 
 bool ClutterControl::follows(base::Time now, std::size_t design) const {
@@ -81,7 +81,7 @@ scene::DetailRegions ClutterControl::regions(base::Time now, std::size_t design)
 ClutterControl::Measured ClutterControl::measured(base::Time now, std::size_t design) const {
     const Held* newest = nullptr;
     for (const Held* held : deciding(now, design))
-        if (newest == nullptr || held->epoch > newest->epoch) newest = held;
+        if (newest == nullptr || held->interval > newest->interval) newest = held;
     return newest == nullptr ? Measured() : newest->measured;
 }
 
@@ -91,20 +91,20 @@ void ClutterControl::plan(bool runs, base::Time now, std::size_t design, double 
     budget_ = budget;
     ask_for(Step::none, {});
     if (!runs || budget >= 1 || !has_budget_) return;
-    if (!is_own(place_of(epoch_of(now)), now, design)) ask_for(Step::whole, {});
+    if (!is_own(place_of(interval_of(now)), now, design)) ask_for(Step::whole, {});
 }
 
 base::Time ClutterControl::needed_since(base::Time time) const {
     if (!has_budget_) return time;
-    return base::Time{epoch_of(time) * epoch_.ns - kHeld.ns};
+    return base::Time{interval_of(time) * interval_.ns - kHeld.ns};
 }
 
 void ClutterControl::take(const effects::ClutterMap& map) {
-    Held& held = place_of(epoch_of(now_));
+    Held& held = place_of(interval_of(now_));
     if (step_ == Step::whole) {
         held = Held();
         held.is_known = true;
-        held.epoch = epoch_of(now_);
+        held.interval = interval_of(now_);
         held.design = design_;
         held.measured.clutter.whole = map;
         ask_for(effects::is_beyond(map, budget_) ? Step::least : Step::none, effects::least_detail());
@@ -126,12 +126,12 @@ void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
         held.measured.reached = reached;
         held.left = step_regions_;
     }
-    const bool is_over = ++tries_ == kMostTries || excess <= 0;
+    const bool is_over = ++tries_ == kMaxTries || excess <= 0;
     if (is_over && effects::excess(held.measured.reached, clutter, budget_) > kSpared * budget_) {
         held.measured.reached = clutter.least;
         held.left = effects::least_detail();
     }
-    const bool is_last = tries_ + 1 == kMostTries;
+    const bool is_last = tries_ + 1 == kMaxTries;
     const scene::DetailRegions less = is_last ? effects::least_round(step_regions_, reached, clutter, budget_)
                                               : effects::less_detail(step_regions_, reached, clutter, budget_, kHaste);
     ask_for(is_over ? Step::none : Step::tried, less);

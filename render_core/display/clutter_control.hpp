@@ -1,11 +1,11 @@
 /// Holds the budget of clutter of a display's own pictures (effects/clutter_budget.hpp): when they are measured, and by which
 /// measures a frame goes.
 ///
-/// The first frame of each epoch of labels (draw/data/label_planner.hpp; on es2 of every second one) measures its picture with
-/// all detail and, where that is beyond the budget, with the least, and up to kMostTries times with what may suffice; such
-/// pictures are drawn for that, and never seen. A frame goes by the epochs before its own as far back as kHeld, and in each
+/// The first frame of each interval of labels (draw/data/label_planner.hpp; on es2 of every second one) measures its picture with
+/// all detail and, where that is beyond the budget, with the least, and up to kMaxTries times with what may suffice; such
+/// pictures are drawn for that, and never seen. A frame goes by the intervals before its own as far back as kHeld, and in each
 /// region by the one that takes away most: what gives way comes back when it would have had room for so long. With nothing before
-/// it, at a flight's beginning and after a turn of designs, it goes by its own epoch's. No measure depends on what gave way
+/// it, at a flight's beginning and after a turn of designs, it goes by its own interval's. No measure depends on what gave way
 /// before, so that a frame is the same however it is reached, where the frames that measure have been drawn. What another of the
 /// display's designs measured does not count.
 ///
@@ -26,7 +26,7 @@ namespace tedavis::display {
 class ClutterControl {
 public:
     static constexpr base::Duration kHeld = base::Duration::seconds(2);
-    static constexpr int kMostTries = 3;
+    static constexpr int kMaxTries = 3;
     enum class Step : std::uint8_t { none, whole, least, tried };
 
     void start(effects::Lane lane, draw::DrawnDesigns designs);
@@ -42,9 +42,9 @@ public:
     [[nodiscard]] scene::DetailRegions regions(base::Time now, std::size_t design) const;
     struct Measured {
         effects::ClutterMeasures clutter;
-        effects::ClutterMap reached;  ///< with what the epoch would leave; where nothing gives way unknown
+        effects::ClutterMap reached;  ///< with what the interval would leave; where nothing gives way unknown
     };
-    /// Of the newest epoch that they follow from; unknown without one.
+    /// Of the newest interval that they follow from; unknown without one.
     [[nodiscard]] Measured measured(base::Time now, std::size_t design) const;
 
     /// `runs`: the plan of effects says so; `budget` 1: none is held, and nothing measured for it.
@@ -63,28 +63,28 @@ public:
     void take(const effects::ClutterMap& map);
 
 private:
-    static constexpr std::size_t kMostHeld = 4;
+    static constexpr std::size_t kMaxHeld = 4;
     struct Held {
         bool is_known = false;
-        std::int64_t epoch = 0;
+        std::int64_t interval = 0;
         std::size_t design = 0;
         Measured measured;
         scene::DetailRegions left;
     };
     void take_try(Held& held, const effects::ClutterMap& reached);
     void ask_for(Step step, const scene::DetailRegions& regions);
-    [[nodiscard]] std::int64_t epoch_of(base::Time now) const;
-    [[nodiscard]] Held& place_of(std::int64_t epoch);
+    [[nodiscard]] std::int64_t interval_of(base::Time now) const;
+    [[nodiscard]] Held& place_of(std::int64_t interval);
     [[nodiscard]] bool counts(const Held& held, base::Time now, std::size_t design) const;
     [[nodiscard]] bool is_own(const Held& held, base::Time now, std::size_t design) const;
     [[nodiscard]] bool follows(base::Time now, std::size_t design) const;
-    using Deciding = base::FixedVector<const Held*, kMostHeld + 1>;
-    /// What a frame goes by: earlier epochs, or, where none is known, its own.
+    using Deciding = base::FixedVector<const Held*, kMaxHeld + 1>;
+    /// What a frame goes by: earlier intervals, or, where none is known, its own.
     [[nodiscard]] Deciding deciding(base::Time now, std::size_t design) const;
 
     bool shows_ = false, has_budget_ = false;  ///< one of the designs
-    base::Duration epoch_{0};
-    std::array<Held, kMostHeld + 1> held_;
+    base::Duration interval_{0};
+    std::array<Held, kMaxHeld + 1> held_;
     Step step_ = Step::none;
     scene::DetailRegions step_regions_;
     int tries_ = 0;

@@ -119,36 +119,36 @@ void Display::keep_scene() {
 }
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                     const flight::FlownWay* way) {
+                     const flight::FlightTrail* way) {
     planner_.plan({state, phase, now, way}, memory_, frame_);
     record_ = {};
     static_cast<FrameStatement&>(record_) = frame_;
 }
 
-void Display::approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                       const flight::FlownWay* way) {
+void Display::preroll(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                      const flight::FlightTrail* way) {
     const std::uint64_t frames = memory_.frames;
     update(state, phase, now, way);
     memory_.frames = frames;
 }
 
-void Display::approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
+void Display::preroll_interval(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
     planner_.decide_interval({state, phase, now, nullptr}, memory_, scratch_);
 }
 
 void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
     constexpr int kMaxTimes = 64;
-    forget_turns();
+    cut_to_design();
     for (int n = 0; n < kMaxTimes; ++n) {
-        approach(state, phase, now);
+        preroll(state, phase, now);
         if (frame_.terrain.pending == 0) return;
     }
 }
 
-EpochMemory Display::epoch() const { return {memory_.labels, memory_.boost}; }
+IntervalMemory Display::interval_memory() const { return {memory_.labels, memory_.boost}; }
 
-void Display::restore(const EpochMemory& memory) {
-    const LabelEpoch now = memory_.labels;
+void Display::restore(const IntervalMemory& memory) {
+    const LabelHistory now = memory_.labels;
     memory_.labels = memory.labels;
     memory_.labels.labels.gone = 0;
     memory_.labels.is_anew = false;

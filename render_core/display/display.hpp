@@ -15,9 +15,9 @@
 
 namespace tedavis::display {
 
-/// What an epoch leaves to the next one. Plain data.
-struct EpochMemory {
-    LabelEpoch labels;
+/// What an interval leaves to the next one. Plain data.
+struct IntervalMemory {
+    LabelHistory labels;
     policy::PriorityBoost weights;
 };
 
@@ -42,21 +42,21 @@ public:
     /// Plans the frame for `now`. Pure planning: no GL. `way`: null where nobody keeps it.
     /// It must stay until the frame is drawn.
     void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                const flight::FlownWay* way = nullptr);
+                const flight::FlightTrail* way = nullptr);
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
-    void approach(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                  const flight::FlownWay* way = nullptr);
-    /// Decides the weights and labels of an epoch (policy/priority_boost.hpp, element_labels.hpp) that begins at `now`, and plans
-    /// nothing else: what a replay does for every epoch from the log's start on, so that they are the same however a frame is
-    /// reached. `phase`: of the frame before that instant, whose design the next frame shows.
-    void approach_epoch(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
-    /// Whether an epoch leaves anything to the next one.
-    [[nodiscard]] bool has_epochs() const { return planner_.has_intervals(); }
-    [[nodiscard]] EpochMemory epoch() const;
-    void restore(const EpochMemory& memory);
-    /// What was decided for the epoch has been decided anew, for another design or elsewhere: the next one follows from the
+    void preroll(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
+                 const flight::FlightTrail* way = nullptr);
+    /// Decides the weights and labels of an interval (policy/priority_boost.hpp, element_labels.hpp) that begins at `now`, and
+    /// plans nothing else: what a replay does for every interval from the log's start on, so that they are the same however a
+    /// frame is reached. `phase`: of the frame before that instant, whose design the next frame shows.
+    void preroll_interval(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
+    /// Whether an interval leaves anything to the next one.
+    [[nodiscard]] bool has_intervals() const { return planner_.has_intervals(); }
+    [[nodiscard]] IntervalMemory interval_memory() const;
+    void restore(const IntervalMemory& memory);
+    /// What was decided for the interval has been decided anew, for another design or elsewhere: the next one follows from the
     /// former.
-    [[nodiscard]] bool epoch_is_anew() const { return memory_.boost.is_anew() || memory_.labels.is_anew; }
+    [[nodiscard]] bool interval_is_anew() const { return memory_.boost.is_anew() || memory_.labels.is_anew; }
     /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
     /// Draws what update() planned.
@@ -86,7 +86,7 @@ public:
         return std::min(memory_.saliency.needed_since(time), memory_.clutter.needed_since(time));
     }
     /// The next update() does not follow the last one: the phase it is told has its design at once.
-    void forget_turns() { FramePlanner::cut(memory_); }
+    void cut_to_design() { FramePlanner::cut(memory_); }
     /// Room to load the next scene into, by whoever reads files; it is empty, and stays whoever's it is until take_scene().
     [[nodiscard]] base::Arena& spare_scene_memory() { return planner_.data().spare(); }
     /// Takes over a scene that lies in that room, whole, with the next update(). False, and nothing changes, where it is no newer

@@ -9,7 +9,7 @@ namespace {
 
 bool is_clear_of(const earth::Magnifier& magnifier, const DistortionScene& scene) {
     const double speed = std::isfinite(scene.ground_speed_mps) ? scene.ground_speed_mps : kUnknownSpeed_mps;
-    return !magnifier.reaches(scene.own_ship, std::fmax(kLeastClear_m, kClear_s * speed));
+    return !magnifier.reaches(scene.own_ship, std::fmax(kMinClear_m, kClear_s * speed));
 }
 
 earth::Geodetic middle_of(const scene::FocusRegion& region) {

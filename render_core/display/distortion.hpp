@@ -54,7 +54,7 @@ struct DistortionScene {
 };
 
 /// Of the own ship at least, and half a minute of its way; of one whose speed nobody knows that of a fast one.
-inline constexpr double kLeastClear_m = 2000, kClear_s = 30, kUnknownSpeed_mps = 250;
+inline constexpr double kMinClear_m = 2000, kClear_s = 30, kUnknownSpeed_mps = 250;
 
 struct DistortionPlan {
     earth::Magnifiers magnifiers;

@@ -40,7 +40,7 @@ bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time) {
     return !time.is_date || (time.utc.ns >= entry.valid_from_ns && time.utc.ns <= entry.valid_until_ns);
 }
 
-/// Of the groups' features, in the view of an epoch.
+/// Of the groups' features, in the view of an interval.
 class ElementLabels::Shapes final : public draw::LabelShapes {
 public:
     Shapes(const ElementLabels& labels, const LabelFrame& frame)
@@ -72,7 +72,7 @@ private:
     const ElementLabels& labels_;
     const LabelFrame& frame_;
     draw::SignView view_;
-    base::FixedVector<draw::LayerFoci, draw::kMostLabelGroups> foci_;
+    base::FixedVector<draw::LayerFoci, draw::kMaxLabelGroups> foci_;
 };
 
 void ElementLabels::set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,
@@ -110,28 +110,29 @@ void ElementLabels::decide(const LabelFrame& frame) {
     const bool leaps = has_leapt(frame);
     if (leaps) planner_.forget();
     if (decided_for_ != design_) decide_anew(frame);
-    const std::int64_t epoch = flight::decision_interval_of(frame.now);
-    if (!planner_.is_due(epoch)) return;
+    const std::int64_t interval = flight::decision_interval_of(frame.now);
+    if (!planner_.is_due(interval)) return;
     view_ = frame.view;
     time_ = frame.time;
-    epoch_now_ = frame.now;
+    interval_now_ = frame.now;
     text_px_ = frame.text_px;
     is_anew_ = leaps;
-    decide_epoch(frame, epoch);
+    decide_interval(frame, interval);
 }
 
-/// Of an epoch without labels there is nothing to decide.
+/// Of an interval without labels there is nothing to decide.
 void ElementLabels::decide_anew(const LabelFrame& frame) {
     decided_for_ = design_;
     if (!planner_.is_decided()) return;
     planner_.forget();
     is_anew_ = true;
-    decide_epoch({frame.ground, view_, frame.missing, time_, epoch_now_, text_px_}, flight::decision_interval_of(epoch_now_));
+    decide_interval({frame.ground, view_, frame.missing, time_, interval_now_, text_px_},
+                    flight::decision_interval_of(interval_now_));
 }
 
-void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
+void ElementLabels::decide_interval(const LabelFrame& frame, std::int64_t interval) {
     decided_for_ = design_;
-    planner_.begin({epoch, screen_of(frame.view), static_cast<float>(frame.text_px)}, settings_);
+    planner_.begin({interval, screen_of(frame.view), static_cast<float>(frame.text_px)}, settings_);
     Shapes shapes(*this, frame);
     for (std::uint32_t n = 0; n < groups_.size(); ++n) {
         const draw::ElementInput input = shapes.input(n);
@@ -141,11 +142,11 @@ void ElementLabels::decide_epoch(const LabelFrame& frame, std::int64_t epoch) {
     planner_.settle(shapes);
 }
 
-void ElementLabels::keep(LabelEpoch& memory) const {
+void ElementLabels::keep(LabelHistory& memory) const {
     planner_.keep(memory.labels);
     memory.view = view_;
     memory.time = time_;
-    memory.now = epoch_now_;
+    memory.now = interval_now_;
     memory.text_px = text_px_;
     memory.design = decided_for_;
     memory.is_anew = is_anew_;
@@ -154,11 +155,11 @@ void ElementLabels::keep(LabelEpoch& memory) const {
     memory.last_forward = last_forward_;
 }
 
-void ElementLabels::restore(const LabelEpoch& memory) {
+void ElementLabels::restore(const LabelHistory& memory) {
     planner_.restore(memory.labels);
     view_ = memory.view;
     time_ = memory.time;
-    epoch_now_ = memory.now;
+    interval_now_ = memory.now;
     text_px_ = memory.text_px;
     decided_for_ = memory.design;
     is_anew_ = memory.is_anew;
@@ -170,9 +171,9 @@ void ElementLabels::restore(const LabelEpoch& memory) {
 void ElementLabels::skip(base::Time now) {
     last_now_ = now;
     last_forward_ = glm::dvec3(0);
-    const std::int64_t epoch = flight::decision_interval_of(now);
-    if (!planner_.is_due(epoch)) return;
-    planner_.skip(epoch);
+    const std::int64_t interval = flight::decision_interval_of(now);
+    if (!planner_.is_due(interval)) return;
+    planner_.skip(interval);
     decided_for_ = design_;
 }
 
@@ -225,7 +226,7 @@ bool ElementLabels::Pass::find_left_room(const Label& label, const draw::Billboa
     return false;
 }
 
-/// By the view of the epoch: a label on the border of two regions does not come and go with every frame.
+/// By the view of the interval: a label on the border of two regions does not come and go with every frame.
 LabelLevel ElementLabels::Pass::most_of(const Label& label, const draw::ElementInput& input) const {
     const LabelLevel most = std::max(label.level, label.wanted);
     const scene::DetailRegions* const regions =

@@ -1,14 +1,14 @@
-/// Icons and names of all elements that have them, as one: decided together at epochs of the source's time (label_planner.hpp),
-/// and put onto the sheet of every frame where they have room and the eye sees them.
+/// Icons and names of all elements that have them, as one: decided together at intervals of the source's time
+/// (label_planner.hpp), and put onto the sheet of every frame where they have room and the eye sees them.
 ///
-///   start(arena) · set(...) when scene or design has changed · decide(frame) each frame, and at every epoch that a replay passes
-///   over · a Pass onto the frame's sheet
+///   start(arena) · set(...) when scene or design has changed · decide(frame) each frame, and at every interval that a replay
+///   passes over · a Pass onto the frame's sheet
 ///
-/// The decision at an epoch follows from scene, design and view at the epoch's first instant, and from the epoch before; not from
-/// the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes to
-/// another side, what terrain hides is not drawn, and both leave their room to others; what gives way in a crowded region leaves
-/// it empty. When another of the display's designs takes its turn the epoch is decided anew for that one, as seen at its first
-/// instant, without a memory, and without foci.
+/// The decision at an interval follows from scene, design and view at the interval's first instant, and from the interval before;
+/// not from the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes
+/// to another side, what terrain hides is not drawn, and both leave their room to others; what gives way in a crowded region
+/// leaves it empty. When another of the display's designs takes its turn the interval is decided anew for that one, as seen at
+/// its first instant, without a memory, and without foci.
 ///
 /// Of foci, what lies within has marker and name, what lies in the intermediate context its marker, and the rest what the design
 /// leaves of it; what warns has what it has without them.
@@ -51,9 +51,9 @@ struct LabelFrame {
 [[nodiscard]] bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time);
 
 /// What a frame leaves to the next one, and to a turn of designs. Plain data.
-struct LabelEpoch {
+struct LabelHistory {
     draw::LabelMemory labels;
-    terrain::View view;  ///< at the epoch's first instant, with what follows
+    terrain::View view;  ///< at the interval's first instant, with what follows
     flight::FlightTime time;
     base::Time now{0};
     double text_px = 16;
@@ -76,12 +76,12 @@ public:
     [[nodiscard]] static bool is_any(const scene::Scene& scene, const design::DataElementList& elements);
 
     void decide(const LabelFrame& frame);
-    /// Instead of it in a frame without a place to stand: until the next epoch there are none.
+    /// Instead of it in a frame without a place to stand: until the next interval there are none.
     void skip(base::Time now);
-    /// Labels of an element's layer that the epoch leaves out.
+    /// Labels of an element's layer that the interval leaves out.
     [[nodiscard]] std::uint32_t suppressed(const design::DataElement& element, const scene::Layer& layer) const;
-    void keep(LabelEpoch& memory) const;
-    void restore(const LabelEpoch& memory);
+    void keep(LabelHistory& memory) const;
+    void restore(const LabelHistory& memory);
 
     /// Where an element's layer is shown in the frame: null where it is not.
     class Inputs {
@@ -103,9 +103,9 @@ public:
     /// Signs that the last pass added of an element's layer.
     [[nodiscard]] std::uint32_t drawn(const design::DataElement& element, const scene::Layer& layer) const;
     /// The room that the last pass gave the sign of an obstacle; null where it does not stand, and of more than
-    /// kMostObstacleRooms.
+    /// kMaxObstacleRooms.
     [[nodiscard]] const draw::Rect* obstacle_room(const scene::Layer& layer, std::uint32_t feature) const;
-    static constexpr std::size_t kMostObstacleRooms = 64;
+    static constexpr std::size_t kMaxObstacleRooms = 64;
 
 private:
     struct ObstacleRoom {
@@ -121,18 +121,18 @@ private:
     class Shapes;
     [[nodiscard]] std::size_t group_of(const design::DataElement& element, const scene::Layer& layer) const;
     [[nodiscard]] bool has_leapt(const LabelFrame& frame);
-    void decide_epoch(const LabelFrame& frame, std::int64_t epoch);
+    void decide_interval(const LabelFrame& frame, std::int64_t interval);
     void decide_anew(const LabelFrame& frame);
 
     draw::LabelPlanner planner_;
     design::LabelSettings settings_;
-    base::FixedVector<Group, draw::kMostLabelGroups> groups_;
-    base::FixedVector<ObstacleRoom, kMostObstacleRooms> obstacle_rooms_;  ///< of the last pass
+    base::FixedVector<Group, draw::kMaxLabelGroups> groups_;
+    base::FixedVector<ObstacleRoom, kMaxObstacleRooms> obstacle_rooms_;  ///< of the last pass
     std::size_t design_ = 0, decided_for_ = 0;
     bool is_anew_ = false;
-    terrain::View view_;  ///< of the epoch that was decided last, with what follows
+    terrain::View view_;  ///< of the interval that was decided last, with what follows
     flight::FlightTime time_;
-    base::Time epoch_now_{0};
+    base::Time interval_now_{0};
     double text_px_ = 16;
     base::Time last_now_{0};
     glm::dvec3 last_eye_{0}, last_forward_{0};
@@ -172,7 +172,7 @@ private:
     std::size_t protected_ = 0;  ///< labels, which come first
     draw::LabelRoom markers_;    ///< of them: their names leave it free
     draw::LabelRoom left_;       ///< decided for labels that do not stand there in this frame
-    std::array<Standing, draw::LabelPlanner::kMost> standing_{};
+    std::array<Standing, draw::LabelPlanner::kMax> standing_{};
 };
 
 }  // namespace tedavis::display

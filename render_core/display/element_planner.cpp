@@ -149,7 +149,7 @@ void ElementPlanner::plan(const ElementFrame& frame) {
     time_ = frame.time;
     shown_ = 0;
     if (elements_ == nullptr) return;
-    hear_traffic(frame);
+    receive_traffic(frame);
     if (has_changed_) begin_reports();
     own_.take(frame.own, frame.time, frame.ground);
     for (std::size_t n = 0; n < reports_.size(); ++n) {
@@ -161,7 +161,7 @@ void ElementPlanner::plan(const ElementFrame& frame) {
     take_foci(frame);
     if (has_changed_) build(standing_, false, frame);
     build(moving_, true, frame);
-    judge_sight(frame);
+    count_out_of_view(frame);
     glyphs_.begin_plan();
     plan_glyphs(frame, nullptr);
     standing_key_ += has_changed_ ? 1 : 0;
@@ -192,7 +192,7 @@ draw::FocusCounts ElementPlanner::count_in_focus(const ElementFrame& frame, std:
 }
 
 /// The layer is there from the first frame on in which there is a receiver.
-void ElementPlanner::hear_traffic(const ElementFrame& frame) {
+void ElementPlanner::receive_traffic(const ElementFrame& frame) {
     const bool hears = frame.own.aircraft != nullptr && frame.own.aircraft->traffic.is_received;
     has_changed_ = has_changed_ || hears != hears_traffic_;
     hears_traffic_ = hears;
@@ -231,7 +231,7 @@ void ElementPlanner::begin_scene_reports(const design::DataElement& element) {
 }
 
 /// Glyphs, signs and surfaces count by themselves what is not in view.
-void ElementPlanner::judge_sight(const ElementFrame& frame) {
+void ElementPlanner::count_out_of_view(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
         const DataTechnique technique = report.element->technique;

@@ -52,7 +52,7 @@ struct ElementCounters {
 /// What signs need besides.
 struct SignFrame {
     double text_px = 16;                         ///< of the display's ordinary text
-    terrain::DrawnSight* sight = nullptr;        ///< over the drawn terrain; null: nothing stands in the way
+    terrain::LineOfSight* sight = nullptr;       ///< over the drawn terrain; null: nothing stands in the way
     const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
     std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
     std::int32_t screen_begins_px = 0;           ///< in such a picture
@@ -95,7 +95,7 @@ public:
     void plan_signs(const ElementFrame& frame, const SignFrame& signs);
     /// What gives way, again, of the planned frame with another declutter; plan_signs() must follow.
     void plan_detail(const ElementFrame& frame);
-    /// What plan_signs() does where it has not been done for the frame's epoch: also of epochs that a replay passes over
+    /// What plan_signs() does where it has not been done for the frame's interval: also of intervals that a replay passes over
     /// (element_labels.hpp). Of the middle eye.
     void decide_labels(const ElementFrame& frame, double text_px);
     [[nodiscard]] ElementLabels& labels() { return labels_; }
@@ -132,11 +132,11 @@ private:
     [[nodiscard]] bool start_scratch(base::Arena& memory, std::uint32_t batch_vertices);
     [[nodiscard]] ElementState state_of(const ElementReport& report) const;
     void begin_reports();
-    void hear_traffic(const ElementFrame& frame);
+    void receive_traffic(const ElementFrame& frame);
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
     void begin_scene_reports(const design::DataElement& element);
     void plan_own_winds(const ElementFrame& frame);
-    void judge_sight(const ElementFrame& frame);
+    void count_out_of_view(const ElementFrame& frame);
     void take_foci(const ElementFrame& frame);
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);

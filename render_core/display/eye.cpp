@@ -12,7 +12,7 @@ namespace {
 constexpr double kRadius_m = 6371000;
 constexpr double kHighestSummit_m = 9000;
 constexpr double kLowestGround_m = -500;
-constexpr double kMostUndulation_m = 110;  // either way, EGM96
+constexpr double kMaxUndulation_m = 110;  // either way, EGM96
 
 constexpr double kFar_m = 400000;
 constexpr double kNearestPlane_m = 1;
@@ -31,8 +31,8 @@ constexpr double kNearestObliqueEye_m = 3'000'000;
 // Shares of the way in which the eye turns and in which it rises.
 constexpr double kTurned = 0.6;
 constexpr double kRiseBegins = 0.35;
-constexpr double kLeastAboveGround_m = 1;
-constexpr double kMostAboveGround_m = 100'000;
+constexpr double kMinAboveGround_m = 1;
+constexpr double kMaxAboveGround_m = 100'000;
 
 /// The visible horizon's distance over a sphere, with room for mountains behind it.
 double horizon_m(double height_m) {
@@ -85,7 +85,7 @@ double drop_at_corner_m(const EyeInput& input, const design::ViewSettings& desig
 /// Tightly round the ground.
 void set_map_planes(terrain::View& view, double eye_msl_m, double drop_m) {
     const double rounding_m = 1e-6 * eye_msl_m;  // of depths in float
-    const double slack_m = 2 * kMostUndulation_m + rounding_m;
+    const double slack_m = 2 * kMaxUndulation_m + rounding_m;
     view.near_m = eye_msl_m - kHighestSummit_m - slack_m;
     view.far_m = eye_msl_m - kLowestGround_m + drop_m + slack_m;
 }
@@ -93,14 +93,14 @@ void set_map_planes(terrain::View& view, double eye_msl_m, double drop_m) {
 /// From the own ship's plane to one that no summit reaches, though corners look further down than the middle.
 void set_planes_on_the_way(terrain::View& view, double msl_m, double climb_m, double growth) {
     const double corner = std::hypot(1.0, view.half_width_tangent(), view.half_height_tangent());
-    view.near_m = std::fmax(view.near_m, (msl_m + climb_m - kHighestSummit_m - 2 * kMostUndulation_m) / corner);
+    view.near_m = std::fmax(view.near_m, (msl_m + climb_m - kHighestSummit_m - 2 * kMaxUndulation_m) / corner);
     view.far_m = std::fmin(kFar_m * growth, horizon_m(msl_m + climb_m) + climb_m);
 }
 
 /// From the own ship's eye a share of the way to the map's.
 void travel(Eye& eye, const EyeInput& input, const design::ViewSettings& design) {
     const double turn = eased(input.map_share, 0, kTurned), rise = eased(input.map_share, kRiseBegins, 1);
-    const double above_m = std::clamp(input.above_ground_m, kLeastAboveGround_m, kMostAboveGround_m);
+    const double above_m = std::clamp(input.above_ground_m, kMinAboveGround_m, kMaxAboveGround_m);
     const double growth = geometric(1, map_distance_m(design) / above_m, rise), climb_m = above_m * (growth - 1);
     const glm::dvec3 seat = (1 - turn) * (eye.view.eye - earth::to_ecef(input.own_ship));
     earth::Geodetic place = input.own_ship;
@@ -132,8 +132,8 @@ Reach reach_of(const EyeInput& input, const design::ViewSettings& design) {
 void set_oblique_planes(terrain::View& view, const EyeInput& input, const design::ViewSettings& design, double distance_m) {
     const Reach reach = reach_of(input, design);
     const double sine = std::sin(design.look_down_rad), rise_m = reach.half_height_m * std::cos(design.look_down_rad);
-    const double below_m = input.msl_m - kLowestGround_m + 2 * kMostUndulation_m;
-    const double above_m = kHighestElement_m - input.msl_m + 2 * kMostUndulation_m;
+    const double below_m = input.msl_m - kLowestGround_m + 2 * kMaxUndulation_m;
+    const double above_m = kHighestElement_m - input.msl_m + 2 * kMaxUndulation_m;
     const double behind_m = (below_m + rise_m) / sine;
     const double farthest_m = std::hypot(behind_m, reach.half_diagonal_m);
     const double fallen_m = farthest_m * farthest_m / kRadius_m;  // twice the drop of a sphere

@@ -11,7 +11,7 @@
 /// picture
 ///      is different. It has the scale of the own ship's distance; a length anywhere in the picture, on the ground or up to 9 km
 ///      high, is drawn within a hundredth of what a parallel projection makes of it, for ranges up to
-///      design::kMostOrthographicRange_m, at least 25 degrees down, on screens up to 1.67 times as high as wide.
+///      design::kMaxOrthographicRange_m, at least 25 degrees down, on screens up to 1.67 times as high as wide.
 /// Pure functions; any thread.
 #pragma once
 

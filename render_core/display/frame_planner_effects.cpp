@@ -6,7 +6,7 @@
 #include "render_core/display/visible_bounds.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "render_core/effects/effect_calls.hpp"
+#include "render_core/effects/effect_requests.hpp"
 
 namespace tedavis::display {
 
@@ -41,7 +41,7 @@ void FramePlanner::plan_effects() {
     state_view(facts);
     state_data(facts);
     count();
-    frame_->effects = memory_->budget.plan(effects::effect_calls(facts), settings_.device.capability, frame_->counters,
+    frame_->effects = memory_->budget.plan(effects::effect_requests(facts), settings_.device.capability, frame_->counters,
                                            terrain_tolerance(), frame_->time);
     memory_->saliency.plan(frame_->effects.runs(effects::Effect::saliency), frame_->time);
     const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;

@@ -85,7 +85,7 @@ void FramePlanner::state_labels() {
 
 void FramePlanner::plan_signs(const Eye& eye, SignFrame signs) {
     TerrainGround ground(terrain_, eye.view);
-    terrain::DrawnSight sight = terrain_.sight(eye.view);
+    terrain::LineOfSight sight = terrain_.sight(eye.view);
     signs.text_px = text_px(context_of(*frame_, eye), settings_.width_px, settings_.height_px);
     signs.sight = &sight;
     signs.is_metric = look_.symbology.legend_unit == design::HeightUnit::metres;

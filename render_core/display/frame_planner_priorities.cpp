@@ -105,7 +105,7 @@ ObstaclePlaces FramePlanner::obstacles_ahead(const PlannedFrame& frame, const Pl
     const policy::PredictedTrack track = track_of(frame.state.own_ship);
     TerrainGround ground(terrain_, frame.camera.eye.view);
     policy::HazardWatch watch(design_at(memory.shown).priority, track, ground, frame.flight_time.utc.ns);
-    terrain::DrawnSight sight = terrain_.sight(frame.camera.eye.view);
+    terrain::LineOfSight sight = terrain_.sight(frame.camera.eye.view);
     const draw::SignView eye{frame.camera.eye.view, static_cast<float>(text_px(context_of(frame, frame.camera.eye),
                                                                                settings_.width_px, settings_.height_px))};
     return obstacle_places({data_.scene(), frame.flight_time, ground, eye, &sight, elements_.reports(), elements_.labels()},

@@ -92,7 +92,7 @@ struct FocusValuesRecord {
     double low = 0, high = 0;
     std::uint32_t count = 0;  ///< 0: none lies there
 };
-inline constexpr std::size_t kMostFocusValues = 4;
+inline constexpr std::size_t kMaxFocusValues = 4;
 
 struct FocusRecord {
     base::FixedString<23> name;
@@ -102,12 +102,12 @@ struct FocusRecord {
     double latitude_rad = 0, longitude_rad = 0;  ///< of its first point
     double radius_m = 0;
     std::uint32_t points = 0;
-    std::uint32_t in_focus = 0, intermediate = 0, context = 0;      ///< elements of the data that are shown
-    double low = 0, high = -1;                                      ///< of a data focus; low > high: no value
-    base::FixedVector<FocusValuesRecord, kMostFocusValues> values;  ///< of a focus of space
-    base::FixedString<15> sight;                                    ///< "seen", "behind terrain" ...
-    double distance_m = 0;                                          ///< from the own ship
-    bool has_cue = false;                                           ///< that leads there
+    std::uint32_t in_focus = 0, intermediate = 0, context = 0;     ///< elements of the data that are shown
+    double low = 0, high = -1;                                     ///< of a data focus; low > high: no value
+    base::FixedVector<FocusValuesRecord, kMaxFocusValues> values;  ///< of a focus of space
+    base::FixedString<15> sight;                                   ///< "seen", "behind terrain" ...
+    double distance_m = 0;                                         ///< from the own ship
+    bool has_cue = false;                                          ///< that leads there
 };
 
 /// How the frame's deadline was held (effects::BudgetReport).
@@ -123,7 +123,7 @@ struct GovernorRecord {
 struct ClutterRecord {
     double budget = 1;                  ///< 1: none is held
     effects::ClutterMeasures measured;  ///< that it follows from, the newest
-    effects::ClutterMap reached;        ///< with what that epoch chose; unknown where nothing gives way
+    effects::ClutterMap reached;        ///< with what that interval chose; unknown where nothing gives way
     scene::DetailRegions left;          ///< what each region keeps
     std::uint32_t roles = 0;            ///< of the layers that give way; a bit for each scene::LayerRole
 };

@@ -18,7 +18,7 @@ using design::ElementUncertainty;
 constexpr std::uint32_t kSitesAhead = 4096;  // a frame, of the field that will be shown next
 constexpr double kBarSlenderness = 3;        // bars are as large as they are high, and take that much less of the picture
 constexpr std::uint32_t kAll = 0xFFFFFFFFu;
-constexpr std::uint32_t kMostFields = 2 * GlyphElements::kSlots;
+constexpr std::uint32_t kMaxFields = 2 * GlyphElements::kSlots;
 
 /// So wide that magnifiers can bring nothing else into the view.
 double magnified_tangent(const terrain::View& view) {
@@ -121,10 +121,10 @@ design::DataScale uncertainty_scale(const design::DataElement& element) noexcept
 
 base::Error GlyphElements::start(bool has_instances, const base::BudgetTable& budget, base::Arena& memory) {
     const std::uint64_t gpu_bytes = budget.find(effects::kSceneGlyphVertices)->bytes;
-    const draw::GlyphRoom room = draw::glyph_room(has_instances, memory.use().capacity, gpu_bytes, kMostFields);
+    const draw::GlyphRoom room = draw::glyph_room(has_instances, memory.use().capacity, gpu_bytes, kMaxFields);
     batch_ = draw::GlyphBatch(memory.allocate_array<draw::GlyphInstance>(room.glyphs));
     const bool has_selection = selection_.start(memory, room.glyphs);
-    const std::uint64_t for_sites = kMostFields * scene::GlyphField::bytes_needed(room.sites / kMostFields);
+    const std::uint64_t for_sites = kMaxFields * scene::GlyphField::bytes_needed(room.sites / kMaxFields);
     site_memory_ = memory.carve(for_sites);
     most_glyphs_ = room.glyphs;
     if (room.sites > 0 && has_selection && site_memory_.use().capacity == for_sites) return {};
@@ -169,7 +169,7 @@ void GlyphElements::share_out() {
         slot.field_count = draw::glyphs_change(*slot.layer, *draw::glyph_attribute(*slot.element, *slot.layer)) ? 2 : 1;
         fields_left += slot.field_count;
         const std::uint32_t sites =
-            std::clamp(draw::glyph_count(*slot.element, *slot.layer), scene::kLeastGlyphSites, scene::kMostGlyphSites);
+            std::clamp(draw::glyph_count(*slot.element, *slot.layer), scene::kMinGlyphSites, scene::kMaxGlyphSites);
         needed[n] = scene::GlyphField::bytes_needed(sites);
     }
     std::uint64_t bytes_left = site_memory_.use().capacity;
@@ -186,7 +186,7 @@ void GlyphElements::share_out() {
     }
 }
 
-/// An even share of the least there is holds kLeastGlyphSites: start() has seen to it.
+/// An even share of the least there is holds kMinGlyphSites: start() has seen to it.
 void GlyphElements::start_fields(Slot& slot, std::uint64_t bytes_a_field) {
     const std::uint32_t sites = scene::GlyphField::sites_within(bytes_a_field);
     for (std::uint32_t n = 0; n < slot.field_count; ++n) TEDAVIS_CHECK(slot.fields[n].start(site_memory_, sites));
@@ -250,7 +250,7 @@ draw::ElementCount GlyphElements::plan_barbs(const Slot& slot, const GlyphFrameI
     scene::GlyphSettings settings;
     settings.detail = slot.element->detail * frame.detail_factor;
     settings.least_px = settings.cell_px = is_shown ? draw::barb_spacing_px(*frame.sheet) : 1;
-    settings.most_drawn = std::min<std::uint32_t>(most_glyphs_, draw::BillboardSheet::kMostCandidates);
+    settings.most_drawn = std::min<std::uint32_t>(most_glyphs_, draw::BillboardSheet::kMaxCandidates);
     const scene::GlyphFocus focus = draw::glyph_focus(foci_of(frame), *slot.element, *slot.layer, settings.coarsest);
     if (focus.regions != nullptr) settings.focus = &focus;
     settings.regions = frame.regions;

@@ -16,7 +16,7 @@ struct MetObstacle {
     std::uint32_t feature = 0;
     double ahead_s = 0;
 };
-using MetObstacles = base::FixedVector<MetObstacle, kMostObstaclePlaces>;
+using MetObstacles = base::FixedVector<MetObstacle, kMaxObstaclePlaces>;
 
 /// Keeps the soonest, in their order.
 void keep_soonest(MetObstacles& all, const MetObstacle& met) {

@@ -1,7 +1,7 @@
 /// Where in the picture the obstacles on the way are, for whoever asks whether they are noticed.
 ///
 /// On the way is what HazardWatch meets (hazard_watch.hpp) within the design's hazard_ahead_s, whatever the weights: features of
-/// the scene's layers with the role obstacle that are valid at the time. The soonest kMostObstaclePlaces of them count.
+/// the scene's layers with the role obstacle that are valid at the time. The soonest kMaxObstaclePlaces of them count.
 ///
 /// `drawn`: its sign stands in the picture, and the box is the sign's; else, where the design shows the layer as solids and no
 /// terrain stands before its top, the box goes from its top down to the ground, at least as wide as the display's text is high.
@@ -16,7 +16,7 @@
 
 #include "render_core/display/element_labels.hpp"
 #include "render_core/policy/hazard_watch.hpp"
-#include "render_core/terrain/drawn_sight.hpp"
+#include "render_core/terrain/line_of_sight.hpp"
 
 namespace tedavis::display {
 
@@ -30,8 +30,8 @@ struct ObstaclePlace {
     double ahead_s = 0;  ///< of flight, until it is met
     draw::Rect box{};    ///< in the picture, pixels; of what is drawn or left out
 };
-inline constexpr std::size_t kMostObstaclePlaces = 8;
-using ObstaclePlaces = base::FixedVector<ObstaclePlace, kMostObstaclePlaces>;
+inline constexpr std::size_t kMaxObstaclePlaces = 8;
+using ObstaclePlaces = base::FixedVector<ObstaclePlace, kMaxObstaclePlaces>;
 
 /// Of one frame, drawn or planned.
 struct ObstacleFrame {
@@ -39,7 +39,7 @@ struct ObstacleFrame {
     flight::FlightTime time;
     scene::Ground& ground;
     draw::SignView eye;
-    terrain::DrawnSight* sight = nullptr;  ///< null: nothing stands in the way
+    terrain::LineOfSight* sight = nullptr;  ///< null: nothing stands in the way
     const ElementReports& reports;
     const ElementLabels& labels;
 };

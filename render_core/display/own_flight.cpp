@@ -9,8 +9,8 @@
 namespace tedavis::display {
 namespace {
 
+using flight::FlightTrail;
 using flight::FlownPoint;
-using flight::FlownWay;
 
 double height_over_ellipsoid_m(const FlownPoint& point, scene::Ground& ground) {
     const double height_m = static_cast<double>(point.height_m);
@@ -44,11 +44,11 @@ OwnFlight::OwnFlight() {
 }
 
 bool OwnFlight::start(base::Arena& arena) {
-    points_ = arena.allocate_array<scene::ScenePoint>(kMostPoints);
-    starts_ = arena.allocate_array<std::uint32_t>(kMostPoints + 1);
-    for (auto& values : values_) values = arena.allocate_array<float>(kMostPoints);
-    measured_ = arena.allocate_array<FlownPoint>(kMostWinds);
-    glyphs_ = arena.allocate_array<scene::SelectedGlyph>(kMostWinds);
+    points_ = arena.allocate_array<scene::ScenePoint>(kMaxPoints);
+    starts_ = arena.allocate_array<std::uint32_t>(kMaxPoints + 1);
+    for (auto& values : values_) values = arena.allocate_array<float>(kMaxPoints);
+    measured_ = arena.allocate_array<FlownPoint>(kMaxWinds);
+    glyphs_ = arena.allocate_array<scene::SelectedGlyph>(kMaxWinds);
     return !points_.empty() && !starts_.empty() && !values_[kAttributes - 1].empty() && !measured_.empty() && !glyphs_.empty();
 }
 
@@ -56,7 +56,7 @@ void OwnFlight::take(const OwnFlightFrame& frame, const flight::FlightTime& time
     point_count_ = part_count_ = wind_count_ = 0;
     ahead_ = time.utc - frame.now;
     if (frame.way != nullptr && frame.aircraft != nullptr) {
-        const FlownWay& way = *frame.way;
+        const FlightTrail& way = *frame.way;
         for (std::size_t n = 0; n < way.size(); ++n) {
             add(way[n], n == 0 || way[n].begins, ground);
             if ((way.number_of_oldest() + n) % kWindEvery == 0) add_wind(way[n], ground);

@@ -3,7 +3,7 @@
 ///
 ///   start(arena) · take(frame) each frame · trail(), winds(): layers that stay at their places
 ///
-/// The trail is a line a part of the way (flight/flown_way.hpp), up to the own ship, with the attributes of its points
+/// The trail is a line a part of the way (flight/flight_trail.hpp), up to the own ship, with the attributes of its points
 /// "position_accuracy" and "height_accuracy" (m, 95 %), "wind_speed" (m/s), "temperature" (K); missing where they were not
 /// stated. Where no accuracy was, kUnstatedAccuracy_m is the layer's: unknown must not look certain. Winds stand where they were
 /// measured every kWindEvery points, and at the own ship; there are none while the aircraft states no valid wind. Heights by
@@ -17,22 +17,22 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/flight/flight_time.hpp"
-#include "render_core/flight/flown_way.hpp"
+#include "render_core/flight/flight_trail.hpp"
 #include "render_core/scene/glyph_selection.hpp"
 
 namespace tedavis::display {
 
 struct OwnFlightFrame {
-    const flight::FlownWay* way = nullptr;  ///< null: nobody keeps it, and there is nothing to show
+    const flight::FlightTrail* way = nullptr;  ///< null: nobody keeps it, and there is nothing to show
     const flight::AircraftState* aircraft = nullptr;
     base::Time now;
 };
 
 class OwnFlight {
 public:
-    static constexpr std::size_t kMostPoints = flight::FlownWay::kMost + 1;
+    static constexpr std::size_t kMaxPoints = flight::FlightTrail::kMax + 1;
     static constexpr std::uint64_t kWindEvery = 15;
-    static constexpr std::size_t kMostWinds = flight::FlownWay::kMost / kWindEvery + 2;
+    static constexpr std::size_t kMaxWinds = flight::FlightTrail::kMax / kWindEvery + 2;
     static constexpr std::size_t kAttributes = 4;
     static constexpr float kUnstatedAccuracy_m = 100;
 

@@ -18,7 +18,7 @@
 #include "render_core/draw/view_effects_pass.hpp"
 #include "render_core/effects/effect_planner.hpp"
 #include "render_core/effects/frame_budget.hpp"
-#include "render_core/flight/flown_way.hpp"
+#include "render_core/flight/flight_trail.hpp"
 #include "render_core/policy/declutter.hpp"
 #include "render_core/policy/failure_policy.hpp"
 #include "render_core/policy/panel_lighting.hpp"
@@ -42,7 +42,7 @@ struct PlannedClutter {
 
 struct PlannedFrame : FrameStatement {
     flight::AircraftState state;
-    const flight::FlownWay* trail = nullptr;  ///< null where nobody keeps it
+    const flight::FlightTrail* trail = nullptr;  ///< null where nobody keeps it
     policy::DisplayConditions conditions;
     policy::DisplayDecisions decisions;
     design::AspectWeights weights;

@@ -43,7 +43,7 @@ struct PlannerMemory {
     DesignTransition transition;
     ViewTransition view;
     policy::PriorityBoost boost;
-    LabelEpoch labels;
+    LabelHistory labels;
     ClutterControl clutter;
     SaliencySchedule saliency;
     effects::FrameBudget budget;

@@ -10,7 +10,7 @@
 #include "render_core/draw/data/isosurface_solids.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/traffic_signs.hpp"
-#include "render_core/draw/data/tube_way.hpp"
+#include "render_core/draw/data/tube_path.hpp"
 
 namespace tedavis::display {
 namespace {
@@ -232,7 +232,7 @@ private:
         if (element.uncertainty == ElementUncertainty::none || element.uncertainty == ElementUncertainty::ellipsoid) return;
         if (element.uncertainty == ElementUncertainty::dashed_rim && report.layer->states_uncertainty()) {
             begin("LESS SURE", SampleLook::dashed_rim, element.color).under = kUnderSigns;
-            made_.share = 1 - (1 - draw::kLeastDashes) * element.uncertainty_strength;
+            made_.share = 1 - (1 - draw::kMinDashes) * element.uncertainty_strength;
             add_sample(made_);
         }
         add_words("? UNKNOWN");

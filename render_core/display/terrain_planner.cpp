@@ -21,7 +21,7 @@ constexpr double kAheadTau = 0.8;
 // Slots for chunks beside the view, for when it turns: about two a level of the deepest tree.
 constexpr std::uint32_t kSlotsBeside = 24;
 constexpr double kSplitMoves = 0.05;     // of a selection's split of depths, to the next one's of the same view
-constexpr double kLeastVertical = 1e-3;  // straight down the vertical has no direction on the screen
+constexpr double kMinVertical = 1e-3;    // straight down the vertical has no direction on the screen
 constexpr double kMagnifiersCost = 1.5;  // no more of the error that the ground has without them
 constexpr double kSkyMargin_px = 3;      // silhouettes reach into the sky, and the processor rounds
 
@@ -303,7 +303,7 @@ draw::ScreenPart TerrainPlanner::drawn_part(const terrain::View& view) const {
     const glm::dvec3 up = glm::normalize(view.eye);
     glm::dvec2 on_screen(glm::dot(up, view.right), glm::dot(up, view.down));
     const double length = glm::length(on_screen);
-    on_screen = length > kLeastVertical ? on_screen / length : glm::dvec2(0, -1);
+    on_screen = length > kMinVertical ? on_screen / length : glm::dvec2(0, -1);
     double highest = -std::numeric_limits<double>::infinity();
     for (const terrain::SelectedChunk& chunk : selected())
         highest =

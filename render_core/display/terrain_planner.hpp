@@ -16,7 +16,7 @@
 #include "render_core/draw/trace_state.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/terrain/chunk_indices.hpp"
-#include "render_core/terrain/drawn_sight.hpp"
+#include "render_core/terrain/line_of_sight.hpp"
 #include "render_core/terrain/near_ground.hpp"
 
 namespace tedavis::display {
@@ -112,7 +112,7 @@ public:
     /// The drawn surface at a place, for what stands on the ground; after plan().
     [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);
     /// Over the surface of this frame; after plan(). The view must stay.
-    [[nodiscard]] terrain::DrawnSight sight(const terrain::View& view) { return {database_.lattice(), selected(), *this, view}; }
+    [[nodiscard]] terrain::LineOfSight sight(const terrain::View& view) { return {database_.lattice(), selected(), *this, view}; }
     [[nodiscard]] base::Span<const terrain::ChunkVertex> vertices(const terrain::SelectedChunk& chunk) override;
     [[nodiscard]] base::Span<const std::uint16_t> stored_indices(const terrain::SelectedChunk& chunk) override;
     [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const terrain::SelectedChunk& chunk) override;

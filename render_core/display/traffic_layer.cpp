@@ -52,10 +52,10 @@ TrafficLayer::TrafficLayer() {
 }
 
 bool TrafficLayer::start(base::Arena& arena) {
-    points_ = arena.allocate_array<scene::ScenePoint>(kMostPoints);
-    starts_ = arena.allocate_array<std::uint32_t>(flight::kMostTraffic + 1);
-    names_ = arena.allocate_array<char>(flight::kMostTraffic * scene::kNameBytes);
-    for (auto& values : values_) values = arena.allocate_array<float>(kMostPoints);
+    points_ = arena.allocate_array<scene::ScenePoint>(kMaxPoints);
+    starts_ = arena.allocate_array<std::uint32_t>(flight::kMaxTraffic + 1);
+    names_ = arena.allocate_array<char>(flight::kMaxTraffic * scene::kNameBytes);
+    for (auto& values : values_) values = arena.allocate_array<float>(kMaxPoints);
     return !points_.empty() && !starts_.empty() && !names_.empty() && !values_[0].empty() && !values_[1].empty();
 }
 

@@ -21,7 +21,7 @@ namespace tedavis::display {
 class TrafficLayer {
 public:
     static constexpr base::Duration kBefore = base::Duration::milliseconds(100);
-    static constexpr std::size_t kMostPoints = flight::kMostTraffic * (flight::kMostTrafficPlaces + 2);
+    static constexpr std::size_t kMaxPoints = flight::kMaxTraffic * (flight::kMaxTrafficPlaces + 2);
     static constexpr std::size_t kAttributes = 2;
 
     TrafficLayer();

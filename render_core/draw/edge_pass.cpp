@@ -18,7 +18,7 @@ constexpr std::uint32_t kBlockPixels = 4;  // across and down
 constexpr std::uint32_t kLevelRows = 2;    // of levels above and below, that a crest depends on
 constexpr std::uint32_t kBlurRows = 3;     // of the picture, that a level depends on
 constexpr std::uint32_t kReadRows = kLevelRows + kBlurRows;
-constexpr std::uint32_t kMostCounted = 255;  // pixels of a row, in a byte
+constexpr std::uint32_t kMaxCounted = 255;  // pixels of a row, in a byte
 
 std::uint32_t edge_blocks(std::uint32_t pixels) { return (pixels + kBlockPixels - 1) / kBlockPixels; }
 /// Columns of a colour's plane: a texel more at both ends.
@@ -26,7 +26,7 @@ std::uint32_t plane_columns(std::uint32_t width_px) { return edge_blocks(width_p
 /// Parts of a region so narrow that a byte holds what they count.
 std::uint32_t parts_of_region(std::uint32_t width_px) {
     const std::uint32_t widest = width_px / std::uint32_t{ClutterRegions::kAcross} + 1;
-    return (widest + kMostCounted - 1) / kMostCounted;
+    return (widest + kMaxCounted - 1) / kMaxCounted;
 }
 /// Blocks that a run of so many pixels reaches, wherever it begins.
 std::uint32_t blocks_under(std::uint32_t pixels) { return pixels / kBlockPixels + 2; }
@@ -39,8 +39,8 @@ EdgeLoops edge_loops(std::uint32_t width_px, std::uint32_t height_px, std::uint3
 }  // namespace
 
 base::Error EdgePass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px, bool shows) {
-    if (std::max(width_px, height_px) > perception::kMostPictureSide)
-        return base::make_error("edges are found in pictures of at most ", base::digits(perception::kMostPictureSide).view(),
+    if (std::max(width_px, height_px) > perception::kMaxPictureSide)
+        return base::make_error("edges are found in pictures of at most ", base::digits(perception::kMaxPictureSide).view(),
                                 " pixels each way; take a smaller size");
     width_px_ = width_px;
     height_px_ = height_px;

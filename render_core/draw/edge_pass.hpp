@@ -32,7 +32,7 @@ public:
     /// So many blocks of 4 x 4 pixels far what is connected with a strong edge is followed.
     static constexpr int kTurns = 12;
 
-    /// The surface has this size, at most perception::kMostPictureSide each way. `shows`: show() may be asked for.
+    /// The surface has this size, at most perception::kMaxPictureSide each way. `shows`: show() may be asked for.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool shows);
     [[nodiscard]] bool is_started() const { return counts_.valid(); }

@@ -19,7 +19,7 @@ using scene::FocusRegion;
 enum Texel : std::uint32_t { kRadiusTexel, kStepTexel, kKindTexel, kLookTexel, kSpacingTexel, kPointsTexel };
 static_assert(kPointsTexel + 2 * scene::kMaxFocusPoints <= GroundFocus::kTexelsOfFocus);
 
-constexpr double kZero = 8388608, kMostNumber = 8388607;
+constexpr double kZero = 8388608, kMaxNumber = 8388607;
 constexpr double kFinestUnit_m = 1.0 / 64;
 constexpr double kTenthsOfPixel = 10;
 /// A pixel reaches no farther where the ground is seen edge-on (shaders/focus.frag), and some.
@@ -132,14 +132,14 @@ void GroundFocus::set(const scene::FocusRegions* regions, const design::FocusLis
     const design::FocusTerrain& asked = design::terrain_of_context(foci);
     look_ = blurs ? asked : design::darkened_instead_of_blurred(asked);
     unit_m_ = kFinestUnit_m;
-    while (largest_m > kMostNumber * unit_m_ && unit_m_ < 1024) unit_m_ *= 2;
+    while (largest_m > kMaxNumber * unit_m_ && unit_m_ < 1024) unit_m_ *= 2;
     texels_ = {};
     for (std::uint32_t n = 0; n < count(); ++n)
         if (region(n).is_valid) write_focus(n);
 }
 
 void GroundFocus::write(std::uint32_t texel, double number) {
-    const double code = std::clamp(std::round(number / unit_m_) + kZero, 0.0, kZero + kMostNumber);
+    const double code = std::clamp(std::round(number / unit_m_) + kZero, 0.0, kZero + kMaxNumber);
     const auto bits = static_cast<std::uint32_t>(code);
     texels_[4 * texel] = static_cast<std::uint8_t>(bits >> 16);
     texels_[4 * texel + 1] = static_cast<std::uint8_t>(bits >> 8);
@@ -156,7 +156,7 @@ void GroundFocus::write_focus(std::uint32_t n) {
     const design::FocusBorder& border = (*foci_)[n].border;
     const std::uint32_t first = n * kTexelsOfFocus;
     write(first + kRadiusTexel, at.radius_m);
-    write(first + kStepTexel, step_m(at, kMostNumber * unit_m_));
+    write(first + kStepTexel, step_m(at, kMaxNumber * unit_m_));
     write(first + kSpacingTexel, focus_grid_spacing_m(at.radius_m));
     std::uint8_t* const kind = &texels_[std::size_t{4} * (first + kKindTexel)];
     kind[0] = static_cast<std::uint8_t>(steps(at));

@@ -15,7 +15,7 @@ constexpr std::uint32_t kStripRows = 64;    // of the picture; whole blocks at e
 constexpr std::uint32_t kBlockTexels = 16;  // texels that become one, across and down
 constexpr std::uint32_t kFigureColumns = 5, kFigureRows = 2;
 constexpr int kConspicuity = 3, kTotal = 4;  // their columns; those of groups before
-constexpr int kMost = 0, kCount = 1;         // rows
+constexpr int kMax = 0, kCount = 1;          // rows
 
 std::uint32_t level_side(std::uint32_t side, int level) { return (side + (1u << level) - 1) >> level; }
 std::uint32_t extent_side(std::uint32_t side) { return (side + kBlockTexels - 1) / kBlockTexels; }
@@ -198,7 +198,7 @@ void SaliencyPass::find_most(gl::Gl& gl, SaliencyStep step, const gl::RenderTarg
     gl->Uniform2f(most.uniform(kSaliencyOrigin), 0, 0);
     scratch_[0].bind(gl);
     triangle_.draw(gl);
-    gather(gl, step, column, kMost);
+    gather(gl, step, column, kMax);
 }
 
 void SaliencyPass::count(gl::Gl& gl, const gl::RenderTarget& of, int column) {

@@ -22,11 +22,11 @@ void include_edge(const Point& a, const Point& b, float top, float bottom, float
 }  // namespace
 
 void ScreenCover::clear(std::uint32_t width, std::uint32_t height, float cell_px) {
-    cell_px_ = std::max(cell_px, static_cast<float>(std::max(width, height)) / kMostCells);
+    cell_px_ = std::max(cell_px, static_cast<float>(std::max(width, height)) / kMaxCells);
     rows_ = {};
 }
 
-int ScreenCover::cell_of(float px) const { return static_cast<int>(std::clamp(px / cell_px_, 0.0f, kMostCells - 1.0f)); }
+int ScreenCover::cell_of(float px) const { return static_cast<int>(std::clamp(px / cell_px_, 0.0f, kMaxCells - 1.0f)); }
 
 ScreenCover::Row ScreenCover::span(int first, int last) {
     const auto below = [](int n) { return n >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << std::max(n, 0)) - 1; };
@@ -49,7 +49,7 @@ void ScreenCover::take_triangle(const Point (&corner)[3]) {
     const int last = cell_of(bottom);
     for (int row = cell_of(top); row <= last; ++row) {
         const float upper = row == 0 ? top : cell_px_ * static_cast<float>(row);
-        const float lower = row == kMostCells - 1 ? bottom : cell_px_ * static_cast<float>(row + 1);
+        const float lower = row == kMaxCells - 1 ? bottom : cell_px_ * static_cast<float>(row + 1);
         float low = 1e9f, high = -1e9f;
         for (std::size_t k = 0; k < 3; ++k) include_edge(corner[k], corner[(k + 1) % 3], upper, lower, low, high);
         if (low > high) continue;

@@ -1,6 +1,6 @@
 /// Which parts of the picture a batch of quads reaches, in cells: for what must neither cover it nor lie under it.
 ///
-/// A cell that a triangle touches is taken, smoothed edges included. Cells have the size that is asked for, or what kMostCells of
+/// A cell that a triangle touches is taken, smoothed edges included. Cells have the size that is asked for, or what kMaxCells of
 /// them across the picture take. Thread  one. Memory  its own 2 KiB. Bounded by the batch and the cells.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace tedavis::draw {
 
 class ScreenCover {
 public:
-    static constexpr int kMostCells = 128;
+    static constexpr int kMaxCells = 128;
 
     /// Nothing is taken.
     void clear(std::uint32_t width, std::uint32_t height, float cell_px);
@@ -29,7 +29,7 @@ private:
     void take_triangle(const Point (&corner)[3]);
 
     float cell_px_ = 1;
-    std::array<Row, kMostCells> rows_{};
+    std::array<Row, kMaxCells> rows_{};
 };
 
 }  // namespace tedavis::draw

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kKnotsPerRadian = 20 * 180 / base::kPi;
 constexpr double kFinestHalf_m = 2'000, kLowEye_m = 1'500;
-constexpr int kMostDoublings = 3;
+constexpr int kMaxDoublings = 3;
 constexpr double kAhead = 0.5;  // of half an edge: what is behind the eye is not seen
 
 earth::Geodetic knot_near(const earth::Geodetic& place) {
@@ -34,7 +34,7 @@ glm::dmat3 light_axes(const glm::dmat3& north_east_down, double azimuth_rad, dou
 /// High above the ground, so are pixels larger.
 double finest_half_m(double eye_height_m) {
     const double doublings = std::ceil(std::log2(std::fmax(eye_height_m, 1) / kLowEye_m));
-    return kFinestHalf_m * std::exp2(std::clamp(doublings, 0.0, double{kMostDoublings}));
+    return kFinestHalf_m * std::exp2(std::clamp(doublings, 0.0, double{kMaxDoublings}));
 }
 
 double snapped(double value, double step) { return step * std::round(value / step); }

@@ -64,7 +64,7 @@ TracedGroundFault TracedGround::start(terrain::HeightQuery& database, base::Work
     const terrain::Lattice& lattice = database.lattice();
     if (lattice.flags() != 0 || !raytrace::GroundSpace::fits(lattice, all_of(lattice))) return TracedGroundFault::round;
     const std::uint64_t posts = std::uint64_t{lattice.columns()} * lattice.rows();
-    if (posts > raytrace::HeightGrid<float>::kMostInAll || bytes_needed(lattice) > arena.use().capacity - arena.use().in_use)
+    if (posts > raytrace::HeightGrid<float>::kMaxInAll || bytes_needed(lattice) > arena.use().capacity - arena.use().in_use)
         return TracedGroundFault::no_room;
     columns_ = lattice.columns();
     heights_ = arena.allocate_array<float>(posts);

@@ -7,7 +7,7 @@
 namespace tedavis::earth {
 namespace {
 
-constexpr double kOverLimits_m = Magnifiers::kLeastApart_m / 4;
+constexpr double kOverLimits_m = Magnifiers::kMinApart_m / 4;
 
 }  // namespace
 

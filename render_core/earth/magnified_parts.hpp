@@ -21,7 +21,7 @@ struct GroundExtent {
 [[nodiscard]] bool is_magnified(const Magnifiers& magnifiers, const GroundExtent& extent);
 
 struct MagnifiedPart {
-    static constexpr std::size_t kLimits = Magnifiers::kMost - 1;
+    static constexpr std::size_t kLimits = Magnifiers::kMax - 1;
 
     const Magnifier* magnifier = nullptr;
     Magnifier::Cell cell;

@@ -29,7 +29,7 @@ struct Shares {
 
 /// Shares of a way that are over what magnifiers move, in their order along it.
 struct Moved {
-    Shares of[Magnifiers::kMost];
+    Shares of[Magnifiers::kMax];
     std::size_t count = 0;
 };
 [[nodiscard]] Moved moved_shares(const Magnifiers& magnifiers, const TrueWay& shown);

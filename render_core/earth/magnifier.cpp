@@ -12,8 +12,8 @@ constexpr double kTangentOfEighth = 0.41421356237309505;  // of half a sector of
 constexpr double kFarthestFromPlane_m = 1e6;
 
 /// Of the sectors of an octagon; a square has every other one.
-constexpr double kAxes[Magnifier::kMostSides][2] = {{1, 0},  {kRootOfHalf, kRootOfHalf},   {0, 1},  {-kRootOfHalf, kRootOfHalf},
-                                                    {-1, 0}, {-kRootOfHalf, -kRootOfHalf}, {0, -1}, {kRootOfHalf, -kRootOfHalf}};
+constexpr double kAxes[Magnifier::kMaxSides][2] = {{1, 0},  {kRootOfHalf, kRootOfHalf},   {0, 1},  {-kRootOfHalf, kRootOfHalf},
+                                                   {-1, 0}, {-kRootOfHalf, -kRootOfHalf}, {0, -1}, {kRootOfHalf, -kRootOfHalf}};
 
 glm::dvec2 beside(const glm::dvec2& axis) { return {-axis.y, axis.x}; }
 
@@ -28,7 +28,7 @@ double outer_edge_m(const MagnifierSettings& settings, std::uint32_t compression
 }
 
 bool is_in_range(const MagnifierSettings& settings) {
-    return settings.power >= 1 && settings.power <= kMostMagnifierPower && settings.radius_m >= Magnifier::kLeastRadius_m &&
+    return settings.power >= 1 && settings.power <= kMaxMagnifierPower && settings.radius_m >= Magnifier::kMinRadius_m &&
            std::isfinite(settings.latitude_rad) && std::isfinite(settings.longitude_rad);
 }
 
@@ -39,7 +39,7 @@ glm::dvec3 edge(const glm::dvec2& axis, const glm::dvec2& normal, double offset_
     return {inwards, offset_m / length};
 }
 
-void repeat_first(std::array<glm::dvec3, Magnifier::kMostSides>& edges, std::size_t used) {
+void repeat_first(std::array<glm::dvec3, Magnifier::kMaxSides>& edges, std::size_t used) {
     for (std::size_t n = used; n < edges.size(); ++n) edges[n] = edges[0];
 }
 
@@ -54,8 +54,8 @@ double Magnifier::context_needed_m(const MagnifierSettings& settings, std::uint3
 bool Magnifier::make(const MagnifierSettings& settings, Magnifier& magnifier) {
     if (!is_in_range(settings)) return false;
     std::uint32_t compression = 1;
-    while (compression <= kMostCompression && !(context_needed_m(settings, compression) <= settings.context_m)) ++compression;
-    if (compression > kMostCompression) return false;
+    while (compression <= kMaxCompression && !(context_needed_m(settings, compression) <= settings.context_m)) ++compression;
+    if (compression > kMaxCompression) return false;
     Magnifier made;
     made.tangent_ = tangent_of_half_sector(settings.is_square);
     made.inner_m_ = settings.radius_m;
@@ -63,7 +63,7 @@ bool Magnifier::make(const MagnifierSettings& settings, Magnifier& magnifier) {
     made.corner_m_ = corner_of(made.inner_m_, made.tangent_);
     made.reach_m_ = corner_of(made.outer_m_, made.tangent_);
     if (!(made.reach_m_ <= kFarthest_m)) return false;
-    made.sides_ = settings.is_square ? kMostSides / 2 : kMostSides;
+    made.sides_ = settings.is_square ? kMaxSides / 2 : kMaxSides;
     made.power_ = settings.power;
     made.compression_ = compression;
     made.factor_ = std::ldexp(1.0, static_cast<int>(settings.power));
@@ -83,7 +83,7 @@ glm::dvec2 Magnifier::in_plane(const Ecef& place) const {
 }
 
 glm::dvec2 Magnifier::axis(std::size_t sector) const {
-    const double(&axis)[2] = kAxes[sector * (kMostSides / sides_)];
+    const double(&axis)[2] = kAxes[sector * (kMaxSides / sides_)];
     return {axis[0], axis[1]};
 }
 
@@ -210,8 +210,7 @@ Magnifier::Cell Magnifier::triangle(std::size_t sector, std::size_t n) const {
 
 bool Magnifiers::add(const Magnifier& magnifier) {
     for (const Magnifier& other : all_)
-        if (glm::distance(other.middle(), magnifier.middle()) < other.reach_m() + magnifier.reach_m() + kLeastApart_m)
-            return false;
+        if (glm::distance(other.middle(), magnifier.middle()) < other.reach_m() + magnifier.reach_m() + kMinApart_m) return false;
     return all_.try_push_back(magnifier);
 }
 

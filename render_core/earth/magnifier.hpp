@@ -33,27 +33,27 @@
 
 namespace tedavis::earth {
 
-inline constexpr std::uint32_t kMostMagnifierPower = 4, kMostCompression = 3;
+inline constexpr std::uint32_t kMaxMagnifierPower = 4, kMaxCompression = 3;
 
 struct MagnifierSettings {
     double latitude_rad = 0, longitude_rad = 0;
     bool is_square = false;   ///< with sides along east and north; else a circle
     double radius_m = 0;      ///< of the focus; half the side of a square
     double context_m = 0;     ///< from the focus to where nothing may move any more
-    std::uint32_t power = 1;  ///< 1..kMostMagnifierPower
+    std::uint32_t power = 1;  ///< 1..kMaxMagnifierPower
 };
 
 class Magnifier {
 public:
-    static constexpr std::size_t kMostSides = 8, kTrianglesOfSector = 3, kMostCells = 2 + kTrianglesOfSector * kMostSides;
-    static constexpr double kLeastRadius_m = 1, kFarthest_m = 200'000;
+    static constexpr std::size_t kMaxSides = 8, kTrianglesOfSector = 3, kMaxCells = 2 + kTrianglesOfSector * kMaxSides;
+    static constexpr double kMinRadius_m = 1, kFarthest_m = 200'000;
 
     /// Moves nothing.
     Magnifier() = default;
     /// With the least compression for which the context is wide enough. False, and `magnifier` stays, where none is, or a number
     /// is out of range.
     [[nodiscard]] static bool make(const MagnifierSettings& settings, Magnifier& magnifier);
-    /// How wide the context must be for a compression of 1..kMostCompression.
+    /// How wide the context must be for a compression of 1..kMaxCompression.
     [[nodiscard]] static double context_needed_m(const MagnifierSettings& settings, std::uint32_t compression);
 
     [[nodiscard]] std::uint32_t power() const { return power_; }
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] double reach_m() const { return reach_m_; }
     [[nodiscard]] double farthest_move_m() const { return (factor_ - 1) * corner_m_; }
     /// By how much the ground gets higher above the ellipsoid at most.
-    [[nodiscard]] double farthest_rise_m() const { return farthest_move_m() * reach_m_ / kLeastCurvatureRadius_m; }
+    [[nodiscard]] double farthest_rise_m() const { return farthest_move_m() * reach_m_ / kMinCurvatureRadius_m; }
     [[nodiscard]] const Ecef& middle() const { return middle_; }
     [[nodiscard]] const glm::dvec3& east() const { return east_; }
     [[nodiscard]] const glm::dvec3& north() const { return north_; }
@@ -89,11 +89,11 @@ public:
     enum class Borders : std::uint8_t { none, all, first };
     /// A part of the plane in which the map is linear. What lies on its edges is in it.
     struct Cell {
-        glm::dmat2 slope{1.0};                       ///< shown = slope * ground + shift
-        glm::dvec2 shift{0};                         ///< m
-        std::array<glm::dvec3, kMostSides> edges{};  ///< in it where dot(edge, (east, north, 1)) >= 0, m, for all
-        Borders borders = Borders::none;             ///< none of what is outside: the triangles have them
-        bool is_outside = false;                     ///< all but that: there nothing moves
+        glm::dmat2 slope{1.0};                      ///< shown = slope * ground + shift
+        glm::dvec2 shift{0};                        ///< m
+        std::array<glm::dvec3, kMaxSides> edges{};  ///< in it where dot(edge, (east, north, 1)) >= 0, m, for all
+        Borders borders = Borders::none;            ///< none of what is outside: the triangles have them
+        bool is_outside = false;                    ///< all but that: there nothing moves
         [[nodiscard]] double inside_m(const glm::dvec2& ground) const;  ///< 0 or more in it: least distance from an edge
         /// False where no point of the rectangle is in it; true where one may be.
         [[nodiscard]] bool touches(const glm::dvec2& middle, const glm::dvec2& half) const;
@@ -127,8 +127,8 @@ static_assert(std::is_trivially_copyable_v<Magnifier>);
 /// Several, none of which moves what another one moves.
 class Magnifiers {
 public:
-    static constexpr std::size_t kMost = 4;
-    static constexpr double kLeastApart_m = 200;  ///< from what one moves to what another does
+    static constexpr std::size_t kMax = 4;
+    static constexpr double kMinApart_m = 200;  ///< from what one moves to what another does
 
     /// False, and nothing changes, where it comes too near to one that is there, or there is no room.
     [[nodiscard]] bool add(const Magnifier& magnifier);
@@ -142,7 +142,7 @@ public:
     [[nodiscard]] Ecef moved_back(const Ecef& shown) const;
 
 private:
-    base::FixedVector<Magnifier, kMost> all_;
+    base::FixedVector<Magnifier, kMax> all_;
 };
 static_assert(std::is_trivially_copyable_v<Magnifiers>);
 

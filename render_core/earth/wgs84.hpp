@@ -19,7 +19,7 @@ inline constexpr double kMeanRadius_m = 6'371'008.8;
 
 /// Below every radius of curvature at heights from 439 m below the ellipsoid up: over a distance d the vertical turns by d over
 /// this at most.
-inline constexpr double kLeastCurvatureRadius_m = 6335000;
+inline constexpr double kMinCurvatureRadius_m = 6335000;
 /// Above every one of the ellipsoid itself.
 inline constexpr double kGreatestCurvatureRadius_m = 6400000;
 

@@ -3,7 +3,7 @@
 namespace tedavis::effects {
 namespace {
 
-constexpr double kMostMs = 1e6;
+constexpr double kMaxMs = 1e6;
 constexpr std::string_view kAnew = "; measure this display with `tedavis calibrate`";
 
 void read_line(base::ConfigSection costs, std::string_view name, CostLine& line) {
@@ -15,9 +15,9 @@ void read_line(base::ConfigSection costs, std::string_view name, CostLine& line)
         return costs.fault(name, sentence.view());
     }
     base::ConfigSection section = costs.section(name);
-    line.fixed_ms = section.number("fixed_ms", 0, kMostMs);
-    line.ms_per_megapixel = section.number("ms_per_megapixel", 0, kMostMs);
-    line.ms_per_thousand = section.number("ms_per_thousand", 0, kMostMs);
+    line.fixed_ms = section.number("fixed_ms", 0, kMaxMs);
+    line.ms_per_megapixel = section.number("ms_per_megapixel", 0, kMaxMs);
+    line.ms_per_thousand = section.number("ms_per_thousand", 0, kMaxMs);
 }
 
 void read_costs(base::ConfigSection costs, CostTable& table) {
@@ -27,11 +27,11 @@ void read_costs(base::ConfigSection costs, CostTable& table) {
 }
 
 void read_subject(base::ConfigSection& root, CalibrationSubject& subject) {
-    constexpr std::int64_t kMostEdgePx = 16384;
+    constexpr std::int64_t kMaxEdgePx = 16384;
     subject.device = root.text("device");
     subject.renderer = root.text("renderer");
-    subject.width_px = static_cast<std::uint32_t>(root.integer("width_px", 16, kMostEdgePx));
-    subject.height_px = static_cast<std::uint32_t>(root.integer("height_px", 16, kMostEdgePx));
+    subject.width_px = static_cast<std::uint32_t>(root.integer("width_px", 16, kMaxEdgePx));
+    subject.height_px = static_cast<std::uint32_t>(root.integer("height_px", 16, kMaxEdgePx));
     if (subject.device.cut() || subject.renderer.cut())
         root.fault("renderer", "device and renderer have at most 31 and 127 letters; shorten them");
 }

@@ -25,8 +25,8 @@ struct ClutterMeasures {
     ClutterMap least;  ///< with least_detail(); of no use where the other is within the budget
 };
 
-inline constexpr double kLeastDetailLeft = 0.25;
-inline constexpr double kLeastUse = 0.01;  ///< of giving way, in the measure: for less than this nothing is taken away
+inline constexpr double kMinDetailLeft = 0.25;
+inline constexpr double kMinUse = 0.01;  ///< of giving way, in the measure: for less than this nothing is taken away
 
 /// Everywhere.
 [[nodiscard]] scene::DetailRegions least_detail() noexcept;

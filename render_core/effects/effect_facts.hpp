@@ -1,4 +1,4 @@
-/// What of a frame decides whether it calls for an effect. Plain values: whoever plans the frame fills them in, the rows of
+/// What of a frame decides whether an effect is applicable. Plain values: whoever plans the frame fills them in, the rows of
 /// effect_table.cpp read them.
 #pragma once
 

@@ -16,22 +16,22 @@ Effect reserve_of(Effect effect, const PlanInput& input, const DeviceCapability&
     return Effect::count_;
 }
 
-PlannedEffect plan_call(Effect effect, const PlanInput& input, const DeviceCapability& device) {
-    using Kind = EffectCall::Kind;
-    const EffectCall& call = input.calls[static_cast<std::size_t>(effect)];
+PlannedEffect plan_request(Effect effect, const PlanInput& input, const DeviceCapability& device) {
+    using Kind = EffectRequest::Kind;
+    const EffectRequest& request = input.requests[static_cast<std::size_t>(effect)];
     const EffectSet& forbidden = input.forbidden;
     PlannedEffect planned;
-    if (call.kind == Kind::not_asked_for) return planned;
+    if (request.kind == Kind::not_asked_for) return planned;
     planned.state = PlanState::skipped;
-    planned.reason = call.why;
-    if (call.kind == Kind::not_called_for) return planned;
+    planned.reason = request.why;
+    if (request.kind == Kind::not_applicable) return planned;
     // What stands for it when it lacks its input must be something else, even where the device could do it.
     EffectSet excluded = forbidden;
-    if (call.kind == Kind::no_input) excluded.add(effect);
+    if (request.kind == Kind::no_input) excluded.add(effect);
     const Effect stands_in = possible_effect(effect, excluded, device, input.order);
     if (forbidden.has(effect))
         planned.reason = "forbidden by the device's file";
-    else if (call.kind == Kind::called && stands_in != effect)
+    else if (request.kind == Kind::applicable && stands_in != effect)
         planned.reason = lack_of(row_of(effect).need);
     if (stands_in == Effect::count_) return planned;
     planned.state = stands_in == effect ? PlanState::run : PlanState::replaced;
@@ -51,7 +51,7 @@ void give_up_if_too_costly(Effect effect, const PlanInput& input, const DeviceCa
 
 bool is_unseen(const PlanInput& input, const FramePlan& plan, Effect effect, double color_left) {
     if (input.is_forced || plan[effect].state != PlanState::run) return false;
-    const double bound = input.calls[static_cast<std::size_t>(effect)].bound;
+    const double bound = input.requests[static_cast<std::size_t>(effect)].bound;
     const Contribution contribution = row_of(effect).contribution;
     return contribution == Contribution::color      ? bound <= color_left
            : contribution == Contribution::geometry ? bound < kUnseenPixels
@@ -64,7 +64,7 @@ Effect least_seen(const PlanInput& input, const FramePlan& plan, double color_le
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const auto effect = static_cast<Effect>(n);
-        const double bound = input.calls[n].bound;
+        const double bound = input.requests[n].bound;
         if (!(bound < smallest) || !is_unseen(input, plan, effect, color_left)) continue;
         least = effect;
         smallest = bound;
@@ -102,7 +102,7 @@ FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) n
     FramePlan plan;
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const auto effect = static_cast<Effect>(n);
-        plan.effects_[n] = plan_call(effect, input, device);
+        plan.effects_[n] = plan_request(effect, input, device);
         give_up_if_too_costly(effect, input, device, plan.effects_[n]);
     }
     // From the smallest bound on, so that as many as possible stay under the one sum.
@@ -111,7 +111,7 @@ FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) n
         if (effect == Effect::count_) break;
         PlannedEffect& unseen = plan.effects_[static_cast<std::size_t>(effect)];
         unseen = {PlanState::skipped, "too small to be seen", Effect::count_,
-                  input.calls[static_cast<std::size_t>(effect)].bound};
+                  input.requests[static_cast<std::size_t>(effect)].bound};
     }
     return plan;
 }

@@ -13,15 +13,15 @@
 namespace tedavis::effects {
 
 /// What scene, view and data say to one effect.
-struct EffectCall {
+struct EffectRequest {
     enum class Kind : std::uint8_t {
         not_asked_for,  ///< by the design; the plan leaves it out and does not speak of it
-        called,
-        not_called_for,  ///< nothing in scene or view is changed by it
+        applicable,
+        not_applicable,  ///< nothing in scene or view is changed by it
         no_input,        ///< what it shows is not there
     };
     Kind kind = Kind::not_asked_for;
-    std::string_view why;  ///< static storage; of the two last kinds. Of `called`: why it runs, or empty
+    std::string_view why;  ///< static storage; of the two last kinds. Of `applicable`: why it runs, or empty
     /// Upper bound of its visible contribution in this frame, in the unit of its Contribution.
     double bound = std::numeric_limits<double>::infinity();
 };
@@ -49,14 +49,14 @@ private:
 };
 
 struct PlanInput {
-    std::array<EffectCall, kEffectCount> calls{};
+    std::array<EffectRequest, kEffectCount> requests{};
     EffectSet forbidden;   ///< by the device's file
     EffectSet too_costly;  ///< for the frame's deadline; replaced by what is in reserve, or left out
     EffectSet in_reserve;  ///< what can take another's place within a running display: its programs are there
     ReplacementOrder order;
     bool is_forced = false;  ///< nothing is left out for being unseen: what a picture without this planner would cost
 
-    [[nodiscard]] EffectCall& operator[](Effect effect) { return calls[static_cast<std::size_t>(effect)]; }
+    [[nodiscard]] EffectRequest& operator[](Effect effect) { return requests[static_cast<std::size_t>(effect)]; }
 };
 
 class FramePlan {

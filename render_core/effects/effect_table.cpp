@@ -10,91 +10,91 @@ namespace tedavis::effects {
 namespace {
 
 using Design = design::DesignSettings;
-using Kind = EffectCall::Kind;
+using Kind = EffectRequest::Kind;
 
-constexpr EffectCall kCalled{Kind::called, ""};
-constexpr EffectCall kFromFarAway{Kind::not_called_for, "the view is from far away"};
+constexpr EffectRequest kApplicable{Kind::applicable, ""};
+constexpr EffectRequest kFromFarAway{Kind::not_applicable, "the view is from far away"};
 
-// ---- When scene and view call for it --------------------------------------------------------------------------------
+// ---- When it is applicable -------------------------------------------------------------------------------------------
 
-EffectCall always(const EffectFacts&) { return kCalled; }
+EffectRequest always(const EffectFacts&) { return kApplicable; }
 
-EffectCall where(const InputState& input) { return {input.is_there ? Kind::called : Kind::no_input, input.why}; }
+EffectRequest where(const InputState& input) { return {input.is_there ? Kind::applicable : Kind::no_input, input.why}; }
 
 /// `is_forbidden`: then nothing of it was built, and the planner says so.
-EffectCall cue_call(const CueState& state, bool is_forbidden) {
-    if (is_forbidden) return kCalled;
-    if (!state.is_shown) return {Kind::not_called_for, "no element that asks for it is shown"};
-    if (state.drawn > 0) return {Kind::called, state.hidden > 0 ? "for want of room only a part of it" : ""};
+EffectRequest cue_request(const CueState& state, bool is_forbidden) {
+    if (is_forbidden) return kApplicable;
+    if (!state.is_shown) return {Kind::not_applicable, "no element that asks for it is shown"};
+    if (state.drawn > 0) return {Kind::applicable, state.hidden > 0 ? "for want of room only a part of it" : ""};
     if (state.hidden > 0) return {Kind::no_input, "the device has no room left for it"};
-    return {Kind::not_called_for, "nothing floats over ground that is known"};
+    return {Kind::not_applicable, "nothing floats over ground that is known"};
 }
 
-EffectCall sun_call(const EffectFacts& facts) {
+EffectRequest sun_request(const EffectFacts& facts) {
     if (!facts.light_has_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
     if (facts.sun_is_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};
-    return kCalled;
+    return kApplicable;
 }
 
-EffectCall beside_call(const EffectFacts& facts) {
-    if (!facts.has_symbology) return {Kind::not_called_for, "a free view has no symbology"};
+EffectRequest beside_request(const EffectFacts& facts) {
+    if (!facts.has_symbology) return {Kind::not_applicable, "a free view has no symbology"};
     if (facts.maps_beside.is_there && facts.maps_drawn == 0)
         return {Kind::no_input, "there is no room beside the symbology and the legends"};
     return where(facts.maps_beside);
 }
 
-EffectCall focus_call(const EffectFacts& facts) {
+EffectRequest focus_request(const EffectFacts& facts) {
     if (!facts.is_near) return kFromFarAway;
-    if (facts.focus_blur_px <= 0) return kCalled;  // not on this device
+    if (facts.focus_blur_px <= 0) return kApplicable;  // not on this device
     if (!facts.focus_is_known) return {Kind::no_input, "nothing of the role that is in focus is shown"};
-    return {Kind::called, "", facts.widest_blur_px};
+    return {Kind::applicable, "", facts.widest_blur_px};
 }
 
-EffectCall context_call(const EffectFacts& facts) {
-    if (!facts.has_foci) return {Kind::not_called_for, "no focus is anywhere"};
-    return kCalled;
+EffectRequest context_request(const EffectFacts& facts) {
+    if (!facts.has_foci) return {Kind::not_applicable, "no focus is anywhere"};
+    return kApplicable;
 }
 
-EffectCall context_blur_call(const EffectFacts& facts) {
-    const EffectCall call = context_call(facts);
-    if (call.kind != Kind::called) return call;
+EffectRequest context_blur_request(const EffectFacts& facts) {
+    const EffectRequest request = context_request(facts);
+    if (request.kind != Kind::applicable) return request;
     if (facts.reads_distances) return {Kind::no_input, "silhouettes, depth of field or light shafts need the distances instead"};
-    return {Kind::called, "", facts.context_blur_px};
+    return {Kind::applicable, "", facts.context_blur_px};
 }
 
-EffectCall clutter_call(const EffectFacts& facts) {
-    if (facts.shows_clutter) return kCalled;
+EffectRequest clutter_request(const EffectFacts& facts) {
+    if (facts.shows_clutter) return kApplicable;
     if (facts.is_stereo) return {Kind::no_input, "regions of a picture for each eye are not those of the view"};
-    if (!facts.has_what_gives_way) return {Kind::not_called_for, "nothing is shown that gives way"};
-    return kCalled;
+    if (!facts.has_what_gives_way) return {Kind::not_applicable, "nothing is shown that gives way"};
+    return kApplicable;
 }
 
-EffectCall panel_call(const EffectFacts& facts) {
+EffectRequest panel_request(const EffectFacts& facts) {
     if (!facts.panel_has_date) return {Kind::no_input, "the time of the flight is no date"};
-    if (facts.panel_dimming <= 0) return {Kind::not_called_for, "it is day"};
-    return {Kind::called, "", facts.panel_dimming};
+    if (facts.panel_dimming <= 0) return {Kind::not_applicable, "it is day"};
+    return {Kind::applicable, "", facts.panel_dimming};
 }
 
-EffectCall soft_shadow_call(const EffectFacts& facts) {
+EffectRequest soft_shadow_request(const EffectFacts& facts) {
     if (!facts.is_near) return kFromFarAway;
     switch (facts.shadows) {
-        case ShadowState::not_asked_for: return kCalled;  // not on this device
-        case ShadowState::sun_too_low: return {Kind::not_called_for, "the sun stands below 3 degrees"};
-        case ShadowState::values_on_ground: return {Kind::not_called_for, "the colours of the ground are values"};
-        case ShadowState::nothing_casts: return {Kind::not_called_for, "nothing over the ground casts a shadow into the view"};
+        case ShadowState::not_asked_for: return kApplicable;  // not on this device
+        case ShadowState::sun_too_low: return {Kind::not_applicable, "the sun stands below 3 degrees"};
+        case ShadowState::values_on_ground: return {Kind::not_applicable, "the colours of the ground are values"};
+        case ShadowState::nothing_casts: return {Kind::not_applicable, "nothing over the ground casts a shadow into the view"};
         case ShadowState::cast: break;
     }
-    return {Kind::called, "", facts.widest_shadow_px};
+    return {Kind::applicable, "", facts.widest_shadow_px};
 }
 
-EffectCall light_shaft_call(const EffectFacts& facts) {
-    EffectCall call = soft_shadow_call(facts);
-    if (call.kind != Kind::called || facts.shadows != ShadowState::cast) return call;
+EffectRequest light_shaft_request(const EffectFacts& facts) {
+    EffectRequest request = soft_shadow_request(facts);
+    if (request.kind != Kind::applicable || facts.shadows != ShadowState::cast) return request;
     const bool has_air = facts.asked.has(Effect::aerial_perspective) && facts.has_air;
     const double bound = has_air ? facts.air_bound : facts.has_haze ? facts.haze_bound : 0;
-    if (!(bound > 0)) return {Kind::not_called_for, "there is neither air nor haze that scatters light"};
-    call.bound = facts.shadow_in_air * bound;
-    return call;
+    if (!(bound > 0)) return {Kind::not_applicable, "there is neither air nor haze that scatters light"};
+    request.bound = facts.shadow_in_air * bound;
+    return request;
 }
 
 // ---- What a design says of it ---------------------------------------------------------------------------------------
@@ -213,7 +213,7 @@ public:
     constexpr Row on_replacing(void (*replace)(const Design&, Effect, Design&)) const {
         return with(&EffectRow::replace, replace);
     }
-    constexpr Row called(EffectCall (*call)(const EffectFacts&)) const { return with(&EffectRow::call, call); }
+    constexpr Row applies(EffectRequest (*request)(const EffectFacts&)) const { return with(&EffectRow::request, request); }
     constexpr operator EffectRow() const { return row_; }
 
 private:
@@ -230,16 +230,16 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
     Row(Effect::terrain, "terrain")
         .costs("the terrain pass")
         .asked_by("", [](const Design&) { return true; })
-        .called([](const EffectFacts&) {
-            return EffectCall{Kind::called, "terrain in view"};
+        .applies([](const EffectFacts&) {
+            return EffectRequest{Kind::applicable, "terrain in view"};
         }),
     Row(Effect::warning_colors, "warning_colors")
         .costs("a variant of the terrain's program")
         .asked_by("[warning] enabled", [](const Design&) { return true; })
         .on_taking_out([](Design& design) { design.warning_colors = false; })
-        .called([](const EffectFacts& facts) -> EffectCall {
-            if (facts.shows_warning_colors) return {Kind::called, "height is geometric and valid"};
-            return {Kind::not_called_for, "not asked for or height not to be trusted"};
+        .applies([](const EffectFacts& facts) -> EffectRequest {
+            if (facts.shows_warning_colors) return {Kind::applicable, "height is geometric and valid"};
+            return {Kind::not_applicable, "not asked for or height not to be trusted"};
         }),
     Row(Effect::silhouettes, "silhouettes")
         .needs(Need::depth24_target)
@@ -251,9 +251,9 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
                   [](const Design& design) { return design.terrain.style.sketch.silhouettes > 0; })
         .on_taking_out([](Design& design) { design.terrain.style.sketch.silhouettes = 0; })
         .on_replacing(replace_silhouettes)
-        .called([](const EffectFacts& facts) -> EffectCall {
-            if (facts.is_near) return kCalled;
-            return {Kind::not_called_for, "seen from so far away depths hardly differ"};
+        .applies([](const EffectFacts& facts) -> EffectRequest {
+            if (facts.is_near) return kApplicable;
+            return {Kind::not_applicable, "seen from so far away depths hardly differ"};
         }),
     Row(Effect::ridges, "ridges").costs("a variant of the terrain's program").on_taking_out([](Design& design) {
         design.terrain.style.sketch.ridges = 0;
@@ -264,7 +264,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .replaced_by(Effect::fixed_light)
         .asked_by("[terrain.shade] follows_sun", [](const Design& design) { return design.terrain.style.shade.follows_sun; })
         .on_taking_out([](Design& design) { design.terrain.style.shade.follows_sun = false; })
-        .called(sun_call),
+        .applies(sun_request),
     Row(Effect::fixed_light, "fixed_light").costs("none"),
     Row(Effect::drape, "drape")
         .may_be_forbidden()
@@ -273,7 +273,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .asked_by("[terrain.texture] technique",
                   [](const Design& design) { return design.terrain.style.texture == design::TerrainTexture::image; })
         .on_taking_out(take_out_image)
-        .called([](const EffectFacts& facts) { return where(facts.image); }),
+        .applies([](const EffectFacts& facts) { return where(facts.image); }),
     Row(Effect::plain_color, "plain_color").costs("none"),
     Row(Effect::aerial_perspective, "aerial_perspective")
         .needs(Need::half_float_texture)
@@ -284,8 +284,8 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .asked_by("[sky] aerial_perspective", [](const Design& design) { return design.sky.air.is_shown; })
         .on_asking([](Design& design) { design.sky.air.is_shown = true; })
         .on_taking_out([](Design& design) { design.sky.air.is_shown = false; })
-        .called([](const EffectFacts& facts) {
-            return facts.is_near ? EffectCall{Kind::called, "", facts.air_bound} : kFromFarAway;
+        .applies([](const EffectFacts& facts) {
+            return facts.is_near ? EffectRequest{Kind::applicable, "", facts.air_bound} : kFromFarAway;
         }),
     Row(Effect::haze, "haze")
         .may_be_forbidden()
@@ -294,8 +294,8 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .asked_by("[sky] haze_distance_m",
                   [](const Design& design) { return !design.sky.air.is_shown && design.sky.haze_distance_m > 0; })
         .on_taking_out([](Design& design) { design.sky.haze_distance_m = 0; })
-        .called([](const EffectFacts& facts) {
-            return facts.has_haze ? EffectCall{Kind::called, "", facts.haze_bound} : kFromFarAway;
+        .applies([](const EffectFacts& facts) {
+            return facts.has_haze ? EffectRequest{Kind::applicable, "", facts.haze_bound} : kFromFarAway;
         }),
     Row(Effect::surface_grid, "surface_grid")
         .may_be_forbidden()
@@ -303,20 +303,20 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
             "two lines' distances, a pixel of the ground; three, and a place's latitude, longitude and height, a pixel of data")
         .asked_by("[terrain.grid] spacing_m", [](const Design& design) { return design.terrain.style.grid.spacing_m > 0; })
         .on_taking_out(take_out_grid)
-        .called(always),
+        .applies(always),
     Row(Effect::ground_data, "ground_data")
         .may_be_forbidden()
         .costs("taps of the slice and of its colours, a pixel of the ground")
         .asked_by("[data.ground] enabled", [](const Design& design) { return design.data.ground.is_shown; })
         .on_taking_out([](Design& design) { design.data.ground.is_shown = false; })
-        .called([](const EffectFacts& facts) { return where(facts.ground_data); }),
+        .applies([](const EffectFacts& facts) { return where(facts.ground_data); }),
     Row(Effect::adjacent, "adjacent")
         .may_be_forbidden()
         .distracts()
         .costs("quads of the symbology")
         .asked_by("[data.adjacent] enabled", [](const Design& design) { return design.data.adjacent.is_shown; })
         .on_taking_out([](Design& design) { design.data.adjacent.is_shown = false; })
-        .called(beside_call),
+        .applies(beside_request),
     Row(Effect::depth_of_field, "depth_of_field")
         .needs(Need::second_picture)
         .may_be_forbidden()
@@ -328,7 +328,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
                   [](const Design& design) { return design.effects.depth_of_field.blur_px > 0; })
         .on_asking([](Design& design) { design.effects.depth_of_field.blur_px = 4; })
         .on_taking_out([](Design& design) { design.effects.depth_of_field.blur_px = 0; })
-        .called(focus_call),
+        .applies(focus_request),
     Row(Effect::antialiasing, "antialiasing")
         .needs(Need::second_picture)
         .may_be_forbidden()
@@ -338,8 +338,8 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .asked_by("[effects] antialiasing", [](const Design& design) { return design.effects.antialiasing; })
         .on_asking([](Design& design) { design.effects.antialiasing = true; })
         .on_taking_out([](Design& design) { design.effects.antialiasing = false; })
-        .called([](const EffectFacts&) {
-            return EffectCall{Kind::called, "", 1};
+        .applies([](const EffectFacts&) {
+            return EffectRequest{Kind::applicable, "", 1};
         }),
     Row(Effect::panel_lighting, "panel_lighting")
         .may_be_forbidden()
@@ -350,7 +350,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
                   [](const Design& design) { return design.effects.lighting != design::PanelLighting::day; })
         .on_asking([](Design& design) { design.effects.lighting = design::PanelLighting::night; })
         .on_taking_out([](Design& design) { design.effects.lighting = design::PanelLighting::day; })
-        .called(panel_call),
+        .applies(panel_request),
     Row(Effect::stereo, "stereo")
         .needs(Need::second_picture)
         .may_be_forbidden()
@@ -361,8 +361,8 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
                   [](const Design& design) { return design.effects.stereo.mode != design::StereoMode::none; })
         .on_asking([](Design& design) { design.effects.stereo.mode = design::StereoMode::side_by_side; })
         .on_taking_out([](Design& design) { design.effects.stereo.mode = design::StereoMode::none; })
-        .called([](const EffectFacts& facts) {
-            return facts.is_near ? EffectCall{Kind::called, "", facts.parallax_px} : kFromFarAway;
+        .applies([](const EffectFacts& facts) {
+            return facts.is_near ? EffectRequest{Kind::applicable, "", facts.parallax_px} : kFromFarAway;
         }),
     Row(Effect::cross_fade, "cross_fade")
         .needs(Need::second_picture)
@@ -373,29 +373,31 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .asked_by("[effects] fade_s", [](const Design& design) { return design.effects.fade_s > 0; })
         .on_asking([](Design& design) { design.effects.fade_s = 0.5; })
         .on_taking_out([](Design& design) { design.effects.fade_s = 0; })
-        .called([](const EffectFacts& facts) -> EffectCall {
-            if (facts.fade_share > 0) return {Kind::called, "", facts.fade_share};
-            return {Kind::not_called_for, "nothing has changed"};
+        .applies([](const EffectFacts& facts) -> EffectRequest {
+            if (facts.fade_share > 0) return {Kind::applicable, "", facts.fade_share};
+            return {Kind::not_applicable, "nothing has changed"};
         }),
     Row(Effect::vertical_lines, "vertical_lines")
         .may_be_forbidden()
         .costs("twelve triangles a line; those that travel are built every frame")
         .asked_by("[data.element.cues] line_spacing_m", asks_for_cue<&design::ElementCues::line_spacing_m>)
         .on_taking_out(take_out_cue<&design::ElementCues::line_spacing_m>)
-        .called(
-            [](const EffectFacts& facts) { return cue_call(facts.vertical_lines, facts.forbidden.has(Effect::vertical_lines)); }),
+        .applies([](const EffectFacts& facts) {
+            return cue_request(facts.vertical_lines, facts.forbidden.has(Effect::vertical_lines));
+        }),
     Row(Effect::projections, "projections")
         .may_be_forbidden()
         .costs("two triangles a stretch of 200 m")
         .asked_by("[data.element.cues] projection", asks_for_cue<&design::ElementCues::projection>)
         .on_taking_out(take_out_cue<&design::ElementCues::projection>)
-        .called([](const EffectFacts& facts) { return cue_call(facts.projections, facts.forbidden.has(Effect::projections)); }),
+        .applies(
+            [](const EffectFacts& facts) { return cue_request(facts.projections, facts.forbidden.has(Effect::projections)); }),
     Row(Effect::curtains, "curtains")
         .may_be_forbidden()
         .costs("two triangles a stretch of 200 m, blended on both sides")
         .asked_by("[data.element.cues] curtain", asks_for_cue<&design::ElementCues::curtain>)
         .on_taking_out(take_out_cue<&design::ElementCues::curtain>)
-        .called([](const EffectFacts& facts) { return cue_call(facts.curtains, facts.forbidden.has(Effect::curtains)); }),
+        .applies([](const EffectFacts& facts) { return cue_request(facts.curtains, facts.forbidden.has(Effect::curtains)); }),
     Row(Effect::soft_shadows, "soft_shadows")
         .needs(Need::shadow_map)
         .may_be_forbidden()
@@ -408,7 +410,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .on_asking([](Design& design) { design.effects.shadows.on_ground = 0.6; })
         .on_taking_out([](Design& design) { design.effects.shadows.on_ground = 0; })
         .on_replacing(replace_soft_shadows)
-        .called(soft_shadow_call),
+        .applies(soft_shadow_request),
     Row(Effect::volumetric_light, "volumetric_light")
         .needs(Need::shadow_map_and_picture)
         .may_be_forbidden()
@@ -421,7 +423,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .on_asking([](Design& design) { design.effects.shadows.in_air = 0.6; })
         .on_taking_out([](Design& design) { design.effects.shadows.in_air = 0; })
         .on_replacing(replace_volumetric_light)
-        .called(light_shaft_call),
+        .applies(light_shaft_request),
     Row(Effect::focus_ground, "focus_ground")
         .may_be_forbidden()
         .distracts()
@@ -429,7 +431,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
                "between")
         .asked_by("[focus.terrain], [focus.border]", asks_for_context)
         .on_taking_out(take_out_context)
-        .called(context_call),
+        .applies(context_request),
     Row(Effect::focus_blur, "focus_blur")
         .needs(Need::second_picture)
         .may_be_forbidden()
@@ -441,7 +443,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .asked_by("[focus.terrain] blur_px", [](const Design& design) { return terrain_of_context(design.foci).blur_px > 0; })
         .on_taking_out(take_out_context_blur)
         .on_replacing(replace_context_blur)
-        .called(context_blur_call),
+        .applies(context_blur_request),
     Row(Effect::saliency, "saliency")
         .needs(Need::picture_copy)
         .may_be_forbidden()
@@ -452,7 +454,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
                   [](const Design& design) { return design.effects.saliency.view != design::SaliencyView::none; })
         .on_asking([](Design& design) { design.effects.saliency.view = design::SaliencyView::heat; })
         .on_taking_out([](Design& design) { design.effects.saliency = {}; })
-        .called(always),
+        .applies(always),
     Row(Effect::clutter, "clutter")
         .needs(Need::picture_copy)
         .may_be_forbidden()
@@ -469,7 +471,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
             design.effects.clutter = design::ClutterView::none;
             design.priority.clutter_budget = 1;
         })
-        .called(clutter_call),
+        .applies(clutter_request),
 }};
 
 constexpr bool is_in_order() {

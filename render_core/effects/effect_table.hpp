@@ -1,6 +1,7 @@
 /// Every effect that a picture may have, a row each: which key of a design asks for it, what the device must have, what it costs,
-/// what takes its place, and when scene and view call for it. effect_planner decides by the rows; no other place lists effects
-/// for these questions, so that a new effect is one row here, its painter, and its test (CONTRIBUTING.md, "A new effect").
+/// what takes its place, and when it is applicable to scene and view. effect_planner decides by the rows; no other place lists
+/// effects for these questions, so that a new effect is one row here, its painter, and its test (CONTRIBUTING.md, "A new
+/// effect").
 ///
 /// Pure. Thread  any. Memory  none.
 #pragma once
@@ -71,7 +72,7 @@ enum class Need : std::uint8_t {
     picture_copy
 };
 
-struct EffectCall;
+struct EffectRequest;
 struct EffectFacts;
 
 /// No rung of the quality ladder gives it up.
@@ -102,7 +103,7 @@ struct EffectRow {
     /// Makes a design show `by` (count_: nothing) in its place, as `asked` wants it. Null: take_out() does.
     void (*replace)(const Design& asked, Effect by, Design& possible) = nullptr;
     /// What scene and view say to it, where a design asks for it and it may be shown. Null: it only takes the place of others.
-    EffectCall (*call)(const EffectFacts&) = nullptr;
+    EffectRequest (*request)(const EffectFacts&) = nullptr;
 };
 
 [[nodiscard]] const EffectRow& row_of(Effect effect) noexcept;

@@ -5,7 +5,7 @@
 namespace tedavis::effects {
 namespace {
 
-constexpr double kLeastFactor = 0.5, kMostFactor = 4;
+constexpr double kMinFactor = 0.5, kMaxFactor = 4;
 constexpr double kMeasuredWeight = 1.0 / 16;  // of one frame: a single late one is no trend
 
 Quality quality_on(std::size_t rung, const TerrainTolerance& tolerance) {
@@ -64,7 +64,7 @@ void FrameBudget::note_measured(double ms) {
     if (!(report_.predicted_ms > 0) || !(ms > 0)) return;
     if (ms > report_.predicted_ms && ms <= deadline_ms_) return;
     const double factor = measured_factor_ * ms / report_.predicted_ms;
-    measured_factor_ += kMeasuredWeight * (std::fmin(std::fmax(factor, kLeastFactor), kMostFactor) - measured_factor_);
+    measured_factor_ += kMeasuredWeight * (std::fmin(std::fmax(factor, kMinFactor), kMaxFactor) - measured_factor_);
 }
 
 }  // namespace tedavis::effects

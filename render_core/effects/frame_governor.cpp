@@ -7,7 +7,7 @@ namespace tedavis::effects {
 namespace {
 
 constexpr std::size_t kLastRung = kRungs - 1;
-constexpr double kMostGrowth = 2;
+constexpr double kMaxGrowth = 2;
 constexpr std::int64_t kRelapseDwells = 8;  // a return that lasted less was none
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(GovernorWhy::count_)> kWhyTexts{
@@ -49,7 +49,7 @@ double CostTrend::growth(double ms, base::Duration ahead) const {
     for (std::size_t n = 1; n < kSteps; ++n)
         for (std::size_t at = n; at > 0 && sorted[at] < sorted[at - 1]; --at) std::swap(sorted[at], sorted[at - 1]);
     // The lower one of the two in the middle: half a row of steps is no trend yet.
-    return std::fmin(std::fmax(1 + sorted[kSteps / 2 - 1] * ahead.to_seconds() / ms, 1), kMostGrowth);
+    return std::fmin(std::fmax(1 + sorted[kSteps / 2 - 1] * ahead.to_seconds() / ms, 1), kMaxGrowth);
 }
 
 void FrameGovernor::begin(const GovernorInput& input) {

@@ -5,15 +5,15 @@
 
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
-#include "render_core/flight/flown_way.hpp"
+#include "render_core/flight/flight_trail.hpp"
 
 namespace tedavis::flight {
 
 struct FrameInput {
     AircraftState state;  ///< at `time`, with height_above_terrain
     PhaseStatus phase;
-    base::Time time;                  ///< of the source
-    const FlownWay* trail = nullptr;  ///< the tracker's own, which goes on; null: nobody keeps one
+    base::Time time;                     ///< of the source
+    const FlightTrail* trail = nullptr;  ///< the tracker's own, which goes on; null: nobody keeps one
 };
 static_assert(std::is_trivially_copyable_v<FrameInput>);
 

@@ -5,57 +5,57 @@
 namespace tedavis::flight {
 namespace {
 
-struct Spoken {
+struct PhaseVote {
     PhaseSource source = PhaseSource::none;
     PhaseStatement statement;
 };
-using AllSpoken = std::array<Spoken, 3>;  // in order of authority
+using PhaseVotes = std::array<PhaseVote, 3>;  // in order of authority
 
-AllSpoken listen(const PhaseInputs& inputs, base::Time now, const PhaseArbiterSettings& settings) {
+PhaseVotes collect(const PhaseInputs& inputs, base::Time now, const PhaseArbiterSettings& settings) {
     const base::FreshnessLimits limits{settings.can_timeout, settings.can_timeout};
     const FlightPhase can = inputs.can.value_or(FlightPhase{});
     const bool can_states = inputs.can.state(now, limits) == base::SignalState::valid && can.scenario != Scenario::unknown;
-    return {Spoken{PhaseSource::switches, inputs.switches}, Spoken{PhaseSource::can, {can, can_states}},
-            Spoken{PhaseSource::motion, inputs.motion}};
+    return {PhaseVote{PhaseSource::switches, inputs.switches}, PhaseVote{PhaseSource::can, {can, can_states}},
+            PhaseVote{PhaseSource::motion, inputs.motion}};
 }
 
 /// The statement with the highest authority; source none when nobody states anything.
-Spoken highest(const AllSpoken& all) {
-    for (const Spoken& spoken : all)
-        if (spoken.statement.stated) return spoken;
+PhaseVote highest(const PhaseVotes& all) {
+    for (const PhaseVote& vote : all)
+        if (vote.statement.stated) return vote;
     return {};
 }
 
-bool speaks(const AllSpoken& all, PhaseSource source) {
-    for (const Spoken& spoken : all)
-        if (spoken.source == source) return spoken.statement.stated;
+bool speaks(const PhaseVotes& all, PhaseSource source) {
+    for (const PhaseVote& vote : all)
+        if (vote.source == source) return vote.statement.stated;
     return false;
 }
 
-base::Duration dwell_of(const Spoken& spoken, const PhaseArbiterSettings& settings, const PhaseArbiterState& state) {
-    if (spoken.source == PhaseSource::switches) return {};
-    const bool turns_to_terrain = has_terrain_first(spoken.statement.phase) && !has_terrain_first(state.phase);
-    if (spoken.source == state.source && turns_to_terrain) return {};
-    return spoken.source == PhaseSource::can ? settings.can_dwell : settings.motion_dwell;
+base::Duration dwell_of(const PhaseVote& vote, const PhaseArbiterSettings& settings, const PhaseArbiterState& state) {
+    if (vote.source == PhaseSource::switches) return {};
+    const bool turns_to_terrain = has_terrain_first(vote.statement.phase) && !has_terrain_first(state.phase);
+    if (vote.source == state.source && turns_to_terrain) return {};
+    return vote.source == PhaseSource::can ? settings.can_dwell : settings.motion_dwell;
 }
 
-void take(const Spoken& spoken, PhaseArbiterState& state) {
-    state.phase = spoken.statement.phase;
-    state.source = spoken.source;
+void take(const PhaseVote& vote, PhaseArbiterState& state) {
+    state.phase = vote.statement.phase;
+    state.source = vote.source;
     state.candidate_source = PhaseSource::none;
 }
 
-void consider(const Spoken& spoken, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
-    if (spoken.source == state.source && spoken.statement.phase == state.phase) {
+void consider(const PhaseVote& vote, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
+    if (vote.source == state.source && vote.statement.phase == state.phase) {
         state.candidate_source = PhaseSource::none;
         return;
     }
-    if (spoken.source != state.candidate_source || spoken.statement.phase != state.candidate) {
-        state.candidate = spoken.statement.phase;
-        state.candidate_source = spoken.source;
+    if (vote.source != state.candidate_source || vote.statement.phase != state.candidate) {
+        state.candidate = vote.statement.phase;
+        state.candidate_source = vote.source;
         state.candidate_since = now;
     }
-    if (now - state.candidate_since >= dwell_of(spoken, settings, state)) take(spoken, state);
+    if (now - state.candidate_since >= dwell_of(vote, settings, state)) take(vote, state);
 }
 
 /// How long a source may go on stating `stated` after the phase turned to `in_effect`, before it contradicts.
@@ -77,7 +77,7 @@ base::Duration allowance(Scenario stated, Scenario in_effect, const PhaseArbiter
 }
 
 /// Whether a source below the one in effect has stated another scenario for longer than it may.
-bool contradicted(const AllSpoken& all, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
+bool contradicted(const PhaseVotes& all, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
     const Scenario in_effect = state.phase.scenario;
     const bool spoken_for = speaks(all, state.source);
     bool any = false;
@@ -110,14 +110,14 @@ PhaseStatus arbitrate_phase(const PhaseInputs& inputs, base::Time now, const Pha
     if (state.any_update && now < state.last_update) state = {};
     state.any_update = true;
     state.last_update = now;
-    const AllSpoken all = listen(inputs, now, settings);
-    for (const Spoken& spoken : all)
-        if (spoken.statement.stated && spoken.statement.phase == state.phase) state.stated_at = now;
+    const PhaseVotes all = collect(inputs, now, settings);
+    for (const PhaseVote& vote : all)
+        if (vote.statement.stated && vote.statement.phase == state.phase) state.stated_at = now;
     if (now - state.stated_at > settings.hold) {
         state.phase = {};
         state.source = PhaseSource::none;
     }
-    const Spoken top = highest(all);
+    const PhaseVote top = highest(all);
     if (top.source == PhaseSource::none) {
         state.candidate_source = PhaseSource::none;
     } else if (state.source == PhaseSource::none) {

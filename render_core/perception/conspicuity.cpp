@@ -58,7 +58,7 @@ double feature_weight(const Plane& map, SaliencyScale scale) noexcept {
     const float most = maximum(map);
     if (scale == SaliencyScale::fixed)
         return most > kNoticeable ? rarity_above(map, kNoticeable) / most_information(map.size()) : 0;
-    return most < kLeastAmplitude ? 0 : rarity_above(map, most / 2) * most;
+    return most < kMinAmplitude ? 0 : rarity_above(map, most / 2) * most;
 }
 
 bool combine(const SaliencyMaps& maps, SaliencyScale scale) noexcept {

@@ -13,7 +13,7 @@
 ///     depends on others only by how many show the same, so that frames can be compared: a lone white disk on black has 1, a
 ///     cockpit picture 0.15 to 0.4 at its most salient place.
 ///
-/// A feature map whose maximum is below kLeastAmplitude is rounding, and has no weight. Where none has any there is no salient
+/// A feature map whose maximum is below kMinAmplitude is rounding, and has no weight. Where none has any there is no salient
 /// place: S is 0 everywhere.
 #pragma once
 
@@ -29,7 +29,7 @@ enum class SaliencyScale : std::uint8_t { per_picture, fixed };
 
 inline constexpr float kNoticeable = 0.023f;  ///< 2.3 units of L*a*b*, a just noticeable difference (Mahy et al. 1994)
 inline constexpr float kFixedGain = 2;
-inline constexpr float kLeastAmplitude = 1e-4f;
+inline constexpr float kMinAmplitude = 1e-4f;
 
 inline constexpr int kFeatureMaps = 10;
 inline constexpr std::array<int, 4> kFirstOfConspicuity = {0, 2, 6, kFeatureMaps};  ///< lightness +-, a +-, b +-, directions

@@ -12,9 +12,9 @@
 namespace tedavis::perception {
 
 struct RegionGrid {
-    static constexpr int kMost = 64;
-    int columns = 8, rows = 6;  ///< 1..kMost
-    [[nodiscard]] bool is_valid() const { return columns >= 1 && rows >= 1 && columns <= kMost && rows <= kMost; }
+    static constexpr int kMax = 64;
+    int columns = 8, rows = 6;  ///< 1..kMax
+    [[nodiscard]] bool is_valid() const { return columns >= 1 && rows >= 1 && columns <= kMax && rows <= kMax; }
     [[nodiscard]] int count() const { return columns * rows; }
 };
 

@@ -6,11 +6,11 @@
 namespace tedavis::perception {
 namespace {
 
-constexpr std::size_t kSumRows = 2 * kMostRadius + 1;
+constexpr std::size_t kSumRows = 2 * kMaxRadius + 1;
 
 std::size_t map_places(int width, int height) { return pixels_of(width + 2, height + 2); }
 /// As many branches as an edge seldom has; where it has more, the map is read once more.
-constexpr std::size_t kMostWaiting = 256;
+constexpr std::size_t kMaxWaiting = 256;
 
 void write_edges(const std::uint8_t* __restrict map, std::uint8_t* __restrict edges, int width) {
     for (int x = 0; x < width; ++x) edges[x] = (map[x] & kStrongEdges) != 0 ? kEdge : 0;
@@ -24,11 +24,11 @@ std::size_t EdgeDetector::bytes(int most_width, int most_height) {
     const std::size_t row = row_elements(most_width);
     const std::size_t rows = row * (4 + 2 * kSumRows + 2 * (3 + 3 + 2) + 4 * 4);
     constexpr std::size_t kAlignments = 8 * 16;
-    return rows + map_places(most_width, most_height) + 4 * kMostWaiting + kAlignments;
+    return rows + map_places(most_width, most_height) + 4 * kMaxWaiting + kAlignments;
 }
 
 bool EdgeDetector::start(base::Arena& arena, int most_width, int most_height) {
-    if (most_width < 1 || most_height < 1 || most_width > kMostPictureSide || most_height > kMostPictureSide) return false;
+    if (most_width < 1 || most_height < 1 || most_width > kMaxPictureSide || most_height > kMaxPictureSide) return false;
     const std::size_t row = row_elements(most_width);
     source_ = arena.allocate_array<std::uint8_t>(row);
     levels_ = arena.allocate_array<std::uint8_t>(3 * row);
@@ -38,7 +38,7 @@ bool EdgeDetector::start(base::Arena& arena, int most_width, int most_height) {
     neighbors_ = arena.allocate_array<std::int16_t>(2 * row);
     squared_ = arena.allocate_array<std::int32_t>(4 * row);
     map_ = arena.allocate_array<std::uint8_t>(map_places(most_width, most_height));
-    waiting_ = arena.allocate_array<std::uint32_t>(kMostWaiting);
+    waiting_ = arena.allocate_array<std::uint32_t>(kMaxWaiting);
     if (waiting_.empty() || map_.empty() || squared_.empty() || neighbors_.empty() || down_.empty() || across_.empty() ||
         sums_.empty() || levels_.empty() || source_.empty())
         return false;

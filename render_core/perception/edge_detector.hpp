@@ -23,10 +23,10 @@
 namespace tedavis::perception {
 
 struct CannySettings {
-    double sigma = 1;  ///< px, 0 (not blurred) .. kMostSigma
+    double sigma = 1;  ///< px, 0 (not blurred) .. kMaxSigma
     double low = 70,
            high = 170;  ///< of the length of Sobel's gradient, 0 <= low <= high; a step of n levels has 4 n before blurring
-    [[nodiscard]] bool is_valid() const { return sigma >= 0 && sigma <= kMostSigma && low >= 0 && low <= high && high <= 32767; }
+    [[nodiscard]] bool is_valid() const { return sigma >= 0 && sigma <= kMaxSigma && low >= 0 && low <= high && high <= 32767; }
 };
 
 inline constexpr std::uint8_t kEdge = 255;

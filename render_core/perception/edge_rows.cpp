@@ -39,11 +39,11 @@ using AcrossByRadius = void (*)(const std::uint8_t*, std::uint16_t*, int, const 
 using DownByRadius = void (*)(const BlurRows&, std::uint8_t*, int, const std::uint16_t*);
 
 template <int... Radius>
-constexpr std::array<AcrossByRadius, kMostRadius + 1> across_table(std::integer_sequence<int, Radius...>) {
+constexpr std::array<AcrossByRadius, kMaxRadius + 1> across_table(std::integer_sequence<int, Radius...>) {
     return {blur_across_by<Radius>...};
 }
 template <int... Radius>
-constexpr std::array<DownByRadius, kMostRadius + 1> down_table(std::integer_sequence<int, Radius...>) {
+constexpr std::array<DownByRadius, kMaxRadius + 1> down_table(std::integer_sequence<int, Radius...>) {
     return {blur_down_by<Radius>...};
 }
 
@@ -102,12 +102,12 @@ void repeat_ends(std::uint8_t* row, int width, int times) noexcept {
 }
 
 void blur_across(const std::uint8_t* source, std::uint16_t* out, int width, const GaussianWeights& weights) noexcept {
-    static constexpr auto kTable = across_table(std::make_integer_sequence<int, kMostRadius + 1>());
+    static constexpr auto kTable = across_table(std::make_integer_sequence<int, kMaxRadius + 1>());
     kTable[weights.radius](source, out, elements_of(width), weights.at.data());
 }
 
 void blur_down(const BlurRows& rows, std::uint8_t* out, int width, const GaussianWeights& weights) noexcept {
-    static constexpr auto kTable = down_table(std::make_integer_sequence<int, kMostRadius + 1>());
+    static constexpr auto kTable = down_table(std::make_integer_sequence<int, kMaxRadius + 1>());
     kTable[weights.radius](rows, out, elements_of(width), weights.at.data());
 }
 

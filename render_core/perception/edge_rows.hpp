@@ -18,7 +18,7 @@
 namespace tedavis::perception {
 
 inline constexpr int kRowLead = 48, kRowBlock = 24;
-static_assert(kRowLead >= kColors * kMostRadius && kRowBlock % kColors == 0);
+static_assert(kRowLead >= kColors * kMaxRadius && kRowBlock % kColors == 0);
 
 /// Elements that a row of so many pixels takes in memory.
 [[nodiscard]] constexpr std::size_t row_elements(int width) {
@@ -35,7 +35,7 @@ void repeat_ends(std::uint8_t* row, int width, int times) noexcept;
 /// Sums of neighbours across, in 256ths of a level. Source ends repeated.
 void blur_across(const std::uint8_t* source, std::uint16_t* out, int width, const GaussianWeights& weights) noexcept;
 
-using BlurRows = std::array<const std::uint16_t*, 2 * kMostRadius + 1>;
+using BlurRows = std::array<const std::uint16_t*, 2 * kMaxRadius + 1>;
 /// Sums of rows, from `radius` above to `radius` below, as levels, rounded.
 void blur_down(const BlurRows& rows, std::uint8_t* out, int width, const GaussianWeights& weights) noexcept;
 

@@ -8,9 +8,9 @@ namespace tedavis::perception {
 GaussianWeights gaussian_weights(double sigma) noexcept {
     GaussianWeights weights;
     if (!(sigma > 0)) return weights;
-    const double width = std::min(sigma, kMostSigma);
+    const double width = std::min(sigma, kMaxSigma);
     weights.radius = static_cast<int>(6 * width + 1.5) / 2;
-    std::array<double, kMostRadius + 1> bell{};
+    std::array<double, kMaxRadius + 1> bell{};
     double sum = 0;
     for (int k = 0; k <= weights.radius; ++k) {
         bell[k] = std::exp(-k * k / (2 * width * width));

@@ -9,8 +9,8 @@
 namespace tedavis::perception {
 namespace {
 
-constexpr int kMostBlock = 1 << kMostStartLevel;
-constexpr std::size_t kLightSteps = 255 * kMostBlock * kMostBlock + 1;
+constexpr int kMaxBlock = 1 << kMaxStartLevel;
+constexpr std::size_t kLightSteps = 255 * kMaxBlock * kMaxBlock + 1;
 
 float linear_light(double level) {
     const double share = level / 255;
@@ -63,18 +63,18 @@ void convert_row(const LightRows& light, int width, float* __restrict lightness,
 
 std::size_t LabConversion::bytes(int most_width) {
     const auto width = static_cast<std::size_t>(most_width);
-    return kLightSteps * sizeof(float) + kMostChannels * (width + kMostBlock) * sizeof(std::uint16_t) +
+    return kLightSteps * sizeof(float) + kMaxChannels * (width + kMaxBlock) * sizeof(std::uint16_t) +
            kColors * width * sizeof(float) + 3 * 16;
 }
 
 bool LabConversion::start(base::Arena& arena, int most_width) {
     const auto width = static_cast<std::size_t>(most_width);
     light_of_ = arena.allocate_array<float>(kLightSteps);
-    sums_ = arena.allocate_array<std::uint16_t>(kMostChannels * (width + kMostBlock));
+    sums_ = arena.allocate_array<std::uint16_t>(kMaxChannels * (width + kMaxBlock));
     light_ = arena.allocate_array<float>(kColors * width);
     stride_ = width;
     if (light_of_.empty() || sums_.empty() || light_.empty()) return false;
-    for (std::size_t n = 0; n < kLightSteps; ++n) light_of_[n] = linear_light(static_cast<double>(n) / (kMostBlock * kMostBlock));
+    for (std::size_t n = 0; n < kLightSteps; ++n) light_of_[n] = linear_light(static_cast<double>(n) / (kMaxBlock * kMaxBlock));
     return true;
 }
 
@@ -91,7 +91,7 @@ void LabConversion::add_rows(const PictureView& picture, int first, int level) {
 }
 
 void LabConversion::read_light(int channels, int level, int width) {
-    const int block = 1 << level, scale = kMostBlock * kMostBlock >> 2 * level;
+    const int block = 1 << level, scale = kMaxBlock * kMaxBlock >> 2 * level;
     const std::uint16_t* sums = sums_.data();
     for (int i = 0; i < width; ++i) {
         int red = 0, green = 0, blue = 0;

@@ -14,7 +14,7 @@
 
 namespace tedavis::perception {
 
-inline constexpr int kMostStartLevel = 2;
+inline constexpr int kMaxStartLevel = 2;
 
 struct LabPlanes {
     Plane lightness, a, b;  ///< of the level's size
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] static std::size_t bytes(int most_width);
     /// False where the arena has no room.
     [[nodiscard]] bool start(base::Arena& arena, int most_width);
-    /// `level` 0..kMostStartLevel; the planes have the level's size, the picture is no wider than at start().
+    /// `level` 0..kMaxStartLevel; the planes have the level's size, the picture is no wider than at start().
     void convert(const PictureView& picture, int level, const LabPlanes& out);
 
 private:

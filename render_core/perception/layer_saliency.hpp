@@ -11,9 +11,9 @@
 
 namespace tedavis::perception {
 
-inline constexpr int kMostLayers = 16;
+inline constexpr int kMaxLayers = 16;
 
-/// A byte a pixel of the picture, rows from the top without gaps: the number of its layer, 0..kMostLayers - 1. Higher ones count
+/// A byte a pixel of the picture, rows from the top without gaps: the number of its layer, 0..kMaxLayers - 1. Higher ones count
 /// as the last.
 struct LayerView {
     base::Span<const std::uint8_t> layers;
@@ -28,7 +28,7 @@ struct LayerSaliency {
     double mean = 0;                      ///< 0..1
     double most = 0;                      ///< 0..1
 };
-using LayerSaliencies = std::array<LayerSaliency, kMostLayers>;
+using LayerSaliencies = std::array<LayerSaliency, kMaxLayers>;
 
 /// False, with nothing written, where the layers are not those of the map's picture: their size gives another size of map.
 [[nodiscard]] bool layer_saliency(const SaliencyMap& map, const LayerView& picture, LayerSaliencies& out) noexcept;

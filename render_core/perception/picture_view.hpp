@@ -10,19 +10,19 @@
 
 namespace tedavis::perception {
 
-inline constexpr int kMostPictureSide = 8192;
-inline constexpr int kColors = 3, kMostChannels = 4;
+inline constexpr int kMaxPictureSide = 8192;
+inline constexpr int kColors = 3, kMaxChannels = 4;
 
 struct PictureView {
     const std::uint8_t* pixels = nullptr;  ///< of the top row
-    int width = 0, height = 0;             ///< 1..kMostPictureSide
+    int width = 0, height = 0;             ///< 1..kMaxPictureSide
     int channels = 3;                      ///< bytes a pixel, 3 or 4
     std::ptrdiff_t row_bytes = 0;          ///< from a row to the one below; negative where the lowest row is stored first
 
     [[nodiscard]] const std::uint8_t* row(int y) const { return pixels + y * row_bytes; }
     [[nodiscard]] bool is_valid() const {
         const std::ptrdiff_t stride = row_bytes < 0 ? -row_bytes : row_bytes;
-        return pixels != nullptr && width >= 1 && height >= 1 && width <= kMostPictureSide && height <= kMostPictureSide &&
+        return pixels != nullptr && width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide &&
                (channels == 3 || channels == 4) && stride >= std::ptrdiff_t{width} * channels;
     }
 };

@@ -77,7 +77,7 @@ const float* expanded_row(const Plane& coarse, int levels, int y, int width, bas
         case 1: expand_between<1>(blended - 1, intervals, out); break;
         case 2: expand_between<2>(blended - 1, intervals, out); break;
         case 3: expand_between<3>(blended - 1, intervals, out); break;
-        default: expand_between<kMostExpansion>(blended - 1, intervals, out); break;
+        default: expand_between<kMaxExpansion>(blended - 1, intervals, out); break;
     }
     return out + pixels / 2;
 }

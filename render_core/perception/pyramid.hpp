@@ -22,12 +22,12 @@ void halve(const Plane& fine, const Plane& coarse, base::Span<float> scratch) no
 void soften(const Plane& plane, float share, base::Span<float> scratch) noexcept;
 
 /// Levels that can be bridged at once.
-inline constexpr int kMostExpansion = 4;
+inline constexpr int kMaxExpansion = 4;
 /// Elements of scratch for rows of that width.
 [[nodiscard]] constexpr std::size_t expansion_scratch(int width) {
-    return 2 * static_cast<std::size_t>(width) + 6 * (std::size_t{1} << kMostExpansion) + 4;
+    return 2 * static_cast<std::size_t>(width) + 6 * (std::size_t{1} << kMaxExpansion) + 4;
 }
-/// Row `y` of `width` pixels of a plane that is `levels` finer, 1..kMostExpansion; lies in `scratch`.
+/// Row `y` of `width` pixels of a plane that is `levels` finer, 1..kMaxExpansion; lies in `scratch`.
 [[nodiscard]] const float* expanded_row(const Plane& coarse, int levels, int y, int width, base::Span<float> scratch) noexcept;
 
 }  // namespace tedavis::perception

@@ -68,7 +68,7 @@ struct RoomNeeds {
 /// Of the largest picture, and of the largest narrow and flat ones, whose maps are finer.
 RoomNeeds room_needs(const PictureSize& most) {
     RoomNeeds needs;
-    for (const int least_side : {kMostPictureSide, 63, 31})
+    for (const int least_side : {kMaxPictureSide, 63, 31})
         for (const PictureSize& size : {PictureSize{std::min(most.width, least_side), most.height, most.start_level},
                                         PictureSize{most.width, std::min(most.height, least_side), most.start_level}}) {
             needs.planes = std::max(needs.planes, cut_planes(size, {}).floats);
@@ -78,8 +78,8 @@ RoomNeeds room_needs(const PictureSize& most) {
 }
 
 bool is_possible(const PictureSize& size) {
-    return size.width >= 1 && size.height >= 1 && size.width <= kMostPictureSide && size.height <= kMostPictureSide &&
-           size.start_level >= 0 && size.start_level <= kMostStartLevel;
+    return size.width >= 1 && size.height >= 1 && size.width <= kMaxPictureSide && size.height <= kMaxPictureSide &&
+           size.start_level >= 0 && size.start_level <= kMaxStartLevel;
 }
 
 }  // namespace
@@ -123,11 +123,11 @@ void SaliencyModel::lay_out(int width, int height, int start_level) {
 bool SaliencyModel::look(const PictureView& picture, int start_level) {
     has_looked_ = false;
     if (!picture.is_valid() || picture.width > most_width_ || picture.height > most_height_ || start_level < least_start_level_ ||
-        start_level > kMostStartLevel)
+        start_level > kMaxStartLevel)
         return false;
     lay_out(picture.width, picture.height, start_level);
     lab_.convert(picture, start_level_, colors_);
-    constexpr float kShares[kMostStartLevel + 1] = {0, 1.0f / 16, 5.0f / 64};
+    constexpr float kShares[kMaxStartLevel + 1] = {0, 1.0f / 16, 5.0f / 64};
     if (start_level_ > 0)
         for (const Plane& color : {colors_.lightness, colors_.a, colors_.b}) soften(color, kShares[start_level_], scratch_);
     measure_color(colors_.a, 2);

@@ -48,7 +48,7 @@ SalientPlaces salient_places(const SaliencyMap& map, double radius_px, std::size
     if (!mask.empty() && mask.size() < map.values.size()) return places;
     const PlaceSearch search(map, radius_px, mask);
     SalientPlace next;
-    for (std::size_t n = 0; n < std::min(most, kMostSalientPlaces) && search.find(places, next); ++n)
+    for (std::size_t n = 0; n < std::min(most, kMaxSalientPlaces) && search.find(places, next); ++n)
         static_cast<void>(places.try_push_back(next));
     return places;
 }

@@ -16,7 +16,7 @@
 
 namespace tedavis::perception {
 
-inline constexpr std::size_t kMostSalientPlaces = 32;
+inline constexpr std::size_t kMaxSalientPlaces = 32;
 inline constexpr double kFocusShare = 1.0 / 6;  ///< radius of the focus of attention, of the picture's smaller side
 
 /// Middle of a pixel of the map, in pixels of the picture.
@@ -24,7 +24,7 @@ struct SalientPlace {
     double x = 0, y = 0;
     float value = 0;  ///< 0..1, greater than 0
 };
-using SalientPlaces = base::FixedVector<SalientPlace, kMostSalientPlaces>;
+using SalientPlaces = base::FixedVector<SalientPlace, kMaxSalientPlaces>;
 
 /// A byte a pixel of the map, rows from the top: 0 where no place is to be. Empty: everywhere may be one.
 using PlaceMask = base::Span<const std::uint8_t>;

@@ -28,8 +28,8 @@ void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, 
         is_anew_ = true;
     }
     design_ = design;
-    const std::int64_t epoch = flight::decision_interval_of(instant.now);
-    const std::int64_t passed = epoch - flight::decision_interval_of(instant_.now);
+    const std::int64_t interval = flight::decision_interval_of(instant.now);
+    const std::int64_t passed = interval - flight::decision_interval_of(instant_.now);
     if (is_decided_ && passed == 0 && !leaps) return;
     const PriorityBoosts asked = source.boosts_at(instant);
     const bool begins = !is_decided_ || leaps || passed < 0;
@@ -37,18 +37,18 @@ void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, 
         raises_ = asked;
     else
         approach(asked, passed);
-    follow_alert(asked.terrain_ahead, begins ? kHeldEpochs : passed);
+    follow_alert(asked.terrain_ahead, begins ? kHeldIntervals : passed);
     instant_ = instant;
     is_decided_ = true;
     is_anew_ = leaps;
 }
 
-void PriorityBoost::approach(const PriorityBoosts& asked, std::int64_t epochs) {
+void PriorityBoost::approach(const PriorityBoosts& asked, std::int64_t intervals) {
     bool is_falling = false;
     for (std::size_t n = 0; n < raises_.of.size(); ++n) {
         double& raise = raises_.of[n];
-        const auto steps = static_cast<double>(epochs);
-        raise = std::min(std::max(asked.of[n], raise - steps * kMostFall), raise + steps * kMostRise);
+        const auto steps = static_cast<double>(intervals);
+        raise = std::min(std::max(asked.of[n], raise - steps * kMaxFall), raise + steps * kMaxRise);
         is_falling = is_falling || (n != design::kUncertaintyAspect && raise > 0);
     }
     if (!asked.has_hazard && is_falling) return;
@@ -56,10 +56,10 @@ void PriorityBoost::approach(const PriorityBoosts& asked, std::int64_t epochs) {
     raises_.hazard = asked.hazard;
 }
 
-void PriorityBoost::follow_alert(TerrainAhead asked, std::int64_t epochs) {
+void PriorityBoost::follow_alert(TerrainAhead asked, std::int64_t intervals) {
     if (asked != TerrainAhead::none)
-        alert_epochs_left_ = kHeldEpochs;
-    else if (alert_epochs_left_ = std::max<std::int64_t>(alert_epochs_left_ - epochs, 0); alert_epochs_left_ > 0)
+        alert_intervals_left_ = kHeldIntervals;
+    else if (alert_intervals_left_ = std::max<std::int64_t>(alert_intervals_left_ - intervals, 0); alert_intervals_left_ > 0)
         return;
     raises_.terrain_ahead = asked;
 }

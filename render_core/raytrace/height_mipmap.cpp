@@ -46,7 +46,7 @@ void bound_nodes(const Height* upper, const Height* lower, std::uint32_t columns
 std::uint64_t lay_out(std::uint32_t columns, std::uint32_t rows, MipmapLayout& layout) {
     std::uint64_t nodes = 0;
     std::uint32_t across = columns - 1, down = rows - 1;
-    for (int n = 0; n < MipmapLayout::kMostLevels; ++n) {
+    for (int n = 0; n < MipmapLayout::kMaxLevels; ++n) {
         layout.top = n;
         layout.first[n] = static_cast<std::int32_t>(nodes);
         layout.columns[n] = static_cast<std::int32_t>(across);

@@ -23,10 +23,10 @@ struct MipmapLevel {
 
 /// Where the nodes of each level lie.
 struct MipmapLayout {
-    static constexpr int kMostLevels = 16;
-    std::int32_t top = 0;                  ///< the last level
-    std::int32_t first[kMostLevels] = {};  ///< node
-    std::int32_t columns[kMostLevels] = {}, rows[kMostLevels] = {};
+    static constexpr int kMaxLevels = 16;
+    std::int32_t top = 0;                 ///< the last level
+    std::int32_t first[kMaxLevels] = {};  ///< node
+    std::int32_t columns[kMaxLevels] = {}, rows[kMaxLevels] = {};
 };
 
 template <class Height>

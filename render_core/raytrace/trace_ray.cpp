@@ -23,14 +23,14 @@ RayLanes<Lane> lanes_of(const Ray& ray) {
 }
 
 template <class Height, CellSurface surface, HitSide side>
-March<Lane> march_side(const HeightMipmap<Height>& bounds, const RayLanes<Lane>& ray) {
+TraversalState<Lane> march_side(const HeightMipmap<Height>& bounds, const RayLanes<Lane>& ray) {
     const TracedNodes<Height> nodes(bounds);
-    March<Lane> m = enter<Lane, Height>(nodes, ray, ray.from, true, nodes.layout->top);
+    TraversalState<Lane> m = enter<Lane, Height>(nodes, ray, ray.from, true, nodes.layout->top);
     march_nodes<Lane, Height, surface, side>(nodes, ray, m);
     return m;
 }
 
-Hit hit_of(const March<Lane>& m, HitSide side) {
+Hit hit_of(const TraversalState<Lane>& m, HitSide side) {
     Hit hit;
     if (!m.is_met) return hit;
     hit.side = side;
@@ -46,7 +46,7 @@ Hit trace_sides(const TracedField<Height>& field, const Ray& ray) {
     RayLanes<Lane> lanes = lanes_of(ray);
     const std::uint64_t most = std::uint64_t{field.grid().columns} + field.grid().rows;
     for (std::uint64_t n = 0; n < most; ++n) {
-        March<Lane> m = march_side<Height, surface, HitSide::above>(*field.maxima, lanes);
+        TraversalState<Lane> m = march_side<Height, surface, HitSide::above>(*field.maxima, lanes);
         if (!m.is_beyond) return hit_of(m, HitSide::above);
         if (field.minima == nullptr) return {};
         lanes.from = m.met_t;

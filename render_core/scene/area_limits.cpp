@@ -26,11 +26,11 @@ HeightLimit limit_of(const Layer& layer, std::string_view attribute, std::string
 }
 
 void append_limit(const HeightLimit& limit, bool is_standard, LimitsText& text) {
-    constexpr double kMost_ft = 999'999;
+    constexpr double kMax_ft = 999'999;
     if (std::isnan(limit.m)) return text.append("?");
     const bool is_ground = limit.datum == HeightDatum::ground;
     if (is_ground && limit.m <= 0) return text.append("GND");
-    const auto feet = static_cast<int>(std::lround(std::clamp(limit.m / base::kMetresPerFoot, -kMost_ft, kMost_ft)));
+    const auto feet = static_cast<int>(std::lround(std::clamp(limit.m / base::kMetresPerFoot, -kMax_ft, kMax_ft)));
     char number[24];
     if (is_standard)
         std::snprintf(number, sizeof number, "FL%03d", (feet + 50) / 100);

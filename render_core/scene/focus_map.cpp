@@ -52,15 +52,15 @@ FocusMap::FocusMap(const FocusRegion& region) {
         high = glm::max(high, region.points[n]);
     }
     // Lengths in the plane are short by less than a hundredth, and degrees of longitude by less than twice their width's change.
-    constexpr double kSafe = 1.02, kLeastCosine = 0.05;
+    constexpr double kSafe = 1.02, kMinCosine = 0.05;
     const double reach_m = region.radius_m + region.context.width_m;
-    const double per_m = kSafe / earth::kLeastCurvatureRadius_m;
+    const double per_m = kSafe / earth::kMinCurvatureRadius_m;
     const auto from = [&](double edge_m, double per) { return std::fmin((edge_m - reach_m) * per, 0.0) - 1e-4; };
     const auto to = [&](double edge_m, double per) { return std::fmax((edge_m + reach_m) * per, 0.0) + 1e-4; };
     south_ = from(low.y, per_m);
     north_ = to(high.y, per_m);
     const double least_cosine = std::fmin(std::cos(latitude_rad_ + north_), std::cos(latitude_rad_ + south_));
-    const double across = least_cosine > kLeastCosine ? per_m / least_cosine : 1e9;
+    const double across = least_cosine > kMinCosine ? per_m / least_cosine : 1e9;
     west_ = from(low.x, across);
     east_ = to(high.x, across);
     is_wide_ = std::fmax(std::fmax(north_, east_), -std::fmin(south_, west_)) > kFocusMapReach_rad;

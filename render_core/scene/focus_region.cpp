@@ -131,7 +131,7 @@ double ground_focus_degree(const FocusRegion& region, const glm::dvec2& ground) 
 
 double focus_degree(const FocusRegion& region, const glm::dvec3& place, double height_m) noexcept {
     const double degree = ground_focus_degree(region, in_focus_plane(region, place));
-    return degree > kMostBesideVolume && is_beside(region, place, height_m) ? kMostBesideVolume : degree;
+    return degree > kMaxBesideVolume && is_beside(region, place, height_m) ? kMaxBesideVolume : degree;
 }
 
 double ground_focus_degree(const FocusRegions& regions, const glm::dvec3& place) noexcept {

@@ -94,7 +94,7 @@ struct FocusValueRange {
 [[nodiscard]] double ground_focus_degree(const FocusRegion& region, const glm::dvec2& ground) noexcept;
 
 /// Over or under a volume, or round a ball's waist, is beside it: intermediate context, of this degree at most.
-inline constexpr double kMostBesideVolume = 0.75;
+inline constexpr double kMaxBesideVolume = 0.75;
 
 /// Of a place above the ellipsoid by its place in the plane: within 0.5 % of what the Earth bends by on the way (4 m of 100 km).
 [[nodiscard]] double height_m(const FocusRegion& region, const glm::dvec3& place) noexcept;

@@ -72,13 +72,12 @@ std::uint64_t GlyphField::bytes_needed(std::uint32_t sites) {
 std::uint32_t GlyphField::sites_within(std::uint64_t bytes) {
     const std::uint64_t overhead = bytes_needed(0);
     if (bytes < overhead) return 0;
-    return static_cast<std::uint32_t>(
-        std::min<std::uint64_t>((bytes - overhead) / (bytes_needed(1) - overhead), kMostGlyphSites));
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>((bytes - overhead) / (bytes_needed(1) - overhead), kMaxGlyphSites));
 }
 
 bool GlyphField::start(base::Arena& arena, std::uint32_t most_sites) {
     begin({}, GlyphValues::number);
-    if (most_sites < kLeastGlyphSites || most_sites > kMostGlyphSites) return false;
+    if (most_sites < kMinGlyphSites || most_sites > kMaxGlyphSites) return false;
     leaves_ = arena.allocate_array<GlyphSummary>(most_sites);
     groups_ = arena.allocate_array<GlyphGroup>(most_sites);
     keys_ = arena.allocate_array<std::uint64_t>(most_sites);
@@ -151,7 +150,7 @@ void GlyphField::visit(std::uint32_t n) {
             break;
         }
         // The groups are not there yet: their room holds the leaves in their new order.
-        case Phase::gathering: groups_[n].summary = leaves_[other_keys_[n] & (kMostGlyphSites - 1)]; break;
+        case Phase::gathering: groups_[n].summary = leaves_[other_keys_[n] & (kMaxGlyphSites - 1)]; break;
         case Phase::placing: leaves_[n] = groups_[n].summary; break;
         case Phase::linking: link(n); break;
         case Phase::collecting:

@@ -21,8 +21,8 @@
 
 namespace tedavis::scene {
 
-inline constexpr std::uint32_t kLeastGlyphSites = 16;
-inline constexpr std::uint32_t kMostGlyphSites = 1u << 19;
+inline constexpr std::uint32_t kMinGlyphSites = 16;
+inline constexpr std::uint32_t kMaxGlyphSites = 1u << 19;
 
 struct GlyphSite {
     earth::Ecef place{0};  ///< m
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t sites);
     /// The most sites that so many bytes hold.
     [[nodiscard]] static std::uint32_t sites_within(std::uint64_t bytes);
-    /// For kLeastGlyphSites..kMostGlyphSites sites; again with other memory, which forgets what there was. False when the arena
+    /// For kMinGlyphSites..kMaxGlyphSites sites; again with other memory, which forgets what there was. False when the arena
     /// cannot hold it.
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t most_sites);
 
@@ -103,7 +103,7 @@ private:
     static constexpr int kKeyBits = 45, kIndexBits = 19, kDigitBits = 9, kPasses = kKeyBits / kDigitBits;
     static constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
     static constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
-    static_assert(kMostGlyphSites == 1u << kIndexBits && kPasses % 2 == 1);
+    static_assert(kMaxGlyphSites == 1u << kIndexBits && kPasses % 2 == 1);
 
     enum class Phase : std::uint8_t { collecting, coding, counting, scattering, gathering, placing, linking, ready };
     /// What waits for its second part.

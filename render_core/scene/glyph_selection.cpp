@@ -10,7 +10,7 @@
 namespace tedavis::scene {
 namespace {
 
-constexpr double kLeastDistance_m = 0.01;
+constexpr double kMinDistance_m = 0.01;
 
 bool is_aggregate(const GlyphSummary& summary) { return summary.members > 1; }
 
@@ -22,8 +22,8 @@ double value_of(const GlyphSummary& summary, GlyphValues values) {
 std::uint8_t code_of(double degree) {
     if (degree >= 1) return SelectedGlyph::kInFocus;
     if (degree <= 0) return 0;
-    constexpr double kMostBeside = SelectedGlyph::kInFocus - 1;
-    return static_cast<std::uint8_t>(std::fmin(std::fmax(std::round(degree * SelectedGlyph::kInFocus), 1.0), kMostBeside));
+    constexpr double kMaxBeside = SelectedGlyph::kInFocus - 1;
+    return static_cast<std::uint8_t>(std::fmin(std::fmax(std::round(degree * SelectedGlyph::kInFocus), 1.0), kMaxBeside));
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ std::uint8_t GlyphSelection::degree_of(const GlyphSummary& summary) const {
 }
 
 double GlyphSelection::distance_m(const GlyphSummary& summary) const {
-    return std::fmax(glm::length(glm::dvec3(summary.place) - eye_), kLeastDistance_m);
+    return std::fmax(glm::length(glm::dvec3(summary.place) - eye_), kMinDistance_m);
 }
 
 /// Of a square that covers as much of the view as the box round the members' glyphs, which are taken half as high as wide; of one
@@ -227,7 +227,7 @@ void GlyphSelection::emit(const Part& part) {
 
 /// False where there are more glyphs than may be drawn.
 bool GlyphSelection::select_all() {
-    Part stack[kMostParts];
+    Part stack[kMaxParts];
     std::size_t count = 0;
     Part root{field_->root(), kAllPlanes, 0};
     if (enters(root)) stack[count++] = root;

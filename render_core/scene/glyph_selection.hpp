@@ -112,7 +112,7 @@ private:
         glm::dvec3 inwards{0};
         double offset_m = 0;
     };
-    static constexpr std::size_t kMostParts = 66;  // of a field's tree, down to its deepest leaf
+    static constexpr std::size_t kMaxParts = 66;  // of a field's tree, down to its deepest leaf
 
     void set_view(const GlyphField& field, const GlyphView& view, const GlyphSettings& settings);
     [[nodiscard]] bool select_all();

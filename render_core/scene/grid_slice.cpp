@@ -7,7 +7,7 @@
 namespace tedavis::scene {
 namespace {
 
-constexpr double kMostSteps = 65535;
+constexpr double kMaxSteps = 65535;
 constexpr std::uint8_t kValid = 255, kInterpolated = 128;
 
 }  // namespace
@@ -17,7 +17,7 @@ SliceTexel texel_of(const FieldValue& value, const SliceRange& range) noexcept {
     if (value.state == ValueState::missing || !std::isfinite(value.value)) return texel;
     const double span = range.highest - range.lowest;
     const double level = span > 0 ? std::clamp((value.value - range.lowest) / span, 0.0, 1.0) : 0;
-    const auto steps = static_cast<std::uint32_t>(std::lround(level * kMostSteps));
+    const auto steps = static_cast<std::uint32_t>(std::lround(level * kMaxSteps));
     texel.value_high = static_cast<std::uint8_t>(steps >> 8);
     texel.value_low = static_cast<std::uint8_t>(steps & 0xFFu);
     texel.uncertainty = value.uncertainty.code();
@@ -26,7 +26,7 @@ SliceTexel texel_of(const FieldValue& value, const SliceRange& range) noexcept {
 }
 
 double value_of(const SliceTexel& texel, const SliceRange& range) noexcept {
-    return range.lowest + (texel.value_high * 256 + texel.value_low) / kMostSteps * (range.highest - range.lowest);
+    return range.lowest + (texel.value_high * 256 + texel.value_low) / kMaxSteps * (range.highest - range.lowest);
 }
 
 std::uint64_t GridSlice::bytes_needed(std::uint32_t most_posts) { return 2 * std::uint64_t{most_posts} * sizeof(SliceTexel); }

@@ -1,6 +1,6 @@
 /// The surface where a grid of numbers in space has a given value, as triangles that share their vertices.
 ///
-/// Marching tetrahedra over Kuhn's six tetrahedra a cell (kuhn_cell.hpp): A. Doi and A. Koide, An efficient method of
+/// Traversing tetrahedra over Kuhn's six tetrahedra a cell (kuhn_cell.hpp): A. Doi and A. Koide, An efficient method of
 /// triangulating equi-valued surfaces by using tetrahedral cells, IEICE Transactions E74 (1991). No case is ambiguous: every
 /// edge inside the grid belongs to two triangles that run along it in opposite directions, every vertex to one fan. A post whose
 /// value equals the level is inside; vertices keep kIsosurfaceMargin away from posts, so that no triangle has lost its area.

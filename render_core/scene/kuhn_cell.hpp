@@ -17,12 +17,12 @@ struct KuhnEdge {
     std::uint8_t direction = 0;
 };
 
-inline constexpr int kMostKuhnTriangles = 12;
+inline constexpr int kMaxKuhnTriangles = 12;
 
 /// Triangles by the edges that their corners lie on; counter-clockwise seen from outside.
 struct KuhnCase {
     std::uint8_t triangles = 0;
-    KuhnEdge edge[kMostKuhnTriangles][3]{};
+    KuhnEdge edge[kMaxKuhnTriangles][3]{};
 };
 
 namespace kuhn {

@@ -9,7 +9,7 @@ double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
 
 /// The corners that are left, counter-clockwise.
 struct Rest {
-    std::uint16_t corners[kMostPolygonCorners];
+    std::uint16_t corners[kMaxPolygonCorners];
     std::size_t count = 0;
 
     [[nodiscard]] std::uint16_t at(std::size_t n) const { return corners[n % count]; }
@@ -51,7 +51,7 @@ double twice_area(base::Span<const glm::dvec2> corners) noexcept {
 }
 
 std::size_t triangulate(base::Span<const glm::dvec2> corners, base::Span<std::uint16_t> triangles) noexcept {
-    if (corners.size() < 3 || corners.size() > kMostPolygonCorners || triangles.size() < 3 * (corners.size() - 2)) return 0;
+    if (corners.size() < 3 || corners.size() > kMaxPolygonCorners || triangles.size() < 3 * (corners.size() - 2)) return 0;
     Rest rest;
     rest.count = corners.size();
     const bool is_clockwise = twice_area(corners) < 0;

@@ -11,14 +11,14 @@
 
 namespace tedavis::scene {
 
-inline constexpr std::size_t kMostPolygonCorners = 1024;
+inline constexpr std::size_t kMaxPolygonCorners = 1024;
 
 /// Twice the signed area; positive when counter-clockwise.
 [[nodiscard]] double twice_area(base::Span<const glm::dvec2> corners) noexcept;
 
 /// Corner numbers, three a triangle, counter-clockwise whichever way the polygon runs; 3 * (corners - 2) of them at most, for
 /// which there must be room. A polygon that crosses itself is cut as well as it can be. 0 for fewer than three corners, more than
-/// kMostPolygonCorners, or too little room.
+/// kMaxPolygonCorners, or too little room.
 [[nodiscard]] std::size_t triangulate(base::Span<const glm::dvec2> corners, base::Span<std::uint16_t> triangles) noexcept;
 
 }  // namespace tedavis::scene

@@ -12,7 +12,7 @@ constexpr double kRounding_rad = 1e-9;
 constexpr double kHighest_m = 100000;  // of anything that is shown
 constexpr double kFarthest_m = 10000;  // from a model's point
 constexpr float kLargestValue = 1e30F;
-constexpr std::uint64_t kMostPosts = 1u << 28;
+constexpr std::uint64_t kMaxPosts = 1u << 28;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
@@ -23,7 +23,7 @@ bool is_longitude(double angle_rad) { return std::abs(angle_rad) <= base::kPi + 
 bool posts_are(const GridShape& grid, std::uint64_t count) {
     std::uint64_t posts = 1;
     for (const std::uint32_t side : {grid.columns, grid.rows, grid.levels, grid.times}) {
-        if (side == 0 || posts > kMostPosts / side) return false;
+        if (side == 0 || posts > kMaxPosts / side) return false;
         posts *= side;
     }
     return posts == count;

@@ -16,7 +16,7 @@ bool is_usable(const TubePoint& point) {
     return is_place(point.position) && point.radius_m > 0 && point.radius_m <= kFarthestTubePoint_m;
 }
 
-double least_step_m(const glm::dvec3& place) { return std::max(kLeastTubeStep_m, kLeastTubeStepOfDistance * glm::length(place)); }
+double least_step_m(const glm::dvec3& place) { return std::max(kMinTubeStep_m, kMinTubeStepOfDistance * glm::length(place)); }
 
 /// A straight way between two points that are kept.
 struct Leg {

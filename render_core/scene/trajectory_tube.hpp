@@ -19,7 +19,7 @@
 namespace tedavis::scene {
 
 /// Points nearer than the larger of these to the one before are dropped; the second is times the distance from the origin.
-inline constexpr double kLeastTubeStep_m = 1e-3, kLeastTubeStepOfDistance = 1e-7;
+inline constexpr double kMinTubeStep_m = 1e-3, kMinTubeStepOfDistance = 1e-7;
 /// Cosine of the turn beyond which a tube is split.
 inline constexpr double kCuspCosine = -0.999;
 /// Farther from the origin is not taken for a place.

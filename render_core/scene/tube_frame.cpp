@@ -5,8 +5,8 @@
 namespace tedavis::scene {
 namespace {
 
-constexpr double kLeastAcross = 1e-6;      // of a unit vector, for its direction across another to mean something
-constexpr double kLeastReflection = 1e-6;  // between unit vectors, for the plane between them to mean something
+constexpr double kMinAcross = 1e-6;      // of a unit vector, for its direction across another to mean something
+constexpr double kMinReflection = 1e-6;  // between unit vectors, for the plane between them to mean something
 
 glm::dvec3 reflected(const glm::dvec3& v, const glm::dvec3& across, double across_squared) {
     return v - (2 * glm::dot(across, v) / across_squared) * across;
@@ -25,7 +25,7 @@ glm::dvec3 part_across(const glm::dvec3& v, const glm::dvec3& tangent) { return 
 glm::dvec3 normal_towards(const glm::dvec3& wanted, const glm::dvec3& tangent) noexcept {
     const glm::dvec3 across = part_across(wanted, tangent);
     const double length = glm::length(across);
-    if (length > kLeastAcross * glm::length(wanted)) return across / length;
+    if (length > kMinAcross * glm::length(wanted)) return across / length;
     return glm::normalize(part_across(axis_most_across(tangent), tangent));
 }
 
@@ -38,7 +38,7 @@ TubeFrame carried(const TubeFrame& frame, const glm::dvec3& step, const glm::dve
     }
     const glm::dvec3 between = tangent - turned;
     const double between_squared = glm::dot(between, between);
-    if (between_squared > kLeastReflection * kLeastReflection) normal = reflected(normal, between, between_squared);
+    if (between_squared > kMinReflection * kMinReflection) normal = reflected(normal, between, between_squared);
     return {tangent, normal_towards(normal, tangent)};
 }
 

@@ -18,7 +18,7 @@ struct Rose {
         }
     };
     std::uint32_t sides;
-    Direction side[kMostTubeSides], corner[kMostTubeSides];
+    Direction side[kMaxTubeSides], corner[kMaxTubeSides];
 
     explicit Rose(std::uint32_t count) : sides(count), side{}, corner{} {
         for (std::uint32_t n = 0; n < sides; ++n) {
@@ -42,7 +42,7 @@ public:
           ring_{2 * sides, 0},
           end_{sides, 3 * (sides - 2)},
           walls_{0, 6 * sides},
-          chunk_vertices_(std::clamp(chunk_vertices, 2 * (ring_.vertices + end_.vertices), kMostChunkVertices)) {}
+          chunk_vertices_(std::clamp(chunk_vertices, 2 * (ring_.vertices + end_.vertices), kMaxChunkVertices)) {}
 
     /// The first rings of a piece, between two ends.
     [[nodiscard]] bool begin(const TubeRing& first, const TubeRing& second) {
@@ -153,7 +153,7 @@ std::size_t mesh_piece(base::Span<const TubeRing> piece, TubeMesher& mesher) {
 
 TubeMeshCounts mesh_tube(base::Span<const TubeRing> rings, std::uint32_t sides, const glm::dvec3& origin,
                          const TubeMeshOutput& output, std::uint32_t chunk_vertices) noexcept {
-    TubeMesher mesher(std::clamp(sides, kLeastTubeSides, kMostTubeSides), origin, output, chunk_vertices);
+    TubeMesher mesher(std::clamp(sides, kMinTubeSides, kMaxTubeSides), origin, output, chunk_vertices);
     std::uint32_t meshed = 0, left_out = 0;
     for (std::size_t first = 0, end = 0; first < rings.size(); first = end) {
         end = end_of_piece(rings, first);

@@ -14,8 +14,8 @@
 
 namespace tedavis::scene {
 
-inline constexpr std::uint32_t kDefaultTubeSides = 6, kLeastTubeSides = 3, kMostTubeSides = 24;
-inline constexpr std::uint32_t kMostChunkVertices = 65535;  ///< one less than 16 bits, which some devices take for a restart
+inline constexpr std::uint32_t kDefaultTubeSides = 6, kMinTubeSides = 3, kMaxTubeSides = 24;
+inline constexpr std::uint32_t kMaxChunkVertices = 65535;  ///< one less than 16 bits, which some devices take for a restart
 /// The side of the vertices of flat ends.
 inline constexpr std::uint8_t kTubeEndSide = 0xFF;
 
@@ -47,6 +47,6 @@ struct TubeMeshCounts {
 /// Rings as make_tube() leaves them; markers have no tube and are passed over. Side 0 faces along each ring's normal; half a side
 /// beside it the corners begin. `sides` and `chunk_vertices` are brought into their ranges (a chunk holds two rings at least).
 [[nodiscard]] TubeMeshCounts mesh_tube(base::Span<const TubeRing> rings, std::uint32_t sides, const glm::dvec3& origin,
-                                       const TubeMeshOutput& output, std::uint32_t chunk_vertices = kMostChunkVertices) noexcept;
+                                       const TubeMeshOutput& output, std::uint32_t chunk_vertices = kMaxChunkVertices) noexcept;
 
 }  // namespace tedavis::scene

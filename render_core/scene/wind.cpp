@@ -31,7 +31,7 @@ Wind wind_of_means(double east_mps, double north_mps, double speed_mps) noexcept
         return wind;
     }
     wind.constancy = std::fmin(std::hypot(east_mps, north_mps) / speed_mps, 1.0);
-    wind.state = wind.constancy >= kLeastConstancy ? WindState::steady : WindState::variable;
+    wind.state = wind.constancy >= kMinConstancy ? WindState::steady : WindState::variable;
     if (wind.state == WindState::steady) wind.from_rad = earth::wrap_heading(std::atan2(-east_mps, -north_mps));
     return wind;
 }

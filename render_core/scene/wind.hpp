@@ -17,7 +17,7 @@ enum class WindState : std::uint8_t {
 };
 
 inline constexpr double kCalm_mps = 0.5 * 1852.0 / 3600.0;  ///< half a knot
-inline constexpr double kLeastConstancy = 0.05;             ///< resultant over mean speed, below which it is variable
+inline constexpr double kMinConstancy = 0.05;               ///< resultant over mean speed, below which it is variable
 
 struct Wind {
     WindState state = WindState::unknown;

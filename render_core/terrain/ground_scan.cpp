@@ -11,16 +11,16 @@ namespace tedavis::terrain {
 namespace {
 
 constexpr double kRounding_m = 1e-6;  // of places in space, computed in doubles
-constexpr double kLeastDepth = 1.25;  // of places on triangles, in margins
+constexpr double kMinDepth = 1.25;    // of places on triangles, in margins
 
 struct Polygon {
-    static constexpr int kMostCorners = 3 + 5;  // each plane adds one, but for slivers that rounding bends
-    glm::dvec3 corner[kMostCorners];
+    static constexpr int kMaxCorners = 3 + 5;  // each plane adds one, but for slivers that rounding bends
+    glm::dvec3 corner[kMaxCorners];
     int count;
     bool overflown = false;
 
     void add(const glm::dvec3& p) {
-        if (count < kMostCorners)
+        if (count < kMaxCorners)
             corner[count++] = p;
         else
             overflown = true;
@@ -71,7 +71,7 @@ double GroundScan::px_per_m(const ViewBox& box) const {
         if (box.low[axis] > reach_m || -box.high[axis] > reach_m) return 0;
     }
     const glm::dvec3 nearest = glm::max(glm::max(box.low, -box.high), glm::dvec3(0)), corner = glm::max(-box.low, box.high);
-    const double turned = glm::length(corner) / earth::kLeastCurvatureRadius_m;
+    const double turned = glm::length(corner) / earth::kMinCurvatureRadius_m;
     const double across = std::hypot(down_.x, down_.y) + turned, along = std::abs(down_.z) + turned;
     // Drawn points lie in the picture, which is as wide as it is deep, and true ones straight above or below them.
     double drawn_m = (glm::length(nearest) - aside_m_) / from_axis(off_axis_);
@@ -91,13 +91,13 @@ double GroundScan::px_per_m(const glm::dvec3& a, const glm::dvec3& b, const glm:
         }
     part = clipped(part, [this](const glm::dvec3& p) { return p.z - (near_m_ - aside_m_); });
     if (part.overflown) return std::numeric_limits<double>::infinity();
-    double farthest_m = 0, length[Polygon::kMostCorners], nearness[Polygon::kMostCorners];
+    double farthest_m = 0, length[Polygon::kMaxCorners], nearness[Polygon::kMaxCorners];
     for (int n = 0; n < part.count; ++n) farthest_m = std::max(farthest_m, glm::length(part.corner[n]));
     for (int n = 0; n < part.count; ++n) {
         const glm::dvec3& p = part.corner[n];
-        if (!(p.z > kLeastDepth * aside_m_)) return std::numeric_limits<double>::infinity();
+        if (!(p.z > kMinDepth * aside_m_)) return std::numeric_limits<double>::infinity();
         // The vertical there is another one, and the drawn point stands elsewhere in the picture.
-        const double turned = farthest_m / earth::kLeastCurvatureRadius_m + aside_m_ / (p.z - aside_m_);
+        const double turned = farthest_m / earth::kMinCurvatureRadius_m + aside_m_ / (p.z - aside_m_);
         length[n] = std::hypot(down_.x - p.x / p.z * down_.z, down_.y - p.y / p.z * down_.z) + turned * (1 + off_axis_);
         nearness[n] = 1 / (p.z - error_m_);
     }

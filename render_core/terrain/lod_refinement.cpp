@@ -8,7 +8,7 @@
 namespace tedavis::terrain {
 namespace {
 
-constexpr double kLeastVisibility = 0.05;
+constexpr double kMinVisibility = 0.05;
 constexpr double kFirstBand_px = 4096,
                  kBandRatio = 4;  // from far more than a picture down to tau; each costs a look at all leaves
 constexpr double kNoBand = -std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ double coast_error_px(const ChunkEntry& entry, const View& view, double tau_px) 
 }  // namespace
 
 double visibility(const ChunkEntry& entry, const View& view, double haze_per_m) {
-    return std::fmax(kLeastVisibility, std::exp(-haze_per_m * box_distance_m(entry, view)));
+    return std::fmax(kMinVisibility, std::exp(-haze_per_m * box_distance_m(entry, view)));
 }
 
 double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges) {

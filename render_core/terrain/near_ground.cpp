@@ -13,8 +13,8 @@ namespace tedavis::terrain {
 namespace {
 
 constexpr double kFirstMargin_m = 0.05, kMarginRatio = 2;
-constexpr std::uint32_t kMostLooks = 256;  // at chunks with children, for one margin
-constexpr std::uint32_t kMostChunks = HeightQuery::kKeptChunks - 1;
+constexpr std::uint32_t kMaxLooks = 256;  // at chunks with children, for one margin
+constexpr std::uint32_t kMaxChunks = HeightQuery::kKeptChunks - 1;
 constexpr double kBeside = 0.5;  // of a chunk's half side: from so close its vertices are looked at
 constexpr std::uint32_t kBlockCells = 4, kBlocks = kChunkCells / kBlockCells;
 
@@ -137,7 +137,7 @@ private:
     void look_at(const Candidate& candidate) {
         if (candidate.px_per_m <= most_) return;
         const ChunkEntry* const found = heights_.entry_of(candidate.key);
-        if (found == nullptr || looks_ == kMostLooks) return include(candidate.px_per_m);
+        if (found == nullptr || looks_ == kMaxLooks) return include(candidate.px_per_m);
         const ChunkEntry entry = *found;
         const double px_per_m = std::min(candidate.px_per_m, px_per_m_in_box(entry, view_, margin_m_));
         if (px_per_m <= most_ || (entry.flags & (kChunkHasSea | kChunkHasLand)) == 0) return;
@@ -188,7 +188,7 @@ private:
         std::uint32_t place = 0;
         while (place < known_ && blocks_[place].key != key_of(entry)) ++place;
         if (place < known_) return &blocks_[place];
-        if (known_ == kMostChunks) return nullptr;
+        if (known_ == kMaxChunks) return nullptr;
         const ExactChunk chunk = chunk_of(entry);
         if (chunk.entry == nullptr) return nullptr;
         const ChunkPosts posts(heights_.lattice(), chunk, view_);
@@ -204,7 +204,7 @@ private:
     double margin_m_ = 0, most_ = 0;
     Candidate stack_[3 * kMaxLevels + 1];  // of each look but the last at most three others wait
     std::uint32_t waiting_ = 0, looks_ = 0, known_ = 0;
-    Blocks blocks_[kMostChunks];
+    Blocks blocks_[kMaxChunks];
 };
 
 }  // namespace
@@ -213,7 +213,7 @@ NearGround near_ground(HeightQuery& heights, const View& view) {
     NearGround ground;
     if (!is_finite(view)) return ground;
     Descent descent(heights, view);
-    for (double margin_m = kFirstMargin_m; ground.count < NearGround::kMostSteps; margin_m *= kMarginRatio) {
+    for (double margin_m = kFirstMargin_m; ground.count < NearGround::kMaxSteps; margin_m *= kMarginRatio) {
         const double px_per_m = descent.px_per_m(margin_m);
         if (!std::isfinite(px_per_m)) break;
         ground.steps[ground.count++] = {margin_m, px_per_m};

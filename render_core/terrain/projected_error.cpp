@@ -36,7 +36,7 @@ void move(Box& box, const ChunkEntry& entry, const earth::Magnifiers& magnifiers
         if (!magnifier.reaches(centre_of(entry), radius_m(entry))) continue;
         box.half[0] += magnifier.farthest_move_m();
         box.half[1] += magnifier.farthest_move_m();
-        box.half[2] += magnifier.farthest_move_m() * (magnifier.reach_m() + 2 * radius_m(entry)) / earth::kLeastCurvatureRadius_m;
+        box.half[2] += magnifier.farthest_move_m() * (magnifier.reach_m() + 2 * radius_m(entry)) / earth::kMinCurvatureRadius_m;
     }
 }
 
@@ -136,7 +136,7 @@ double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m
     const double tx = view.half_width_tangent(), ty = view.half_height_tangent();
     const double off_axis = std::sqrt(tx * tx + ty * ty);
     // The vertical at any place of the box, as parts along and across the view.
-    const double turn = (box.half[0] + box.half[1]) / earth::kLeastCurvatureRadius_m;
+    const double turn = (box.half[0] + box.half[1]) / earth::kMinCurvatureRadius_m;
     const double at_centre = std::abs(glm::dot(box.axis[2], view.forward));
     const double along = std::fmin(at_centre + turn, 1.0), least_along = std::fmax(at_centre - turn, 0.0);
     const double across = std::sqrt(std::fmax(1 - least_along * least_along, 0.0));

@@ -13,13 +13,13 @@ namespace tedavis::terrain {
 
 /// What is known of the true surface round an eye, for errors of several sizes (near_ground.hpp).
 struct NearGround {
-    static constexpr int kMostSteps = 13;
+    static constexpr int kMaxSteps = 13;
 
     /// A vertical error of no more than margin_m moves no drawn point by more than px_per_m for each metre of it.
     struct Step {
         double margin_m = 0, px_per_m = 0;
     };
-    Step steps[kMostSteps];  ///< by ascending margins
+    Step steps[kMaxSteps];  ///< by ascending margins
     int count = 0;
 
     /// Infinite where nothing is known of so large an error.

@@ -14,8 +14,8 @@
 namespace tedavis::target {
 namespace {
 
-constexpr std::uint64_t kMostTableBytes = 128u << 20;  // page table and undulation of the largest database
-constexpr std::uint64_t kSlackBytes = 1u << 20;        // for what a reader keeps beside the bytes
+constexpr std::uint64_t kMaxTableBytes = 128u << 20;  // page table and undulation of the largest database
+constexpr std::uint64_t kSlackBytes = 1u << 20;       // for what a reader keeps beside the bytes
 constexpr double kMegabyte = 1e6;
 
 class BoardChecks {
@@ -42,7 +42,7 @@ private:
     void check_terrain() {
         auto file = platform::open_file(settings_.terrain.c_str());
         if (!file.ok()) return fail("board_terrain", {file.error().message.view()});
-        const std::uint64_t most = std::min(file.value().size() + kSlackBytes, kMostTableBytes);
+        const std::uint64_t most = std::min(file.value().size() + kSlackBytes, kMaxTableBytes);
         const auto memory = platform::reserve_memory(most, platform::Residency::lazy);
         if (!memory.ok()) return fail("board_terrain", {memory.error().message.view()});
         base::Arena arena = memory.value().arena();

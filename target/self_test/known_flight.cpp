@@ -11,8 +11,8 @@ namespace {
 
 using flight::Signal;
 
-constexpr std::size_t kMostFrames = 1 << 20;  // more than any log that fits the program
-constexpr int kMostSteps = 1000;              // a damaged stamp far ahead is not stepped to
+constexpr std::size_t kMaxFrames = 1 << 20;  // more than any log that fits the program
+constexpr int kMaxSteps = 1000;              // a damaged stamp far ahead is not stepped to
 constexpr base::Time kEnd{std::numeric_limits<std::int64_t>::max()};
 constexpr std::uint64_t kFrames = 1829;
 
@@ -48,7 +48,7 @@ Extent extent_of(base::Span<const char> log) {
     bus::CandumpLogSource source(log);
     bus::CanFrame frame;
     Extent extent;
-    for (std::size_t n = 0; n < kMostFrames && source.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1; ++n) {
+    for (std::size_t n = 0; n < kMaxFrames && source.read(kEnd, base::Span<bus::CanFrame>(&frame, 1)) == 1; ++n) {
         if (n == 0) extent.first = frame.time;
         extent.last = frame.time;
     }
@@ -72,7 +72,7 @@ KnownFlight play_known_flight(base::Span<const char> log, const bus::BusSettings
     bus::CandumpLogSource source(log);
     bus::TrackerMemory memory(settings, nullptr, extent.first);
     bus::FlightTracker tracker(memory, {source});
-    for (int n = 0; n < kMostSteps && tracker.next_step() < extent.last; ++n) tracker.step(heights);
+    for (int n = 0; n < kMaxSteps && tracker.next_step() < extent.last; ++n) tracker.step(heights);
     const flight::FrameInput input = tracker.input_at(extent.last, heights);
     KnownFlight flight;
     flight.now = input.time;

@@ -18,8 +18,8 @@ namespace {
 
 using namespace tedavis;
 
-constexpr double kLeastRate = 30;                       ///< frames/s
-constexpr double kLongestFrame_ms = 2000 / kLeastRate;  ///< the picture before stands once more, not longer
+constexpr double kMinRate = 30;                       ///< frames/s
+constexpr double kLongestFrame_ms = 2000 / kMinRate;  ///< the picture before stands once more, not longer
 
 struct Timing {
     std::vector<double> ms;
@@ -62,13 +62,13 @@ std::vector<bench::BenchResult> results_of(Flown with, Flown without) {
     const double median = with.timing.quantile(0.5), slow = with.timing.quantile(0.99);
     const double plain = without.timing.quantile(0.5), plain_slow = without.timing.quantile(0.99);
     const bool drawn = with.triangles > 0 && without.triangles == 0;
-    const double rate = 1000 / median, plain_rate = 1000 / plain, ratio = median / plain, most = plain_rate / kLeastRate;
-    return {{"default flight: median frame rate", rate, "frames/s", kLeastRate, drawn && rate >= kLeastRate, plain_rate},
+    const double rate = 1000 / median, plain_rate = 1000 / plain, ratio = median / plain, most = plain_rate / kMinRate;
+    return {{"default flight: median frame rate", rate, "frames/s", kMinRate, drawn && rate >= kMinRate, plain_rate},
             {"99 of 100 frames take at most", slow, "ms", kLongestFrame_ms, drawn && slow <= kLongestFrame_ms, plain_slow},
             {"frame time with terrain / without", ratio, "ratio", most, drawn && ratio <= most, 1}};
 }
 
-constexpr double kLeastStep_s = 0.02, kMostStep_s = 60;
+constexpr double kMinStep_s = 0.02, kMaxStep_s = 60;
 
 struct Arguments {
     bool json = false;
@@ -79,10 +79,10 @@ struct Arguments {
 void take_step(const char* given, Arguments& arguments) {
     char* end = nullptr;
     arguments.step_s = std::strtod(given, &end);
-    if (end != given && *end == '\0' && arguments.step_s >= kLeastStep_s && arguments.step_s <= kMostStep_s) return;
+    if (end != given && *end == '\0' && arguments.step_s >= kMinStep_s && arguments.step_s <= kMaxStep_s) return;
     char sentence[160];
     std::snprintf(sentence, sizeof sentence, "--step '%.40s' is no number of seconds from %g to %g; give one, or leave it out",
-                  given, kLeastStep_s, kMostStep_s);
+                  given, kMinStep_s, kMaxStep_s);
     arguments.fault = sentence;
 }
 

@@ -1,8 +1,8 @@
 /// What labels cost and how calm they are: 5,000 features with names and icons (places by their people, peaks, runways,
 /// obstacles) in steady flight of 20 minutes at ten frames a second and 1024 x 768, put onto the sheet as the display does it,
-/// over level ground that hides nothing. Of every frame: the time of the placement, epochs and text included; signs that overlap,
-/// or leave the room that they have claimed; what came, went or looks different. A flight without a memory is the baseline of the
-/// changes.
+/// over level ground that hides nothing. Of every frame: the time of the placement, intervals and text included; signs that
+/// overlap, or leave the room that they have claimed; what came, went or looks different. A flight without a memory is the
+/// baseline of the changes.
 /// `--json` prints the lines as a list; `--minutes 2` flies less.
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ using namespace tedavis;
 using bench::BenchResult;
 
 constexpr double kSpeed_mps = 70, kFrames_hz = 10, kHeight_m = 1700;
-constexpr double kTarget_ms = 1.5, kMostChanges = 2;
+constexpr double kTarget_ms = 1.5, kMaxChanges = 2;
 constexpr std::size_t kPlaces = 4200, kPeaks = 400, kRunways = 200, kObstacles = 200;
 constexpr double kSide_m = 160'000;
 
@@ -84,12 +84,12 @@ host_sim::SceneDraft country() {
 }
 
 struct Outcome {
-    std::vector<double> epochs_ms, frames_ms;  ///< those that decide, and the others
+    std::vector<double> intervals_ms, frames_ms;  ///< those that decide, and the others
     std::uint64_t overlaps = 0, astray = 0, changes = 0, worst_second = 0, calm_seconds = 0, named = 0, frames = 0;
 
     [[nodiscard]] double mean_ms() const {
         double sum = 0;
-        for (const std::vector<double>* part : {&epochs_ms, &frames_ms})
+        for (const std::vector<double>* part : {&intervals_ms, &frames_ms})
             for (const double ms : *part) sum += ms;
         return sum / static_cast<double>(frames);
     }
@@ -137,7 +137,7 @@ public:
             const double start_ms = processor_ms();
             const display::LabelCounts counts = place(now);
             const double ms = processor_ms() - start_ms;
-            (decides ? outcome.epochs_ms : outcome.frames_ms).push_back(ms);
+            (decides ? outcome.intervals_ms : outcome.frames_ms).push_back(ms);
             check(outcome);
             outcome.named += counts.placed;
             changes.push_back(frame == 0 ? 0 : counts.changed);
@@ -149,7 +149,7 @@ public:
             for (std::size_t k = n; k < std::min(n + static_cast<std::size_t>(kFrames_hz), changes.size()); ++k)
                 second += changes[k];
             outcome.worst_second = std::max(outcome.worst_second, second);
-            outcome.calm_seconds += second <= kMostChanges ? 1 : 0;
+            outcome.calm_seconds += second <= kMaxChanges ? 1 : 0;
         }
         return outcome;
     }
@@ -181,7 +181,7 @@ private:
 
     /// All but what the frame before showed.
     void forget() {
-        display::LabelEpoch memory;
+        display::LabelHistory memory;
         labels_.keep(memory);
         memory.forget();
         labels_.restore(memory);
@@ -237,12 +237,12 @@ int main(int argc, char** argv) {
     const auto add = [&](const char* name, double value, const char* unit, double target, double baseline) {
         lines.push_back({name, value, unit, target, is_right && value <= target, baseline});
     };
-    const double epoch_ms = percentile(calm.epochs_ms, 0.5), frame_ms = percentile(calm.frames_ms, 0.5);
+    const double interval_ms = percentile(calm.intervals_ms, 0.5), frame_ms = percentile(calm.frames_ms, 0.5);
     add("placement of 5000: mean of all frames", calm.mean_ms(), "ms", kTarget_ms, frame_ms);
-    add("placement of 5000: frames that decide, median", epoch_ms, "ms", kTarget_ms, frame_ms);
-    add("placement of 5000: frames that decide, 95 %", percentile(calm.epochs_ms, 0.95), "ms", kTarget_ms, epoch_ms);
+    add("placement of 5000: frames that decide, median", interval_ms, "ms", kTarget_ms, frame_ms);
+    add("placement of 5000: frames that decide, 95 %", percentile(calm.intervals_ms, 0.95), "ms", kTarget_ms, interval_ms);
     add("overlaps", static_cast<double>(calm.overlaps + calm.astray), "signs", 0, static_cast<double>(nervous.overlaps));
-    add("visible changes a second", calm.changes_a_second(), "changes", kMostChanges, nervous.changes_a_second());
+    add("visible changes a second", calm.changes_a_second(), "changes", kMaxChanges, nervous.changes_a_second());
     for (const Outcome* outcome : {&calm, &nervous}) {
         const auto frames = static_cast<double>(outcome->frames);
         std::fprintf(stderr, "%s: %.0f frames, %.1f names a frame, %.1f %% of seconds with at most 2 changes, at most %.0f\n",

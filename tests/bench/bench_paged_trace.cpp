@@ -143,7 +143,7 @@ void compare_generated_square(const Options& options, base::Workers& workers, st
 }
 
 void time_largest(const Options& options, base::Workers& workers, std::vector<BenchResult>& lines) {
-    constexpr std::uint32_t kSide = HeightGrid<std::int16_t>::kMostPosts;
+    constexpr std::uint32_t kSide = HeightGrid<std::int16_t>::kMaxPosts;
     test_support::GeneratedChunks chunks(kSide, kSide);
     GridCamera camera = test_support::trace_cameras(kSide, kWidth, kHeight)[3].in_steps(100).view();
     camera.origin.z = 5000;  // of steps; hills are up to 8000 high, most to 1500

@@ -32,7 +32,7 @@ using test_support::TraceAgreement;
 using test_support::TraceCamera;
 
 constexpr std::uint32_t kWidth = 1920, kHeight = 1080, kThreads = 2;
-constexpr double kMostDifferent = 25;  // pixels of a million; Embree itself is wrong in some
+constexpr double kMaxDifferent = 25;  // pixels of a million; Embree itself is wrong in some
 
 struct Options {
     bool json = false, quick = false, times = true;
@@ -197,7 +197,7 @@ private:
         }
         const auto rays = static_cast<double>(theirs.size());
         const double per_million = static_cast<double>(different) * 1e6 / rays;
-        lines.push_back({what + ": differ from Embree", per_million, "per 1e6", kMostDifferent, per_million <= kMostDifferent,
+        lines.push_back({what + ": differ from Embree", per_million, "per 1e6", kMaxDifferent, per_million <= kMaxDifferent,
                          static_cast<double>(hits) / rays});
     }
 

@@ -37,7 +37,7 @@ using namespace tedavis;
 constexpr std::uint32_t kWidth = 1920, kHeight = 1080;
 constexpr const char* kDevice = "desktop";
 constexpr std::uint32_t kFractalPosts = 1300;                // a side
-constexpr double kMostReach_m = 30'000;                      // of data round the middle of the terrain
+constexpr double kMaxReach_m = 30'000;                       // of data round the middle of the terrain
 constexpr std::uint32_t kWindPosts = 112, kWindHeights = 8;  // 100,352 glyphs
 constexpr std::uint32_t kWays = 10, kWayPoints = 600;
 constexpr int kWarmUp = 2;
@@ -125,7 +125,7 @@ struct Place {
         const host_sim::LocalPlane plane = around();
         const double north_m = base::radians(0.5 * header.step_lat_deg * header.rows) / plane.latitude_per_m(),
                      east_m = base::radians(0.5 * header.step_lon_deg * header.columns) / plane.longitude_per_m();
-        reach_m = std::min({0.95 * north_m, 0.95 * east_m, kMostReach_m});
+        reach_m = std::min({0.95 * north_m, 0.95 * east_m, kMaxReach_m});
     }
     [[nodiscard]] host_sim::LocalPlane around() const { return {base::radians(latitude_deg), base::radians(longitude_deg)}; }
     /// Of a circle to the right round the middle, seen ahead.

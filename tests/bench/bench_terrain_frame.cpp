@@ -27,9 +27,9 @@ using namespace tedavis;
 
 constexpr std::uint32_t kWidth = 1024, kHeight = 768;
 constexpr int kTurns = 21;
-constexpr double kMostPass = 1.15, kMostFrame = 1.5;  // of the floor
-constexpr double kLeastRate = 60;                     // frames/s
-constexpr std::uint32_t kMostTriangles = 120'000;     // up to which the rate must hold
+constexpr double kMaxPass = 1.15, kMaxFrame = 1.5;  // of the floor
+constexpr double kMinRate = 60;                     // frames/s
+constexpr std::uint32_t kMaxTriangles = 120'000;    // up to which the rate must hold
 
 double median(std::vector<double> ms) {
     std::nth_element(ms.begin(), ms.begin() + static_cast<std::ptrdiff_t>(ms.size() / 2), ms.end());
@@ -188,18 +188,18 @@ void measure_terrain(const std::string& name, base::ByteSource& terrain, std::ve
     for (const host_sim::AircraftPose& pose : poses_over(bench.header())) {
         const Measured m = bench.measure(pose);
         const std::string where = name_of(name, pose);
-        const bool many = m.triangles > kMostTriangles, whole = m.tau_px <= 1;
+        const bool many = m.triangles > kMaxTriangles, whole = m.tau_px <= 1;
         const double pass = m.pass_ms / m.floor_ms, scene = m.scene_ms / m.floor_ms, rate = 1000 / m.frame_ms;
-        lines.push_back({where + ": triangles", double(m.triangles), "triangles", kMostTriangles, true, kMostTriangles});
-        lines.push_back({where + ": submitted", double(m.submitted), "triangles", kMostTriangles, true, double(m.triangles)});
+        lines.push_back({where + ": triangles", double(m.triangles), "triangles", kMaxTriangles, true, kMaxTriangles});
+        lines.push_back({where + ": submitted", double(m.submitted), "triangles", kMaxTriangles, true, double(m.triangles)});
         lines.push_back({where + ": tau reached", m.tau_px, "px", 1, whole || many, 1});
         lines.push_back({where + ": floor", m.floor_ms, "ms", m.floor_ms, true, m.floor_ms});
         lines.push_back({where + ": plan", m.plan_ms, "ms", m.floor_ms, m.plan_ms < m.floor_ms, m.floor_ms});
-        lines.push_back({where + ": terrain pass / floor", pass, "ratio", kMostPass, pass <= kMostPass, 1});
-        lines.push_back({where + ": sketch and tints / floor", scene, "ratio", kMostFrame, scene <= kMostFrame, 1});
+        lines.push_back({where + ": terrain pass / floor", pass, "ratio", kMaxPass, pass <= kMaxPass, 1});
+        lines.push_back({where + ": sketch and tints / floor", scene, "ratio", kMaxFrame, scene <= kMaxFrame, 1});
         const double whole_frame = m.frame_ms / m.floor_ms;
         lines.push_back({where + ": with symbology / floor", whole_frame, "ratio", whole_frame, true, 1});
-        lines.push_back({where + ": rate", rate, "frames/s", kLeastRate, many || rate >= kLeastRate, 1000 / m.floor_ms});
+        lines.push_back({where + ": rate", rate, "frames/s", kMinRate, many || rate >= kMinRate, 1000 / m.floor_ms});
     }
 }
 

@@ -23,7 +23,7 @@ using namespace tedavis;
 using namespace tedavis::terrain;
 using bench::BenchResult;
 
-constexpr double kMostMore = 1.25;  ///< of the reference's triangles
+constexpr double kMaxMore = 1.25;  ///< of the reference's triangles
 constexpr std::size_t kIndexBytes = 64u << 20;
 
 struct Failure {
@@ -138,8 +138,8 @@ std::vector<BenchResult> compare(Terrain& terrain) {
         const double ratio = level.triangles / expected;
         char name[64];
         std::snprintf(name, sizeof name, "level %u, %.4g m: triangles", level.level, level.error_m);
-        lines.push_back({name, level.triangles, "triangles", kMostMore * expected, ratio <= kMostMore, expected});
-        lines.push_back({std::string(name) + " / reference", ratio, "ratio", kMostMore, ratio <= kMostMore, 1});
+        lines.push_back({name, level.triangles, "triangles", kMaxMore * expected, ratio <= kMaxMore, expected});
+        lines.push_back({std::string(name) + " / reference", ratio, "ratio", kMaxMore, ratio <= kMaxMore, 1});
     }
     return lines;
 }

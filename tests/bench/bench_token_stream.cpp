@@ -20,8 +20,8 @@ using test_support::SyntheticRays;
 constexpr int kRuns = 9;
 constexpr std::uint32_t kPixels = 1920 * 1080, kTiles = kPixels / SyntheticRays::kTilePixels;
 constexpr int kLightSteps = 64, kHeavySteps = 128;
-constexpr double kMostOverhead = 1.05;
-constexpr std::uint32_t kManyRounds = 1'000'000, kMostWorkers = 4;
+constexpr double kMaxOverhead = 1.05;
+constexpr std::uint32_t kManyRounds = 1'000'000, kMaxWorkers = 4;
 
 double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -99,9 +99,9 @@ std::vector<BenchResult> overhead(const std::string& what, std::uint32_t block_w
     const raytrace::RewriteReport& report = stream.report();
     const double full = static_cast<double>(report.counts.calls) / static_cast<double>(report.counts.lanes);
     const double ns_of_pixel = 1e6 / kPixels;
-    return {{what + ": a pixel", median(stream_ms) * ns_of_pixel, "ns", median(direct_ms) * ns_of_pixel * kMostOverhead, is_right,
+    return {{what + ": a pixel", median(stream_ms) * ns_of_pixel, "ns", median(direct_ms) * ns_of_pixel * kMaxOverhead, is_right,
              median(direct_ms) * ns_of_pixel},
-            {what + ": overhead", ratio, "x", kMostOverhead, is_right && ratio <= kMostOverhead, 1},
+            {what + ": overhead", ratio, "x", kMaxOverhead, is_right && ratio <= kMaxOverhead, 1},
             {what + ": lanes in use", full, "share", 0.8, full >= 0.8, 1}};
 }
 
@@ -111,7 +111,7 @@ std::vector<BenchResult> speed_up(std::uint32_t block_words) {
     Stream stream(block_words, kHeavySteps, 0);
     std::vector<BenchResult> results;
     double direct_alone_ms = 0, alone_ms = 0;
-    for (std::uint32_t count = 1; count <= kMostWorkers; ++count) {
+    for (std::uint32_t count = 1; count <= kMaxWorkers; ++count) {
         auto workers = platform::make_thread_workers({count, nullptr});
         if (!workers) return {};
         std::vector<double> direct_ms, stream_ms;

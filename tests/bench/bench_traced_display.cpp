@@ -25,7 +25,7 @@ using namespace tedavis;
 constexpr std::uint32_t kWidth = 1024, kHeight = 768, kThreads = 2;
 constexpr int kTurns = 15;
 constexpr double kTurn_deg = 0.2;
-constexpr double kLeastRate = 40;  // frames/s, by rays
+constexpr double kMinRate = 40;  // frames/s, by rays
 
 double median(std::vector<double> ms) {
     std::nth_element(ms.begin(), ms.begin() + static_cast<std::ptrdiff_t>(ms.size() / 2), ms.end());
@@ -125,9 +125,9 @@ void measure_terrain(const std::string& name, base::ByteSource& terrain, std::ve
             slowest = std::max(slowest, measured.trace_ms);
             char text[120];
             std::snprintf(text, sizeof text, "%s %.0f m %03.0f: frame by rays", name.c_str(), pose.altitude_msl_m, heading_deg);
-            lines.push_back({text, measured.trace_ms, "ms", 1000 / kLeastRate, true, measured.raster_ms});
+            lines.push_back({text, measured.trace_ms, "ms", 1000 / kMinRate, true, measured.raster_ms});
         }
-    lines.push_back({name + ": slowest by rays", 1000 / slowest, "frames/s", kLeastRate, 1000 / slowest >= kLeastRate, 0});
+    lines.push_back({name + ": slowest by rays", 1000 / slowest, "frames/s", kMinRate, 1000 / slowest >= kMinRate, 0});
     lines.push_back(
         {name + ": memory of the processor", static_cast<double>(measured.posts_bytes) / 1048576, "MiB", 96, true, 0});
     const double started = bench.start_ms(design::TerrainRenderer::trace);

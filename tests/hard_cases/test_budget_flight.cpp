@@ -16,12 +16,12 @@ namespace {
 
 constexpr int kLegs = 6;
 constexpr std::uint32_t kSide = 2150;
-constexpr std::uint64_t kLeastBytes = 250'000'000;
+constexpr std::uint64_t kMinBytes = 250'000'000;
 
 TEST(BudgetFlight, OverAQuarterGigabyteStaysWithinTheSmallestDevice) {
     const test_support::TemporaryFolder folder;
     host_sim::build_terrain(test_support::fractal_posts(kSide), folder.file("t.tdb"), {});
-    ASSERT_GE(std::filesystem::file_size(folder.file("t.tdb")), kLeastBytes);
+    ASSERT_GE(std::filesystem::file_size(folder.file("t.tdb")), kMinBytes);
     test_support::BudgetFlight flight(folder.file("t.tdb"), "es2-small", test_support::fractal_ground(kSide), kLegs);
     const test_support::FlownBudget flown = flight.fly();
     EXPECT_EQ(flown.frames, kLegs * test_support::BudgetFlight::kFramesOfALeg);

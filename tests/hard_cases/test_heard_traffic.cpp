@@ -175,7 +175,7 @@ int count_about(const Picture& picture, const Pixel& at, int reach, Is is) {
 /// The middle of a diamond that is looked for round a place: below its upper corner, above its lower one. NaN: there is none.
 /// The line that leads from it to the right is flatter than its sides.
 Pixel diamond_near(const Picture& picture, const Pixel& at) {
-    constexpr int kReach = 14, kLeast = 5;
+    constexpr int kReach = 14, kMin = 5;
     int top = -1, bottom = -1, corner = 0;
     double corner_x = 0;
     for (int y = static_cast<int>(at.y) - kReach; y <= static_cast<int>(at.y) + kReach; ++y)
@@ -187,7 +187,7 @@ Pixel diamond_near(const Picture& picture, const Pixel& at) {
             corner_x += x + 0.5;
             ++corner;
         }
-    if (bottom - top < kLeast) return {std::nan(""), std::nan("")};
+    if (bottom - top < kMin) return {std::nan(""), std::nan("")};
     return {corner_x / corner, 0.5 * (top + bottom + 1)};
 }
 

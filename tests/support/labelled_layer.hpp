@@ -19,7 +19,7 @@ private:
     const draw::SignView& view_;
 };
 
-/// The first epoch of a view.
+/// The first interval of a view.
 inline void decide_labels(draw::LabelPlanner& planner, const draw::ElementInput& input, const draw::SignView& view,
                           const design::LabelSettings& settings = {}) {
     const draw::Rect screen{0, 0, static_cast<float>(view.view.width), static_cast<float>(view.view.height)};

@@ -49,10 +49,10 @@ public:
         base::Arena arena(block_.data(), block_.size());
         EXPECT_TRUE(planner.start(arena));
     }
-    void decide(const std::vector<LabelFeature>& features) { decide(features, ++epoch_); }
-    void decide(const std::vector<LabelFeature>& features, std::int64_t epoch) {
-        epoch_ = epoch;
-        planner.begin({epoch, kLabelScreen, kLabelText_px}, settings);
+    void decide(const std::vector<LabelFeature>& features) { decide(features, ++interval_); }
+    void decide(const std::vector<LabelFeature>& features, std::int64_t interval) {
+        interval_ = interval;
+        planner.begin({interval, kLabelScreen, kLabelText_px}, settings);
         for (const draw::LabelGroup& group : groups_) EXPECT_TRUE(planner.add_group(group));
         for (const LabelFeature& feature : features) planner.offer(feature.key, feature.interest, feature.interest);
         ShapesOfFeatures shapes(features);
@@ -70,7 +70,7 @@ public:
 private:
     std::vector<draw::LabelGroup> groups_;
     std::vector<unsigned char> block_;
-    std::int64_t epoch_ = 0;
+    std::int64_t interval_ = 0;
 };
 
 }  // namespace tedavis::test_support

@@ -101,7 +101,7 @@ private:
             : prover_(prover),
               lie_(lie),
               memory_(terrain::LodSelector::bytes_needed(kNodes) + terrain::HeightQuery::bytes_needed()),
-              selected_(kMostChunks) {
+              selected_(kMaxChunks) {
             base::Arena arena(memory_.data(), memory_.size());
             EXPECT_TRUE(selector_.start(arena, kNodes) && heights_.start(prover.drawn_.database(), arena));
         }
@@ -123,7 +123,7 @@ private:
         }
 
     private:
-        static constexpr std::uint32_t kNodes = 60'000, kMostChunks = 12'000;
+        static constexpr std::uint32_t kNodes = 60'000, kMaxChunks = 12'000;
         static constexpr int kRandomPoints = 120, kChunksForThem = 6;
 
         static Budget budget_of(std::uint32_t n) {
@@ -137,7 +137,7 @@ private:
         static terrain::LodSettings settings_for(double tau_px, Budget budget) {
             terrain::LodSettings settings;
             settings.tau_px = tau_px;
-            settings.max_chunks = budget == Budget::few_chunks ? 24 : kMostChunks;
+            settings.max_chunks = budget == Budget::few_chunks ? 24 : kMaxChunks;
             settings.max_triangles = 20'000'000;
             settings.conservative_up = budget == Budget::lifted;
             if (budget == Budget::few_milliseconds) {

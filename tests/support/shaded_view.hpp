@@ -10,7 +10,7 @@
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
-#include "render_core/effects/effect_calls.hpp"
+#include "render_core/effects/effect_requests.hpp"
 #include "tests/support/filled_drawers.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"
@@ -58,8 +58,8 @@ protected:
         return display::plan_shadows({settings_, light_, view_, 1000, 0, 0, nearest_m_, 1024, has_values_}, set());
     }
     /// Of shadows on the ground, or in the air where it changes colours by `air` at most.
-    [[nodiscard]] effects::EffectCall call(effects::Effect effect = effects::Effect::soft_shadows, double air = 0,
-                                           bool is_near = true) const {
+    [[nodiscard]] effects::EffectRequest call(effects::Effect effect = effects::Effect::soft_shadows, double air = 0,
+                                              bool is_near = true) const {
         const display::ShadowPlan planned = plan();
         effects::EffectFacts facts;
         facts.asked.add(effect);
@@ -70,7 +70,7 @@ protected:
         facts.shadows = planned.state;
         facts.widest_shadow_px = planned.widest_px;
         facts.shadow_in_air = planned.in_air;
-        return effects::effect_calls(facts)[effect];
+        return effects::effect_requests(facts)[effect];
     }
 
     static constexpr double kLatitude = 0.8203, kLongitude = 0.1745;

@@ -17,7 +17,7 @@ public:
         : width_(headless.surface().width()), height_(headless.surface().height()) {
         display::Display& display = headless.display();
         display.clear_free_view();
-        display.approach(state, {}, now);
+        display.preroll(state, {}, now);
         display.set_free_view(display.view());
         rgba_ = settled_pixels(headless, state, now);
         record_ = display.record();

@@ -63,8 +63,8 @@ private:
     }
 
     const raytrace::TaskNetwork& network_;
-    std::vector<std::uint32_t> words_ = std::vector<std::uint32_t>(raytrace::kMostOutputWords);
-    std::vector<std::uint16_t> places_ = std::vector<std::uint16_t>(raytrace::kMostOutputWords);
+    std::vector<std::uint32_t> words_ = std::vector<std::uint32_t>(raytrace::kMaxOutputWords);
+    std::vector<std::uint16_t> places_ = std::vector<std::uint16_t>(raytrace::kMaxOutputWords);
     std::size_t most_tokens_ = 0;
 };
 

@@ -42,8 +42,8 @@ public:
     void look(const display::Eye& eye, const draw::TerrainDrawInput& input) {
         make_current();
         input_ = input;
-        constexpr int kMostTimes = 64;
-        for (int n = 0; n < kMostTimes; ++n)
+        constexpr int kMaxTimes = 64;
+        for (int n = 0; n < kMaxTimes; ++n)
             if (scene_.plan(eye, design_).pending == 0) break;
         if (!painter_.prepare(session_.gl, scene_.seen_from(input_.view), input_))
             throw std::runtime_error("the terrain cannot be uploaded");

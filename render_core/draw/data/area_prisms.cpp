@@ -18,7 +18,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kMostWidened = 2;  // of the widening, where a corner is sharp
+constexpr double kMaxWidened = 2;  // of the widening, where a corner is sharp
 
 struct Corner {
     double latitude_rad, longitude_rad;
@@ -67,7 +67,7 @@ private:
         const base::Span<glm::dvec2> corners = mesh_.corners();
         if (run.count > corners.size()) return false;
         for (std::uint32_t n = 0; n < run.count; ++n) corners[n] = flat(input_.layer.points[run.first + n]);
-        count_ = scene::simplify_outwards({corners.data(), run.count}, kMostOutlineGrowth * (1 - input_.element.detail));
+        count_ = scene::simplify_outwards({corners.data(), run.count}, kMaxOutlineGrowth * (1 - input_.element.detail));
         return cut_sides();
     }
 
@@ -122,7 +122,7 @@ private:
         if (!(in_length > 0) || !(out_length > 0)) return glm::dvec2(0);
         const glm::dvec2 sum(in.y / in_length + out.y / out_length, -in.x / in_length - out.x / out_length);
         const double half = 0.5 * glm::dot(sum, sum);  // 1 + cosine of the turn
-        return half > 0 ? sum * std::min(1 / half, kMostWidened) : glm::dvec2(0);
+        return half > 0 ? sum * std::min(1 / half, kMaxWidened) : glm::dvec2(0);
     }
 
     void take_limits() {

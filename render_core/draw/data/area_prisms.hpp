@@ -7,12 +7,12 @@
 /// attribute's largest. Along the ground's datum heights are taken at every corner, two of which are at most kLongestSide_m
 /// apart.
 ///
-/// `detail`: below 1 an area has fewer corners; it contains the true one, and covers up to kMostOutlineGrowth (at detail 0) more
+/// `detail`: below 1 an area has fewer corners; it contains the true one, and covers up to kMaxOutlineGrowth (at detail 0) more
 /// of the ground than it. Of buildings, those whose "height" is small are left out (feature_importance.hpp).
 ///
 /// What has a "speed" and "toward" has an arrow (cell_motion.hpp) from its foremost place on.
 ///
-/// Pure but for the ground that is asked. Bounded: the square of an area's corners, kMostPolygonCorners at most, eight times
+/// Pure but for the ground that is asked. Bounded: the square of an area's corners, kMaxPolygonCorners at most, eight times
 /// where they become fewer.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace tedavis::draw {
 
 inline constexpr double kUnknownCeiling_m = 15'000;
 inline constexpr double kLongestSide_m = 2'000;
-inline constexpr double kMostOutlineGrowth = 0.5;
+inline constexpr double kMaxOutlineGrowth = 0.5;
 
 /// An area is drawn or hidden as a whole.
 [[nodiscard]] ElementCount add_area_prisms(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);

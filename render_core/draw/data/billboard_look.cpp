@@ -33,9 +33,9 @@ BillboardLook faded_look(const design::DataElement& element, design::Color color
     const double lost = shown_level(element, uncertainty) * element.uncertainty_strength;
     double shown = 1;
     if (element.uncertainty == ElementUncertainty::transparency) shown = 1 - lost;
-    if (element.technique == design::DataTechnique::billboard) shown = std::max(shown, kLeastShown);
+    if (element.technique == design::DataTechnique::billboard) shown = std::max(shown, kMinShown);
     if (element.uncertainty == ElementUncertainty::dashed_rim && lost > 0)
-        look.dashes = static_cast<float>(1 - (1 - kLeastDashes) * lost);
+        look.dashes = static_cast<float>(1 - (1 - kMinDashes) * lost);
     if (element.uncertainty == ElementUncertainty::saturation)
         look.color = design::blended(look.color, design::grey_of(look.color), lost);
     look.color = with_opacity(look.color, element.opacity * shown);

@@ -17,9 +17,9 @@ struct BillboardLook {
 };
 
 /// What a billboard at least keeps of its opacity: it may be dangerous, the more so where nobody is sure of it.
-inline constexpr double kLeastShown = 0.6;
+inline constexpr double kMinShown = 0.6;
 /// Of a rim's dashes of what is wholly unsure.
-inline constexpr double kLeastDashes = 0.35;
+inline constexpr double kMinDashes = 0.35;
 
 /// Of a colour and how sure its value is by now: opacity, and the element's uncertainty technique (transparency and saturation
 /// fade what is less sure, a dashed rim is the more broken, by strength and levels). Texts never fade.

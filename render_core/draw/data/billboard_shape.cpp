@@ -14,7 +14,7 @@ constexpr float kGap = 0.25f;  // of the text's size, round an icon
 constexpr float kNameSize = 0.9f;
 
 float icon_px(const ElementInput& input, std::uint32_t feature, const SignView& view, double distance_m) {
-    const float least = kLeastIcon * view.text_px, greatest = kGreatestIcon * view.text_px;
+    const float least = kMinIcon * view.text_px, greatest = kGreatestIcon * view.text_px;
     const design::DataElement& element = input.element;
     if (const scene::Attribute* const size = input.layer.find(element.size_attribute.view()); size != nullptr) {
         const double share =

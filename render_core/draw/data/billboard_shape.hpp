@@ -12,7 +12,7 @@ namespace tedavis::draw {
 
 inline constexpr double kIconSize_m = 80;
 /// Of the text's size.
-inline constexpr float kLeastIcon = 1.0f, kGreatestIcon = 2.2f;
+inline constexpr float kMinIcon = 1.0f, kGreatestIcon = 2.2f;
 
 /// Lines beside the icon: its name, and under it what it reaches from and to.
 class SignText {

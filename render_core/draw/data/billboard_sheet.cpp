@@ -16,8 +16,8 @@ bool comes_first(const BillboardCandidate& a, const BillboardCandidate& b) {
 }  // namespace
 
 bool BillboardSheet::start(base::Arena& arena) {
-    boxes_ = arena.allocate_array<Rect>(kMostBoxes);
-    candidates_ = arena.allocate_array<BillboardCandidate>(kMostCandidates);
+    boxes_ = arena.allocate_array<Rect>(kMaxBoxes);
+    candidates_ = arena.allocate_array<BillboardCandidate>(kMaxCandidates);
     return !boxes_.empty() && !candidates_.empty();
 }
 

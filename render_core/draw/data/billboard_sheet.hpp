@@ -15,7 +15,7 @@
 #include "render_core/draw/data/sign_view.hpp"
 #include "render_core/draw/quad_batch.hpp"
 #include "render_core/draw/screen_cover.hpp"
-#include "render_core/terrain/drawn_sight.hpp"
+#include "render_core/terrain/line_of_sight.hpp"
 
 namespace tedavis::draw {
 
@@ -27,18 +27,18 @@ struct BillboardCandidate {
 
 class BillboardSheet {
 public:
-    static constexpr std::size_t kMostCandidates = 256, kMostBoxes = 256;
+    static constexpr std::size_t kMaxCandidates = 256, kMaxBoxes = 256;
     static constexpr float kStem = kSignStem;
 
     [[nodiscard]] bool start(base::Arena& arena);
     struct Frame {
         QuadBatch &signs, &links;  ///< to be drawn over the picture, and among the terrain
         const terrain::View& view;
-        double text_px = 16;                   ///< of the display's ordinary text
-        terrain::DrawnSight* sight = nullptr;  ///< null: nothing stands in the way
-        const QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
-        float margin_px = 0;                   ///< of the view's picture, that the screen does not show, on both sides together
-        float screen_begins_px = 0;            ///< in that picture, where the symbology's left edge is
+        double text_px = 16;                    ///< of the display's ordinary text
+        terrain::LineOfSight* sight = nullptr;  ///< null: nothing stands in the way
+        const QuadBatch* symbology = nullptr;   ///< of the frame, which signs keep clear of; null: there is none
+        float margin_px = 0;                    ///< of the view's picture, that the screen does not show, on both sides together
+        float screen_begins_px = 0;             ///< in that picture, where the symbology's left edge is
     };
     /// Empties the batches. What the frame refers to must stay until the last sign is drawn.
     void begin(const Frame& frame);
@@ -81,7 +81,7 @@ public:
     /// True, and the box is taken, where it is free: of what stands beside a sign that has its room.
     [[nodiscard]] bool claim_beside(const Rect& box);
 
-    /// Candidates of one element: the best kMostCandidates of those that are offered.
+    /// Candidates of one element: the best kMaxCandidates of those that are offered.
     void begin_candidates() { candidate_count_ = 0; }
     void offer(const BillboardCandidate& candidate);
     /// The best first.
@@ -89,11 +89,11 @@ public:
 
 private:
     /// A line's end stands nearer by what a sight ends before its place, or the ground that it stands on would cut into it.
-    [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::DrawnSight::reach(view()); }
+    [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::LineOfSight::reach(view()); }
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
 
     QuadBatch *signs_ = nullptr, *links_ = nullptr;
-    terrain::DrawnSight* sight_ = nullptr;
+    terrain::LineOfSight* sight_ = nullptr;
     Rect screen_{};
     ScreenCover symbology_;
     SignView eye_;

@@ -13,9 +13,9 @@ constexpr float kHalo_px = 1.5f;
 constexpr float kStem_px = 1;
 constexpr design::Color kStemColor{170, 170, 175};
 /// Rim and strokes of an icon, dashes, name with halo: four each.
-constexpr std::size_t kMostSignVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31);
-constexpr std::size_t kMostLineVertices = 4 * 2 * 31;  // of another line
-constexpr std::size_t kMostStandVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
+constexpr std::size_t kMaxSignVertices = 4 * (2 * (6 + 10) + 16 + 2 * 31);
+constexpr std::size_t kMaxLineVertices = 4 * 2 * 31;  // of another line
+constexpr std::size_t kMaxStandVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
 
 class Billboard {
 public:
@@ -23,7 +23,7 @@ public:
         : sheet_(sheet), input_(input), feature_(feature), shape_(shape) {}
 
     BillboardAnswer add(const BillboardWish& wish) {
-        if (!sheet_.has_room(kMostSignVertices + kMostLineVertices, kMostStandVertices)) return {};
+        if (!sheet_.has_room(kMaxSignVertices + kMaxLineVertices, kMaxStandVertices)) return {};
         BillboardAnswer answer;
         SignText text = shape_.text;
         answer.fate = BillboardFate::no_room;

@@ -22,7 +22,7 @@ struct BillboardWish {
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
     const LabelRoom* kept_clear = nullptr;  ///< of names, but for the box of this number and those that overlap it
-    std::size_t own = LabelRoom::kMost;
+    std::size_t own = LabelRoom::kMax;
 };
 
 enum class BillboardFate : std::uint8_t {

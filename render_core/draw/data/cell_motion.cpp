@@ -30,7 +30,7 @@ void build_arrow(SolidMesh& mesh, const CellFront& from, double length_m, design
 }  // namespace
 
 bool has_motion(const ElementInput& input, std::uint32_t feature) {
-    return scene::value_or_nan(input.layer, "speed", feature) >= kLeastMotion_mps &&
+    return scene::value_or_nan(input.layer, "speed", feature) >= kMinMotion_mps &&
            std::isfinite(scene::value_or_nan(input.layer, "toward", feature));
 }
 

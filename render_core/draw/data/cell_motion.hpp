@@ -10,7 +10,7 @@
 namespace tedavis::draw {
 
 inline constexpr double kMotionAhead_s = 300;
-inline constexpr double kLeastMotion_mps = 0.5;  ///< below, a cell stands: an arrow would have no length
+inline constexpr double kMinMotion_mps = 0.5;  ///< below, a cell stands: an arrow would have no length
 
 /// Where the arrow begins.
 struct CellFront {

@@ -17,7 +17,7 @@ constexpr float kStem = BillboardSheet::kStem, kMargin = 0.3f, kNameSize = 0.75f
 constexpr float kLine_px = 1.6f;
 constexpr design::Color kPlate{16, 20, 28, 170}, kAxis{200, 200, 200};
 /// Plate, frame, axis; a line, a reach and a cross or a knot each sample; a name with its halo: four each.
-constexpr std::size_t kMaxDiagramVertices = 4 * (1 + 4 + 2 + 5 * kMostProfileSamples + 2 * 31);
+constexpr std::size_t kMaxDiagramVertices = 4 * (1 + 4 + 2 + 5 * kMaxProfileSamples + 2 * 31);
 constexpr std::size_t kMaxDiagramLinkVertices = BillboardSheet::kStemVertices + BillboardSheet::kLinkVertices;
 
 design::Color with_alpha(design::Color color, std::uint8_t alpha) {
@@ -56,7 +56,7 @@ public:
         : sheet_(sheet),
           input_(input),
           first_(first),
-          count_(std::min<std::uint32_t>(run_at(input.layer, first), kMostProfileSamples)),
+          count_(std::min<std::uint32_t>(run_at(input.layer, first), kMaxProfileSamples)),
           knots_(share_of_detail(count_)) {}
 
     /// Whether its points have fewer knots than they are.
@@ -134,7 +134,7 @@ private:
         std::size_t count = 0;
         for (const scene::Attribute& attribute : input_.layer.attributes) count += is_quantity(attribute) ? 1 : 0;
         if (count == 0) return draw_cross(inner_.center());
-        count = share_of_detail(std::min(count, kMostDiagramBars));
+        count = share_of_detail(std::min(count, kMaxDiagramBars));
         const float step = inner_.width / static_cast<float>(count);
         float x = inner_.x + 0.2f * step;
         for (const scene::Attribute& attribute : input_.layer.attributes) {
@@ -149,7 +149,7 @@ private:
     }
 
     void draw_bar(float x, float width, float share) {
-        const float height = inner_.height * (kLeastBar + (1 - kLeastBar) * share);
+        const float height = inner_.height * (kMinBar + (1 - kMinBar) * share);
         static_cast<void>(batch().box({x, inner_.bottom() - height, width, height}, look_.color));
     }
 

@@ -3,7 +3,7 @@
 ///
 /// Points that follow each other at the same latitude and longitude are one profile: the value to the right, the height upwards,
 /// from the least to the largest of either; over the lowest of them. A point alone has a bar for each of its first
-/// kMostDiagramBars quantitative attributes, from the least of the layer, which has a bar of kLeastBar, to the largest. The value
+/// kMaxDiagramBars quantitative attributes, from the least of the layer, which has a bar of kMinBar, to the largest. The value
 /// of a profile is the element's colour attribute, else its size attribute, else the first quantitative one. A cross stands where
 /// a value is missing. The nearest come first; what would cover another billboard, and what terrain stands before, is hidden.
 ///
@@ -19,8 +19,8 @@
 
 namespace tedavis::draw {
 
-inline constexpr std::size_t kMostDiagramBars = 5, kMostProfileSamples = 24;
-inline constexpr float kLeastBar = 0.08f;  ///< of the diagram's height
+inline constexpr std::size_t kMaxDiagramBars = 5, kMaxProfileSamples = 24;
+inline constexpr float kMinBar = 0.08f;  ///< of the diagram's height
 /// Of the text's size: the plate, without its name.
 inline constexpr float kDiagramWidth = 4.2f, kDiagramHeight = 3.2f;
 
@@ -29,7 +29,7 @@ inline constexpr float kDiagramWidth = 4.2f, kDiagramHeight = 3.2f;
 /// Whether any points follow each other at one place.
 [[nodiscard]] bool has_profiles(const scene::Layer& layer);
 
-/// Points are drawn with the diagram that shows them. Of a profile longer than kMostProfileSamples the rest is hidden.
+/// Points are drawn with the diagram that shows them. Of a profile longer than kMaxProfileSamples the rest is hidden.
 [[nodiscard]] ElementCount add_diagrams(BillboardSheet& sheet, const ElementInput& input);
 
 }  // namespace tedavis::draw

@@ -1,6 +1,6 @@
 /// Which features a technique may leave out where it is to convey less than all detail.
 ///
-/// Those whose value is below kMostLeftOut * (1 - detail) of the layer's largest; what has no value is kept, for nobody knows how
+/// Those whose value is below kMaxLeftOut * (1 - detail) of the layer's largest; what has no value is kept, for nobody knows how
 /// important it is. Pure; any thread.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kMostLeftOut = 0.8;
+inline constexpr double kMaxLeftOut = 0.8;
 
 [[nodiscard]] bool is_unimportant(const ElementInput& input, std::string_view attribute, std::uint32_t feature);
 

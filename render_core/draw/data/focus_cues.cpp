@@ -148,8 +148,8 @@ private:
         const double across = 0.5 * static_cast<double>(screen.width - own.width) - static_cast<double>(kFromEdge_px);
         const double along = 0.5 * static_cast<double>(screen.height - own.height) - static_cast<double>(kFromEdge_px);
         const double x = std::cos(angle), y = std::sin(angle);
-        constexpr double kLeast = 1e-9;
-        const double reach = share * std::fmin(across / std::fmax(std::fabs(x), kLeast), along / std::fmax(std::fabs(y), kLeast));
+        constexpr double kMin = 1e-9;
+        const double reach = share * std::fmin(across / std::fmax(std::fabs(x), kMin), along / std::fmax(std::fabs(y), kMin));
         return {screen.x + 0.5f * screen.width + static_cast<float>(x * reach),
                 screen.y + 0.5f * screen.height + static_cast<float>(y * reach)};
     }

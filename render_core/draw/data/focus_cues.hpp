@@ -1,7 +1,7 @@
 /// Cues that lead to foci that are not seen: beyond the picture an arrow at its edge, behind terrain a hollow sign where the
 /// focus is, each with the name and the distance. They keep clear of the symbology and of all signs.
 ///
-/// A focus is seen where one of its points is in the picture and no drawn terrain stands before it (terrain/drawn_sight.hpp).
+/// A focus is seen where one of its points is in the picture and no drawn terrain stands before it (terrain/line_of_sight.hpp).
 /// Points stand on the ground, in volumes in their middle. Who is in a focus needs no cue. Distances are from the own ship, else
 /// from the eye.
 ///

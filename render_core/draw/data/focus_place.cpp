@@ -229,7 +229,7 @@ FocusPlace path_ahead(const FocusSettings& focus, const FocusFrame& frame) {
         keep_corners(ahead_of(way, focus, frame), point_on(way, way.leg, way.part), region);
     } else {
         const glm::dvec2 velocity{frame.own_ship.velocity_east_mps, frame.own_ship.velocity_north_mps};
-        if (glm::length(velocity) < kLeastSpeed_mps) return {FocusState::no_motion, {}, frame.own_height_m};
+        if (glm::length(velocity) < kMinSpeed_mps) return {FocusState::no_motion, {}, frame.own_height_m};
         region.points[1] = velocity * focus.ahead_s;
         region.point_count = 2;
     }

@@ -26,7 +26,7 @@
 namespace tedavis::draw {
 
 inline constexpr double kFarthestWay_m = 5000;
-inline constexpr double kLeastSpeed_mps = 1;  ///< slower, nobody knows where it goes
+inline constexpr double kMinSpeed_mps = 1;  ///< slower, nobody knows where it goes
 
 enum class FocusState : std::uint8_t {
     shown,

@@ -38,8 +38,8 @@ enum CasterUniform : std::size_t { kCasterAxes, kCasterLevel, kCasterEarthToEye,
 constexpr const char* kCasterUniforms[kCasterUniformCount] = {"shadow_axes", "caster_level", "earth_to_eye", "facing"};
 constexpr float kOne = 127;  // of signed bytes
 constexpr std::uint64_t kShapeBytes =
-    GlyphShapes::kMostVertices * sizeof(GlyphVertex) + GlyphShapes::kMostIndices * sizeof(std::uint16_t);
-constexpr std::uint32_t kMostCorners = 65'536;
+    GlyphShapes::kMaxVertices * sizeof(GlyphVertex) + GlyphShapes::kMaxIndices * sizeof(std::uint16_t);
+constexpr std::uint32_t kMaxCorners = 65'536;
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
@@ -79,7 +79,7 @@ std::uint32_t GlyphDrawer::instances_within(bool has_instances, std::uint64_t gp
 
 std::uint32_t GlyphDrawer::corners_within(std::uint64_t gpu_bytes) {
     constexpr std::uint64_t kACorner = sizeof(Corner) + kIndicesACorner * sizeof(std::uint16_t);
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(gpu_bytes / kACorner, kMostCorners));
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(gpu_bytes / kACorner, kMaxCorners));
 }
 
 std::uint64_t GlyphDrawer::bytes_needed(bool has_instances, std::uint64_t gpu_bytes) {

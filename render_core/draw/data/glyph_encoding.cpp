@@ -72,7 +72,7 @@ public:
             const double towards = compass_angle(std::atan2(double{summary.value}, double{summary.north_mps}));
             direction = axes.east * std::sin(towards) + axes.north * std::cos(towards);
         }
-        const bool shows_value = look.detail >= kLeastDetailOfValues;
+        const bool shows_value = look.detail >= kMinDetailOfValues;
         const design::Color shown = shows_value ? color(summary, value) : faded(style_.plain, summary);
         return make_glyph(summary.place, extent(size_m, shows_value ? share(value) : style_.least_share), direction,
                           shown_color(look, shown));

@@ -10,7 +10,7 @@
 /// ground below its members.
 ///
 /// Beside a focus they are smaller, greyer and darker as its look says. With less than all detail there they have plain shapes;
-/// with less than kLeastDetailOfValues arrows say nothing but where the wind blows to: all are alike, without a colour by value.
+/// with less than kMinDetailOfValues arrows say nothing but where the wind blows to: all are alike, without a colour by value.
 ///
 /// Glyphs below kPlainBelow_px take plain shapes. Transparent ones are put in the order from far to near.
 /// Pure but for the batch; any thread.
@@ -54,7 +54,7 @@ struct GlyphStyle {
 };
 
 inline constexpr double kPlainBelow_px = 28;
-inline constexpr double kLeastDetailOfValues = 0.5;
+inline constexpr double kMinDetailOfValues = 0.5;
 inline constexpr std::uint32_t kLinkParts = 2;  ///< instances of a link
 
 /// `eye`: the one of the selection. The number of glyphs for which the batch had no room.

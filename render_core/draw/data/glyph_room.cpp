@@ -20,7 +20,7 @@ GlyphRoom glyph_room(bool has_instances, std::uint64_t cpu_bytes, std::uint64_t 
     room.glyphs =
         static_cast<std::uint32_t>(std::min<std::uint64_t>(affordable, GlyphDrawer::instances_within(has_instances, gpu_bytes)));
     const std::uint32_t sites = scene::GlyphField::sites_within((rest - room.glyphs * a_glyph) / fields);
-    if (sites < scene::kLeastGlyphSites || room.glyphs == 0) return {};
+    if (sites < scene::kMinGlyphSites || room.glyphs == 0) return {};
     room.sites = sites * fields;
     return room;
 }

@@ -64,7 +64,7 @@ struct GlyphMesh {
 
 class GlyphShapes {
 public:
-    static constexpr std::size_t kMostVertices = 640, kMostIndices = 2048;
+    static constexpr std::size_t kMaxVertices = 640, kMaxIndices = 2048;
 
     void build();
     [[nodiscard]] const GlyphMesh& mesh(GlyphShape shape) const { return meshes_[static_cast<std::size_t>(shape)]; }
@@ -77,8 +77,8 @@ public:
 
 private:
     friend class GlyphShapeMaker;
-    base::FixedVector<GlyphVertex, kMostVertices> vertices_;
-    base::FixedVector<std::uint16_t, kMostIndices> indices_;
+    base::FixedVector<GlyphVertex, kMaxVertices> vertices_;
+    base::FixedVector<std::uint16_t, kMaxIndices> indices_;
     GlyphMesh meshes_[kGlyphShapes];
 };
 static_assert(std::is_trivially_copyable_v<GlyphShapes>);

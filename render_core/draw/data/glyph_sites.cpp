@@ -88,15 +88,15 @@ scene::GlyphFrame GlyphSites::frame_of(const ElementInput& input) {
     const earth::Geodetic middle{0.5 * (box.south + box.north), 0.5 * (box.west + box.east), {0}};
     const double half_east = metres_east(middle.latitude_rad, 0.5 * (box.east - box.west));
     const double half_north = metres_north(middle.latitude_rad, 0.5 * (box.north - box.south));
-    constexpr double kLeastReach_m = 20'000;  // heights as well
+    constexpr double kMinReach_m = 20'000;  // heights as well
     const bool is_grid = layer_->entry->shape == scene::LayerShape::grid;
     const scene::GridShape& grid = layer_->entry->grid;
     const double spacing = is_grid ? std::min(metres_east(middle.latitude_rad, grid.step_lon_rad),
                                               metres_north(middle.latitude_rad, grid.step_lat_rad))
                                    : kPointGlyph_m / kShareOfSpacing;
-    const double own_m = std::min(kShareOfSpacing * spacing, kMostGridGlyph_m);
+    const double own_m = std::min(kShareOfSpacing * spacing, kMaxGridGlyph_m);
     size_m_ = static_cast<float>(input.element.size_m > 0 ? input.element.size_m : own_m);
-    return scene::level_frame(middle, std::max({half_east, half_north, kLeastReach_m}));
+    return scene::level_frame(middle, std::max({half_east, half_north, kMinReach_m}));
 }
 
 bool GlyphSites::begin(const ElementInput& input, std::int64_t time_ns, scene::GlyphField& field) {

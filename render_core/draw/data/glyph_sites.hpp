@@ -19,8 +19,8 @@ namespace tedavis::draw {
 
 inline constexpr double kOverGround_m = 150;
 inline constexpr double kPointGlyph_m = 400;     ///< across, of points, where the design says nothing
-inline constexpr double kShareOfSpacing = 0.85;  ///< the same of grids: of the distance of posts, at most kMostGridGlyph_m
-inline constexpr double kMostGridGlyph_m = 8000;
+inline constexpr double kShareOfSpacing = 0.85;  ///< the same of grids: of the distance of posts, at most kMaxGridGlyph_m
+inline constexpr double kMaxGridGlyph_m = 8000;
 
 /// Which attribute glyphs show; of points without any one that is the same everywhere, and as unsure as can be; null where the
 /// layer has none for them.

@@ -9,8 +9,8 @@
 #include "render_core/draw/data/ground_section.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
+#include "render_core/draw/data/polyline_weights.hpp"
 #include "render_core/draw/data/solid_look.hpp"
-#include "render_core/draw/data/way_weights.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
@@ -61,7 +61,7 @@ public:
 
 private:
     static constexpr double kMargin_m = 6, kStripes_m = 30, kLongest_m = 8000;
-    static constexpr double kDash_m = 30, kPeriod_m = 50, kMostPeriods = 48;
+    static constexpr double kDash_m = 30, kPeriod_m = 50, kMaxPeriods = 48;
 
     [[nodiscard]] GroundSection at(double along_m) const {
         return ground_section(input_, between(first_, last_, along_m / length_m_), half_);
@@ -69,7 +69,7 @@ private:
 
     bool add_parts(const GroundSection& begin) {
         const double inner_m = length_m_ - 2 * (kMargin_m + kStripes_m);
-        const double periods = std::clamp(std::round(inner_m / kPeriod_m), 1.0, kMostPeriods);
+        const double periods = std::clamp(std::round(inner_m / kPeriod_m), 1.0, kMaxPeriods);
         const double period_m = inner_m / periods, gap_m = period_m * (1 - kDash_m / kPeriod_m);
         cap(begin, false);
         GroundSection from = begin;
@@ -159,8 +159,8 @@ public:
     }
 
 private:
-    static constexpr double kMostSteps = 2000;  // of a leg: what is longer is cut into longer steps
-    static constexpr double kMostMitre = 2;
+    static constexpr double kMaxSteps = 2000;  // of a leg: what is longer is cut into longer steps
+    static constexpr double kMaxMitre = 2;
     static constexpr std::uint32_t kLongestLeg = 64;  // points of the line
 
     /// Between two points that are kept.
@@ -174,7 +174,7 @@ private:
 
     /// The farthest point to which the way may be straight; the last one from itself.
     [[nodiscard]] std::uint32_t next_kept(std::uint32_t from) const {
-        const double most_m = kMostStraightened_m * (1 - input_.element.detail);
+        const double most_m = kMaxStraightened_m * (1 - input_.element.detail);
         const std::uint32_t end = std::min(run_.count, from + kLongestLeg);
         std::uint32_t to = std::min(from + 1, run_.count - 1);
         while (most_m > 0 && to + 1 < end && is_straight({from, to + 1}, most_m)) ++to;
@@ -182,7 +182,7 @@ private:
     }
 
     [[nodiscard]] bool is_straight(const Leg& leg, double most_m) const {
-        const WayPoint begin{}, end{glm::dvec3(way(leg), 0)};
+        const PolylineVertex begin{}, end{glm::dvec3(way(leg), 0)};
         for (std::uint32_t n = leg.from + 1; n < leg.to; ++n)
             if (distance_from_way({glm::dvec3(way({leg.from, n}), 0)}, begin, end) > most_m) return false;
         return true;
@@ -193,14 +193,14 @@ private:
         const glm::dvec2 in = right_of(way_in), out = right_of(way_out), middle = in + out;
         const double square = glm::dot(middle, middle);
         if (!(square > 0)) return out * half_m_;
-        const double mitre = glm::length(in) > 0 && glm::length(out) > 0 ? std::min(2 / std::sqrt(square), kMostMitre) : 1;
+        const double mitre = glm::length(in) > 0 && glm::length(out) > 0 ? std::min(2 / std::sqrt(square), kMaxMitre) : 1;
         return middle * (half_m_ * mitre / std::sqrt(square));
     }
 
     bool add_leg(const Leg& leg, const glm::dvec2& half_from, const glm::dvec2& half_to) {
         const double length_m = glm::length(way(leg));
         if (!(length_m > 0)) return true;  // points on each other
-        const double steps = std::clamp(std::ceil(length_m / kLongestStep_m), 1.0, kMostSteps);
+        const double steps = std::clamp(std::ceil(length_m / kLongestStep_m), 1.0, kMaxSteps);
         const glm::dvec2 across = right_of(way(leg)) * half_m_;
         GroundSection from = ground_section(input_, point(leg.from), half_from);
         for (double step = 1; step <= steps; ++step) {

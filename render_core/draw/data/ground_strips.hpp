@@ -9,7 +9,7 @@
 /// pixels wide where they are narrower.
 ///
 /// `detail`: below 1 roads and rivers leave out points of their way, from which it is nowhere farther than
-/// kMostStraightened_m * (1 - detail), and those with a small "width" are left out (feature_importance.hpp).
+/// kMaxStraightened_m * (1 - detail), and those with a small "width" are left out (feature_importance.hpp).
 ///
 /// Pure but for the ground that is asked. Bounded.
 #pragma once
@@ -20,7 +20,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kMostStraightened_m = 300;
+inline constexpr double kMaxStraightened_m = 300;
 inline constexpr double kRunwayWidth_m = 30, kRiverWidth_m = 20, kRoadWidth_m = 8;
 
 /// A line is drawn or hidden as a whole, but for room that ends within a ribbon.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kSurfacePadding_bytes = 256;
 constexpr std::size_t kIndicesAVertex = 6, kShareOfRoom = 2;
-constexpr std::uint32_t kLeastAcross = 4;  // posts that are looked at along an axis, where there are as many
+constexpr std::uint32_t kMinAcross = 4;  // posts that are looked at along an axis, where there are as many
 constexpr std::uint64_t kAllCells = ~std::uint64_t{0};
 constexpr std::uint32_t kSlotBits = 13;
 static_assert(SolidMesh::kVertices <= 1u << kSlotBits);
@@ -26,7 +26,7 @@ constexpr float kOuterOpacity = 0.5f;  // of the element's, where there are many
 constexpr float kHalfLine_px = 1;
 constexpr double kLineShade = 0.65;  // of black in the surface's colour
 constexpr double kLineLift = 0.5;    // away from the surface, of the way to the side
-constexpr std::uint32_t kLineVertices = 4, kLineIndices = 12, kMostLinesATriangle = 64;
+constexpr std::uint32_t kLineVertices = 4, kLineIndices = 12, kMaxLinesATriangle = 64;
 
 using Levels = base::FixedVector<double, design::kMaxElementLevels>;
 /// Those that the design names first.
@@ -81,12 +81,12 @@ bool shows_isosurfaces(const scene::Layer& layer) {
 bool isosurfaces_move(const scene::Layer& layer) { return layer.times_ns.size() > 1; }
 
 IsosurfaceRoom IsosurfaceRoom::beside(std::uint32_t batch_vertices) {
-    constexpr std::uint32_t kMostVertices = 262144, kMostPosts = 128 * 128 * 128;
-    constexpr std::uint32_t kLeastPosts = kMostMovingPosts, kLeastSlice = 24 * 24, kSmallBatch = 65536;
+    constexpr std::uint32_t kMaxVertices = 262144, kMaxPosts = 128 * 128 * 128;
+    constexpr std::uint32_t kMinPosts = kMaxMovingPosts, kMinSlice = 24 * 24, kSmallBatch = 65536;
     IsosurfaceRoom room;
-    room.vertices = std::min(batch_vertices / 8, kMostVertices);
-    room.posts = std::clamp(batch_vertices < kSmallBatch ? batch_vertices : 2 * batch_vertices, kLeastPosts, kMostPosts);
-    room.posts_of_slice = std::clamp(room.posts / 64, kLeastSlice, 128u * 128);
+    room.vertices = std::min(batch_vertices / 8, kMaxVertices);
+    room.posts = std::clamp(batch_vertices < kSmallBatch ? batch_vertices : 2 * batch_vertices, kMinPosts, kMaxPosts);
+    room.posts_of_slice = std::clamp(room.posts / 64, kMinSlice, 128u * 128);
     return room;
 }
 
@@ -112,7 +112,7 @@ IsosurfaceSolids::Sampling IsosurfaceSolids::sampling_of(const scene::GridShape&
     Sampling sampling;
     const std::uint32_t all[3] = {grid.columns, grid.rows, grid.levels};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        sampling.step[axis] = std::min(step, std::max(1u, (all[axis] - 1) / (kLeastAcross - 1)));
+        sampling.step[axis] = std::min(step, std::max(1u, (all[axis] - 1) / (kMinAcross - 1)));
         sampling.posts[axis] = (all[axis] - 1) / sampling.step[axis] + 1;
     }
     return sampling;
@@ -128,9 +128,9 @@ ElementCount IsosurfaceSolids::add(SolidBatch& batch, SolidMesh& mesh, const Ele
     time_ns_ = time_of(input);
     has_uncertainty_ = attribute->entry->uncertainty_kind != scene::UncertaintyKind::none;
     const std::uint64_t most =
-        isosurfaces_move(input.layer) ? std::min<std::uint64_t>(kMostMovingPosts, values_.size()) : values_.size();
+        isosurfaces_move(input.layer) ? std::min<std::uint64_t>(kMaxMovingPosts, values_.size()) : values_.size();
     const auto finest = static_cast<std::uint32_t>(std::lround(1 + 3 * (1 - input.element.detail)));
-    for (std::uint32_t step = finest; step <= kMostIsosurfaceSteps; ++step) {
+    for (std::uint32_t step = finest; step <= kMaxIsosurfaceSteps; ++step) {
         const Sampling sampling = sampling_of(grid, step);
         if (sampling.all() > most || sampling.posts[0] * sampling.posts[1] > slice_posts_) continue;
         const std::uint32_t known = sample(field, sampling);
@@ -259,8 +259,8 @@ std::uint16_t IsosurfaceSolids::add_vertex(SolidMesh& mesh, const ElementInput& 
 }
 
 bool has_isosurface_lines(const design::DataElement& element) {
-    constexpr double kLeastDetail = 0.5;
-    return element.detail >= kLeastDetail && !element.grid;
+    constexpr double kMinDetail = 0.5;
+    return element.detail >= kMinDetail && !element.grid;
 }
 
 /// Where the surface last made goes through whole multiples of kIsosurfaceLines_m; all of its lines or, where these have no room,
@@ -303,7 +303,7 @@ void IsosurfaceSolids::visit_lines(const ElementInput& input, const Sampling& sa
     }
     const double highest = std::max({lines[0], lines[1], lines[2]});
     double line = std::ceil(std::min({lines[0], lines[1], lines[2]}));
-    for (std::uint32_t n = 0; n < kMostLinesATriangle && line < highest; ++n, line += 1) {
+    for (std::uint32_t n = 0; n < kMaxLinesATriangle && line < highest; ++n, line += 1) {
         LinePiece piece;
         std::size_t ends = 0;
         for (std::size_t k = 0; k < 3 && ends < 2; ++k) {

@@ -1,7 +1,7 @@
 /// Surfaces where a field of a scene has given values, around what is higher: the element's levels, from the lowest, outer one
 /// on, each more opaque than the one before. The values are those of the element's attribute, or of the layer's first one.
 ///
-/// Grids with several times are built for the frame's minute, every frame, of kMostMovingPosts posts at most; others once. Where
+/// Grids with several times are built for the frame's minute, every frame, of kMaxMovingPosts posts at most; others once. Where
 /// a grid has more posts than there is room for, or its surface more vertices, every second, third ... post is looked at. Places
 /// lie between the grid's heights as its posts do; normals are those of the field in space. The colour is that of the scale at
 /// the level; how unsure the field is at a vertex fades it. Layers of air are so flat that light alone shows no form: from half
@@ -10,7 +10,7 @@
 ///
 /// Counts are posts at one time: drawn those that are looked at, aggregated those passed over, hidden all of a grid that shows
 /// nothing and those without a value.
-/// Memory  from an arena, once. Thread  the ground's. Bounded: posts and surfaces, kMostIsosurfaceSteps times.
+/// Memory  from an arena, once. Thread  the ground's. Bounded: posts and surfaces, kMaxIsosurfaceSteps times.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -20,8 +20,8 @@
 
 namespace tedavis::draw {
 
-inline constexpr std::uint32_t kMostMovingPosts = 8192;
-inline constexpr std::uint32_t kMostIsosurfaceSteps = 64;  ///< posts passed over to the next one looked at, and tries
+inline constexpr std::uint32_t kMaxMovingPosts = 8192;
+inline constexpr std::uint32_t kMaxIsosurfaceSteps = 64;  ///< posts passed over to the next one looked at, and tries
 
 /// Between lines of equal height: 1000 ft.
 inline constexpr double kIsosurfaceLines_m = 304.8;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBehind_m = 10'000;  // of the eye: what the ground's height may bring forward again
 constexpr double kBeyond = 1e-6;      // a limit, by more than what a float rounds off
-constexpr double kBeside_rad = 0.5;   // of the picture's corners: as far as an eye turns in an epoch
+constexpr double kBeside_rad = 0.5;   // of the picture's corners: as far as an eye turns in an interval
 
 /// Of the angle to the view's middle up to which features are offered.
 double widest_cosine(const terrain::View& view) {
@@ -45,7 +45,7 @@ bool is_in_focus(const ElementInput& input, std::uint32_t feature) {
 class Reach {
 public:
     explicit Reach(const SignView& view) : eye_(earth::from_ecef(view.view.eye)) {
-        const double reach_rad = kFarthestBillboard_m / view.seen_distance_m(1) / kLeastRadius_m;
+        const double reach_rad = kFarthestBillboard_m / view.seen_distance_m(1) / kMinRadius_m;
         const double farthest_rad = std::fabs(eye_.latitude_rad) + reach_rad;
         latitude_rad_ = reach_rad;
         if (farthest_rad < kHighLatitude_rad) longitude_rad_ = reach_rad / std::cos(farthest_rad);
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    static constexpr double kLeastRadius_m = 6.2e6;  ///< less than any of the ellipsoid, and than what a chord cuts short
+    static constexpr double kMinRadius_m = 6.2e6;  ///< less than any of the ellipsoid, and than what a chord cuts short
     static constexpr double kHighLatitude_rad = 1.5;
     earth::Geodetic eye_;
     double latitude_rad_ = 0, longitude_rad_ = base::kPi;
@@ -77,7 +77,7 @@ LabelGroup label_group(const ElementInput& input) {
     const bool are_places = input.layer.entry->role == scene::LayerRole::place;
     // Of foci the intermediate context has markers without names.
     group.only_named = are_places && (input.foci == nullptr || input.foci->frame() == nullptr);
-    if (are_places && group.named_share < 1) group.most = std::ceil(kMostPlaces * group.named_share);
+    if (are_places && group.named_share < 1) group.most = std::ceil(kMaxPlaces * group.named_share);
     return group;
 }
 

@@ -1,7 +1,7 @@
 /// What of a layer may be labelled, and where: the candidates of the label planner. Features within kFarthestBillboard_m, as far
 /// away as 60 degrees of view would show them, that lie ahead, or so little beside the picture that they may be in it before the
-/// next epoch. Of layers without roles that warn, `detail` is the share of the features that have their names, those of the
-/// highest interest; places without one are left out, and so are more than kMostPlaces * detail of them. Obstacles, no-go areas,
+/// next interval. Of layers without roles that warn, `detail` is the share of the features that have their names, those of the
+/// highest interest; places without one are left out, and so are more than kMaxPlaces * detail of them. Obstacles, no-go areas,
 /// airspaces and storms have their icons whatever their interest, and their names likewise by `detail`; of them the nearest come
 /// first.
 ///
@@ -16,7 +16,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kMostPlaces = 24;  ///< of a picture with less than all detail
+inline constexpr double kMaxPlaces = 24;  ///< of a picture with less than all detail
 
 /// Warns: never left out for want of interest, and never late.
 [[nodiscard]] bool is_protected(const scene::Layer& layer);

@@ -8,9 +8,9 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kEpoch_s = 0.5;
-static_assert(flight::kDecisionInterval.ns == static_cast<std::int64_t>(kEpoch_s * 1e9));
-constexpr double kMostDebt_s = 2;  // of changes that could not wait
+constexpr double kInterval_s = 0.5;
+static_assert(flight::kDecisionInterval.ns == static_cast<std::int64_t>(kInterval_s * 1e9));
+constexpr double kMaxDebt_s = 2;  // of changes that could not wait
 constexpr std::uint8_t kOldest = 255;
 
 bool has_smaller_key(const Label& a, const Label& b) { return a.key < b.key; }
@@ -22,9 +22,9 @@ bool looks_alike(const Label& a, const Label& b) {
 }  // namespace
 
 bool LabelPlanner::start(base::Arena& arena) {
-    labels_ = arena.allocate_array<Label>(kMost);
-    held_ = arena.allocate_array<Label>(kMost);
-    candidates_ = arena.allocate_array<Candidate>(kMost);
+    labels_ = arena.allocate_array<Label>(kMax);
+    held_ = arena.allocate_array<Label>(kMax);
+    candidates_ = arena.allocate_array<Candidate>(kMax);
     return !labels_.empty() && !held_.empty() && !candidates_.empty();
 }
 
@@ -33,24 +33,24 @@ void LabelPlanner::rest() {
     gone_ = 0;
 }
 
-void LabelPlanner::begin(const LabelEpoch& epoch, const design::LabelSettings& settings) {
-    const std::int64_t elapsed = epoch.number - epoch_.number;
-    is_first_ = !has_memory_ || was_skipped_ || elapsed < 1 || elapsed > kMostGap;
+void LabelPlanner::begin(const LabelHistory& interval, const design::LabelSettings& settings) {
+    const std::int64_t elapsed = interval.number - interval_.number;
+    is_first_ = !has_memory_ || was_skipped_ || elapsed < 1 || elapsed > kMaxGap;
     elapsed_ = static_cast<std::uint8_t>(is_first_ ? 1 : elapsed);
-    epoch_ = epoch;
+    interval_ = interval;
     settings_ = settings;
     held_count_ = count_;
     std::copy_n(labels_.data(), held_count_, held_.data());
     std::sort(held_.data(), held_.data() + held_count_, has_smaller_key);
-    const double more = settings.most_changes * kEpoch_s * elapsed_;
+    const double more = settings.most_changes * kInterval_s * elapsed_;
     changes_left_ = is_first_ ? 0 : std::min(changes_left_ + more, std::max(settings.most_changes, 1.0));
     groups_.clear();
     offered_ = visited_ = shown_ = suppressed_ = {};
     count_ = candidate_count_ = 0;
 }
 
-void LabelPlanner::skip(std::int64_t epoch) {
-    epoch_.number = epoch;
+void LabelPlanner::skip(std::int64_t interval) {
+    interval_.number = interval;
     for (std::size_t n = 0; n < count_; ++n) gone_ += labels_[n].look != 0 ? 1 : 0;
     count_ = 0;
     suppressed_ = {};
@@ -82,7 +82,7 @@ void LabelPlanner::offer(LabelKey key, double interest, double rank) {
     const Candidate candidate{key, static_cast<float>(rank + (stands ? kHeldBonus : 0)), static_cast<float>(interest)};
     const auto first_of = [this](const Candidate& a, const Candidate& b) { return comes_first(a, b); };
     Candidate* const all = candidates_.data();
-    if (candidate_count_ == kMost) {
+    if (candidate_count_ == kMax) {
         const bool is_better = comes_first(candidate, all[0]);
         ++suppressed_[group_of(is_better ? all[0].key : key)];
         if (!is_better) return;
@@ -95,7 +95,7 @@ void LabelPlanner::offer(LabelKey key, double interest, double rank) {
 void LabelPlanner::settle(LabelShapes& shapes) {
     Candidate* const all = candidates_.data();
     std::sort_heap(all, all + candidate_count_, [this](const Candidate& a, const Candidate& b) { return comes_first(a, b); });
-    LabelRoom taken(epoch_.screen);
+    LabelRoom taken(interval_.screen);
     for (std::size_t n = 0; n < candidate_count_; ++n) {
         const LabelShape shape = shapes.shape(all[n].key);
         const Label label = decide(all[n], shape, taken);
@@ -110,7 +110,7 @@ void LabelPlanner::settle(LabelShapes& shapes) {
     count_gone();
 }
 
-/// Those of the epoch before that are not here any more; held_ is theirs until the next one.
+/// Those of the interval before that are not here any more; held_ is theirs until the next one.
 void LabelPlanner::count_gone() {
     for (std::size_t n = 0; n < count_; ++n) {
         const Label* const before = held(labels_[n].key);
@@ -150,12 +150,13 @@ LabelLevel LabelPlanner::wanted(const Candidate& candidate, const Label* before,
 }
 
 Rect LabelPlanner::room_of(const Label& label, const SignBox& box) const {
-    return label.level == LabelLevel::name ? box.raised(label.stem, epoch_.text_px).with(label.side) : box.with(SignSide::none);
+    return label.level == LabelLevel::name ? box.raised(label.stem, interval_.text_px).with(label.side)
+                                           : box.with(SignSide::none);
 }
 
 bool LabelPlanner::has_room(const Label& label, const SignBox& box, const LabelRoom& taken, bool stands) const {
     const Rect room = room_of(label, box);
-    return epoch_.screen.contains(room) && taken.is_free(stands ? room : with_margin(room, epoch_.text_px));
+    return interval_.screen.contains(room) && taken.is_free(stands ? room : with_margin(room, interval_.text_px));
 }
 
 /// Of the name: where it stands, as long as there is room.
@@ -188,7 +189,7 @@ Label LabelPlanner::fit(const Label& asked, const Label* before, const LabelShap
 }
 
 bool LabelPlanner::may_change(const Label* before) const {
-    const bool has_dwelt = before == nullptr || before->age * kEpoch_s >= settings_.dwell_s;
+    const bool has_dwelt = before == nullptr || before->age * kInterval_s >= settings_.dwell_s;
     return has_dwelt && changes_left_ >= 1;
 }
 
@@ -209,7 +210,7 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
     Label asked;
     asked.key = candidate.key;
     asked.wanted = wanted(candidate, before, shape.box.name_width_px > 0);
-    asked.is_seen = shape.is_known && epoch_.screen.contains(shape.box.with(SignSide::none));
+    asked.is_seen = shape.is_known && interval_.screen.contains(shape.box.with(SignSide::none));
     if (!asked.is_seen) {
         // Nobody sees it change.
         asked.level = asked.wanted;
@@ -227,12 +228,12 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
         if (is_protected && is_new) return next.level = LabelLevel::marker, next;
         if (is_new || has_room(kept, shape.box, taken, true)) return kept;
     }
-    changes_left_ = std::max(changes_left_ - 1, -kMostDebt_s * settings_.most_changes);
+    changes_left_ = std::max(changes_left_ - 1, -kMaxDebt_s * settings_.most_changes);
     return next;
 }
 
 void LabelPlanner::keep(LabelMemory& memory) const {
-    memory.epoch = epoch_.number;
+    memory.interval = interval_.number;
     memory.changes_left = changes_left_;
     memory.suppressed = suppressed_;
     memory.has_memory = has_memory_;
@@ -243,7 +244,7 @@ void LabelPlanner::keep(LabelMemory& memory) const {
 }
 
 void LabelPlanner::restore(const LabelMemory& memory) {
-    epoch_.number = memory.epoch;
+    interval_.number = memory.interval;
     changes_left_ = memory.changes_left;
     suppressed_ = memory.suppressed;
     has_memory_ = memory.has_memory;

@@ -1,18 +1,18 @@
-/// Which signs have a marker and a name, on which side, decided anew at every epoch of the source's time and kept between them:
-/// of all that are offered those of the highest rank, without overlaps, and calmly.
+/// Which signs have a marker and a name, on which side, decided anew at every interval of the source's time and kept between
+/// them: of all that are offered those of the highest rank, without overlaps, and calmly.
 ///
-///   start(arena) · each epoch: begin(epoch, ...), add_group() and offer() for all features, settle(shapes) · labels()
+///   start(arena) · each interval: begin(interval, ...), add_group() and offer() for all features, settle(shapes) · labels()
 ///
 /// Those that nobody may miss (is_protected) come first, then those of higher rank; who stands already counts kHeldBonus more,
 /// and keeps level and side for the dwell time as long as there is room. What would overlap by then leaves at once; all other
 /// changes in view spend of a number a second, and wait where it is spent. New places need kMargin of room round them, so that
-/// the way between two epochs seldom brings two labels together. Markers of protected features neither wait nor leave.
+/// the way between two intervals seldom brings two labels together. Markers of protected features neither wait nor leave.
 ///
 /// What is decided is a function of what was offered, in any order, and of the labels before: who replays a flight brings these
-/// along (keep(), restore()), or begins at its start. Work is bounded by kMost, whatever is offered; what is not among the best
-/// kMost is counted.
+/// along (keep(), restore()), or begins at its start. Work is bounded by kMax, whatever is offered; what is not among the best
+/// kMax is counted.
 ///
-/// Memory  from an arena, once. Thread  one. No clock: an epoch is a number that grows with the source's time.
+/// Memory  from an arena, once. Thread  one. No clock: an interval is a number that grows with the source's time.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ enum class LabelLevel : std::uint8_t { none, marker, name };
 
 /// Of a feature in one of up to 32 groups, which are an element and a layer each.
 using LabelKey = std::uint32_t;
-inline constexpr std::uint32_t kMostLabelGroups = 32, kLabelFeatureBits = 24;
+inline constexpr std::uint32_t kMaxLabelGroups = 32, kLabelFeatureBits = 24;
 [[nodiscard]] constexpr LabelKey label_key(std::uint32_t group, std::uint32_t feature) {
     return group << kLabelFeatureBits | (feature & ((1u << kLabelFeatureBits) - 1));
 }
@@ -45,9 +45,9 @@ struct Label {
     LabelLevel wanted = LabelLevel::none;  ///< more than its level where it has no room, or waits
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
-    std::uint8_t age = 0;   ///< epochs since its last change, as far as a byte counts
-    bool is_seen = false;   ///< in the picture at this epoch
-    std::uint8_t look = 0;  ///< of the last frame, by note(); goes along from epoch to epoch
+    std::uint8_t age = 0;   ///< intervals since its last change, as far as a byte counts
+    bool is_seen = false;   ///< in the picture at this interval
+    std::uint8_t look = 0;  ///< of the last frame, by note(); goes along from interval to interval
 };
 
 /// How a group's features are labelled.
@@ -76,7 +76,7 @@ protected:
     LabelShapes& operator=(const LabelShapes&) = default;
 };
 
-struct LabelEpoch {
+struct LabelHistory {
     std::int64_t number = 0;
     Rect screen;  ///< that boxes lie within
     float text_px = 16;
@@ -86,36 +86,36 @@ struct LabelMemory;
 
 class LabelPlanner {
 public:
-    static constexpr std::size_t kMost = 255;
-    static constexpr std::int64_t kMostGap = 4;
+    static constexpr std::size_t kMax = 255;
+    static constexpr std::int64_t kMaxGap = 4;
     static constexpr double kHeldBonus = 0.04;
     static constexpr float kMargin = 0.3f;  ///< of the text's size
 
     [[nodiscard]] bool start(base::Arena& arena);
-    /// The next epoch places all at once; until then there is nothing.
+    /// The next interval places all at once; until then there is nothing.
     void forget() { has_memory_ = false; }
     /// A frame showed none of them.
     void rest();
-    /// Whether this epoch is still to be decided.
-    [[nodiscard]] bool is_due(std::int64_t epoch) const { return !has_memory_ || epoch != epoch_.number; }
+    /// Whether this interval is still to be decided.
+    [[nodiscard]] bool is_due(std::int64_t interval) const { return !has_memory_ || interval != interval_.number; }
 
-    /// Whether there is an epoch that was settled, not skipped.
+    /// Whether there is an interval that was settled, not skipped.
     [[nodiscard]] bool is_decided() const { return has_memory_ && !was_skipped_; }
 
-    /// An epoch without labels; the next one places all at once.
-    void skip(std::int64_t epoch);
-    /// An epoch that is not one of the next kMostGap forgets what stood.
-    void begin(const LabelEpoch& epoch, const design::LabelSettings& settings);
-    /// The groups in their order; a number beyond kMostLabelGroups is refused.
+    /// An interval without labels; the next one places all at once.
+    void skip(std::int64_t interval);
+    /// An interval that is not one of the next kMaxGap forgets what stood.
+    void begin(const LabelHistory& interval, const design::LabelSettings& settings);
+    /// The groups in their order; a number beyond kMaxLabelGroups is refused.
     [[nodiscard]] bool add_group(const LabelGroup& group);
     /// Both 0..1: `interest` decides on marker and name, `rank` on who comes first; what is no number is left out.
     void offer(LabelKey key, double interest, double rank);
     void settle(LabelShapes& shapes);
-    /// Round what is placed anew, so that the way between two epochs seldom brings two labels together.
+    /// Round what is placed anew, so that the way between two intervals seldom brings two labels together.
     [[nodiscard]] static Rect with_margin(const Rect& box, float text_px) { return box.shrunk(-kMargin * text_px); }
 
     [[nodiscard]] base::Span<const Label> labels() const { return {labels_.data(), has_memory_ ? count_ : 0}; }
-    /// Features of a group in view that have a name which is not shown; of those that are not among the best kMost all that are
+    /// Features of a group in view that have a name which is not shown; of those that are not among the best kMax all that are
     /// offered.
     [[nodiscard]] std::uint32_t suppressed(std::uint32_t group) const {
         return group < suppressed_.size() ? suppressed_[group] : 0;
@@ -145,27 +145,27 @@ private:
     [[nodiscard]] Label before_now(const Label& asked, const Label* before) const;
     void count_gone();
 
-    LabelEpoch epoch_;
+    LabelHistory interval_;
     design::LabelSettings settings_;
-    base::FixedVector<LabelGroup, kMostLabelGroups> groups_;
-    std::array<std::uint32_t, kMostLabelGroups> offered_{}, visited_{}, shown_{}, suppressed_{};
-    base::Span<Label> labels_, held_;  ///< in order of rank; the epoch's before, by key
+    base::FixedVector<LabelGroup, kMaxLabelGroups> groups_;
+    std::array<std::uint32_t, kMaxLabelGroups> offered_{}, visited_{}, shown_{}, suppressed_{};
+    base::Span<Label> labels_, held_;  ///< in order of rank; the interval's before, by key
     base::Span<Candidate> candidates_;
     std::size_t count_ = 0, held_count_ = 0, candidate_count_ = 0;
     double changes_left_ = 0;
     std::uint32_t gone_ = 0;
-    std::uint8_t elapsed_ = 1;  ///< epochs since the one before
+    std::uint8_t elapsed_ = 1;  ///< intervals since the one before
     bool has_memory_ = false, was_skipped_ = false, is_first_ = true;
 };
 
 /// All that one frame leaves to the next. Plain data.
 struct LabelMemory {
-    std::int64_t epoch = 0;
+    std::int64_t interval = 0;
     double changes_left = 0;
-    std::array<std::uint32_t, kMostLabelGroups> suppressed{};
+    std::array<std::uint32_t, kMaxLabelGroups> suppressed{};
     bool has_memory = false, was_skipped = false;
     std::uint32_t gone = 0;  ///< labels that a frame has not counted yet
-    base::FixedVector<Label, LabelPlanner::kMost> labels;
+    base::FixedVector<Label, LabelPlanner::kMax> labels;
 };
 
 }  // namespace tedavis::draw

@@ -13,7 +13,7 @@ LabelRoom::Parts LabelRoom::parts_of(const Rect& box) const {
 }
 
 void LabelRoom::take(const Rect& box) {
-    if (count_ == kMost) return;
+    if (count_ == kMax) return;
     const Parts parts = parts_of(box);
     for (std::size_t y = parts.top; y <= parts.bottom; ++y)
         for (std::size_t x = parts.left; x <= parts.right; ++x)

@@ -11,13 +11,13 @@ namespace tedavis::draw {
 
 class LabelRoom {
 public:
-    static constexpr std::size_t kMost = 255;
+    static constexpr std::size_t kMax = 255;
 
     explicit LabelRoom(const Rect& screen) : screen_(screen) {}
-    /// Beyond kMost it is refused.
+    /// Beyond kMax it is refused.
     void take(const Rect& box);
     /// Whether a box is clear of all, but for the one with this number and those that overlap it.
-    [[nodiscard]] bool is_free(const Rect& box, std::size_t except = kMost) const;
+    [[nodiscard]] bool is_free(const Rect& box, std::size_t except = kMax) const;
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
 
 private:
@@ -32,7 +32,7 @@ private:
     [[nodiscard]] Parts parts_of(const Rect& box) const;
 
     Rect screen_;
-    std::array<Rect, kMost> boxes_;
+    std::array<Rect, kMax> boxes_;
     std::array<Set, kParts * kParts> sets_{};
     std::size_t count_ = 0;
 };

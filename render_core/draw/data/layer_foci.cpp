@@ -97,7 +97,7 @@ double LayerFoci::by_place(std::size_t focus, const ElementInput& input, std::ui
     if (is_run(*layer_)) return Outline(region, map, *layer_, layer_->points_of(feature)).degree();
     const scene::ScenePoint& point = layer_->points[feature];
     const double degree = map.degree(region, point.latitude_rad, point.longitude_rad);
-    if (!region.is_volume || degree <= scene::kMostBesideVolume) return degree;
+    if (!region.is_volume || degree <= scene::kMaxBesideVolume) return degree;
     const Placed at = placed(input, point);
     return at.is_known ? scene::focus_degree(region, at.place, at.height_m) : degree;
 }

@@ -180,7 +180,7 @@ bool add_rimmed(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     batch.set_look(look, input.layer.entry->data_time_ns);
     if (!mesh.add_to(batch)) return false;
     if (!is_rimmed(input, look)) return true;
-    look.halo_px = std::max(kLeastHalf_px, static_cast<float>(input.element.halo_px));
+    look.halo_px = std::max(kMinHalf_px, static_cast<float>(input.element.halo_px));
     batch.set_look(look, input.layer.entry->data_time_ns);
     return mesh.add_to(batch);
 }

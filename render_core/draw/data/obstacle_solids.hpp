@@ -9,7 +9,7 @@
 /// poles ("height", kPole_m else), between which it sags by "sag", else by a kSagShare-th of the span, in a parabola. With
 /// absolute heights it is taken as surveyed, its poles at its ends; it sags when it has two points only or a "sag".
 ///
-/// What is thinner than a pixel does not vanish: a rim of kLeastHalf_px in the same colour, or the element's halo, goes round
+/// What is thinner than a pixel does not vanish: a rim of kMinHalf_px in the same colour, or the element's halo, goes round
 /// what is opaque; it says where the thing is, not how thick.
 ///
 /// `detail`: no obstacle is ever left out. From 1 down to kShapesFrom there are fewer bands; below, each is one body of its true
@@ -26,7 +26,7 @@ namespace tedavis::draw {
 
 inline constexpr double kUnknownObstacle_m = 100, kPole_m = 20, kCable_m = 0.05, kSagShare = 30;
 inline constexpr double kShapesFrom = 0.5;
-inline constexpr float kLeastHalf_px = 1.0f;
+inline constexpr float kMinHalf_px = 1.0f;
 
 /// A point or a line is drawn or hidden as a whole.
 [[nodiscard]] ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);

@@ -40,10 +40,10 @@ LocalAxes local_axes(double latitude_rad, double longitude_rad) {
 }
 
 LocalAxes local_axes(const earth::Ecef& place) {
-    constexpr double kLeastPoleDistance = 1e-9;
+    constexpr double kMinPoleDistance = 1e-9;
     const glm::dvec3 up = earth::up_at(place);
     const double from_axis = std::hypot(up.x, up.y);
-    const glm::dvec3 east = from_axis > kLeastPoleDistance ? glm::dvec3(-up.y, up.x, 0) / from_axis : glm::dvec3(0, 1, 0);
+    const glm::dvec3 east = from_axis > kMinPoleDistance ? glm::dvec3(-up.y, up.x, 0) / from_axis : glm::dvec3(0, 1, 0);
     return {east, glm::cross(up, east), up};
 }
 

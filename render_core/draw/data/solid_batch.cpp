@@ -60,14 +60,14 @@ void SolidBatch::set_look(const SolidLook& look, std::int64_t data_time_ns) {
 }
 
 bool SolidBatch::has_room(std::size_t vertices, std::size_t indices) const {
-    return vertices <= kMostPieceVertices && vertices <= vertices_left() && indices <= indices_left();
+    return vertices <= kMaxPieceVertices && vertices <= vertices_left() && indices <= indices_left();
 }
 
 bool SolidBatch::goes_on(const glm::dvec3& origin, std::size_t vertices) const {
     // What is mixed with what is behind is put in order mesh by mesh.
     if (begins_piece_ || piece_count_ == 0 || look_.is_mixed) return false;
     const SolidPiece& piece = pieces_[piece_count_ - 1];
-    return piece.vertices + vertices <= kMostPieceVertices && glm::distance(origin, piece.anchor) < kFarthestFromAnchor_m;
+    return piece.vertices + vertices <= kMaxPieceVertices && glm::distance(origin, piece.anchor) < kFarthestFromAnchor_m;
 }
 
 bool SolidBatch::add(const glm::dvec3& origin, base::Span<const SolidVertex> vertices, base::Span<const std::uint16_t> indices) {

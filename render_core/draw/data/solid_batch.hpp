@@ -79,7 +79,7 @@ struct SolidRoom {
 class SolidBatch {
 public:
     /// More vertices would not be told apart by 16 bits, of which one value is left for a restart.
-    static constexpr std::uint32_t kMostPieceVertices = 65535;
+    static constexpr std::uint32_t kMaxPieceVertices = 65535;
     /// A vertex farther from its anchor begins a piece of its own.
     static constexpr double kFarthestFromAnchor_m = 30'000;
 

@@ -19,14 +19,14 @@ void add_frustum(SolidMesh& mesh, const glm::dvec3& from, const glm::dvec3& to, 
     const double length = glm::length(way);
     const glm::dvec3 side = glm::cross(way, across);
     if (!(length > 0) || !(glm::length(side) > 0)) return;
-    const int count = std::clamp(sides, 3, kMostShapeSides);
+    const int count = std::clamp(sides, 3, kMaxShapeSides);
     const glm::dvec3 y = side / glm::length(side), x = glm::cross(y, way / length);
-    glm::dvec3 ring[kMostShapeSides];
+    glm::dvec3 ring[kMaxShapeSides];
     for (int n = 0; n < count; ++n) {
         const double angle = 2 * base::kPi * n / count;
         ring[n] = x * std::cos(angle) + y * std::sin(angle);
     }
-    std::uint16_t low[kMostShapeSides], high[kMostShapeSides];
+    std::uint16_t low[kMaxShapeSides], high[kMaxShapeSides];
     for (int n = 0; n < count; ++n) {
         low[n] = mesh.vertex(from + ring[n] * from_radius_m, ring[n]);
         high[n] = mesh.vertex(to + ring[n] * to_radius_m, ring[n]);
@@ -40,7 +40,7 @@ void add_frustum(SolidMesh& mesh, const glm::dvec3& from, const glm::dvec3& to, 
         const double radius = is_top ? to_radius_m : from_radius_m;
         if (!(radius > 0)) continue;
         const glm::dvec3 normal = is_top ? way / length : -way / length;
-        std::uint16_t corners[kMostShapeSides];
+        std::uint16_t corners[kMaxShapeSides];
         for (int n = 0; n < count; ++n) corners[n] = mesh.vertex((is_top ? to : from) + ring[n] * radius, normal);
         for (int n = 1; n + 1 < count; ++n) mesh.triangle(corners[0], corners[is_top ? n : n + 1], corners[is_top ? n + 1 : n]);
     }

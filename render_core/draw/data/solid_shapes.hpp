@@ -7,10 +7,10 @@
 
 namespace tedavis::draw {
 
-inline constexpr int kMostShapeSides = 12;
+inline constexpr int kMaxShapeSides = 12;
 
 /// A frustum round the way from one place to another (ECEF), capped at both ends; a second radius of 0 is a tip. `sides`:
-/// 3..kMostShapeSides; normals are those of a round one, so that rims grow on all sides. `across`: a direction in which its first
+/// 3..kMaxShapeSides; normals are those of a round one, so that rims grow on all sides. `across`: a direction in which its first
 /// edge lies, not along the way. Nothing where the ends are one.
 void add_frustum(SolidMesh& mesh, const glm::dvec3& from, const glm::dvec3& to, double from_radius_m, double to_radius_m,
                  int sides, const glm::dvec3& across);

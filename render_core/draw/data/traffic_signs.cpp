@@ -34,10 +34,10 @@ constexpr Sides kNameSides{Side::right, Side::left, Side::above, Side::below};
 
 /// "+12", "-03": hundreds of feet.
 BillboardText height_text(double over_m, double climb_mps) {
-    constexpr double kMost = 999;
+    constexpr double kMax = 999;
     BillboardText text;
     if (!std::isfinite(over_m)) return text;
-    const double hundreds = std::clamp(std::round(over_m / base::kMetresPerFoot / 100), -kMost, kMost);
+    const double hundreds = std::clamp(std::round(over_m / base::kMetresPerFoot / 100), -kMax, kMax);
     char digits[16];
     std::snprintf(digits, sizeof digits, "%c%02d", hundreds < 0 ? '-' : '+', std::abs(static_cast<int>(hundreds)));
     text.append(digits);
@@ -194,7 +194,7 @@ ElementCount add_traffic_signs(BillboardSheet& sheet, const ElementInput& input)
     }
     ElementCount count;
     const base::Span<const BillboardCandidate> ranked = sheet.ranked();
-    std::array<bool, BillboardSheet::kMostCandidates> is_added{};
+    std::array<bool, BillboardSheet::kMaxCandidates> is_added{};
     for (std::size_t n = 0; n < ranked.size(); ++n) {
         is_added[n] = Sign(sheet, input, ranked[n].feature).add();
         if (is_added[n]) ++count.drawn;

@@ -17,7 +17,7 @@ namespace tedavis::draw {
 namespace {
 
 constexpr std::uint32_t kMeshVertices = 128;  // what is mixed is put in order by meshes, and there is one for so many vertices
-constexpr double kMostSteps = 2000;           // of a leg: what is longer is cut into longer steps
+constexpr double kMaxSteps = 2000;            // of a leg: what is longer is cut into longer steps
 constexpr double kLineShare = 0.12;           // half a line's width, of the tube's radius
 constexpr float kLineRaised_px = 0.6f;
 constexpr double kShadowShare = 0.45;  // what the ground below keeps of the colour
@@ -172,7 +172,7 @@ private:
         Rung begin = rung(from, tangent(0, true));
         goes_on_ = false;
         for (std::size_t leg = 0; leg + 1 < points_.size(); ++leg) {
-            const double steps = std::clamp(std::ceil(length_m(leg) / kLongestStep_m), 1.0, kMostSteps);
+            const double steps = std::clamp(std::ceil(length_m(leg) / kLongestStep_m), 1.0, kMaxSteps);
             for (double step = 1; step <= steps; ++step) {
                 const bool is_end = step == steps;
                 const Station to = station(leg, step / steps);
@@ -295,7 +295,7 @@ bool asks_for(const design::ElementCues& cues, Cue cue) {
 }
 
 std::uint64_t TrajectoryCues::bytes_needed(std::uint32_t points) {
-    return TubeWay::bytes_needed() + TubeLine::bytes_needed(points);
+    return TubePath::bytes_needed() + TubeLine::bytes_needed(points);
 }
 
 bool TrajectoryCues::start(base::Arena& arena, std::uint32_t points) { return way_.start(arena) && line_.start(arena, points); }

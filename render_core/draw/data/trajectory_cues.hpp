@@ -1,5 +1,5 @@
 /// Cues to the depth of lines that float over the ground (design/element_cues.hpp): vertical lines, the way's projection onto the
-/// ground, and a curtain from the way down to it. They follow the same points as the tube does (tube_way.hpp).
+/// ground, and a curtain from the way down to it. They follow the same points as the tube does (tube_path.hpp).
 ///
 /// Vertical lines   stand a spacing apart, measured along the way over the ellipsoid from its beginning on; of ways that grow at
 ///                  their end (own trail, other aircraft) from their end back. They reach kTickRadii of the tube's radius up and
@@ -19,7 +19,7 @@
 #include <array>
 
 #include "render_core/draw/data/solid_mesh.hpp"
-#include "render_core/draw/data/tube_way.hpp"
+#include "render_core/draw/data/tube_path.hpp"
 
 namespace tedavis::draw {
 
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] CueCount add(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, Cue cue);
 
 private:
-    TubeWay way_;
+    TubePath way_;
     TubeLine line_;
 };
 

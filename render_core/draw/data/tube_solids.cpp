@@ -12,7 +12,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr std::uint32_t kBatchVerticesARing = 24, kMostRings = 32768;
+constexpr std::uint32_t kBatchVerticesARing = 24, kMaxRings = 32768;
 constexpr std::size_t kShareOfRoom = 2;  // one half
 constexpr std::uint64_t kRingPadding_bytes = 64;
 constexpr std::size_t kSideIndices = 36;
@@ -48,11 +48,11 @@ bool has_margin(const ElementInput& input) {
 bool shows_tubes(const scene::Layer& layer) { return layer.entry->shape == scene::LayerShape::lines; }
 
 std::uint32_t TubeSolids::rings_for(std::uint32_t batch_vertices) {
-    return std::clamp(batch_vertices / kBatchVerticesARing, kTubeBlockRings, kMostRings);
+    return std::clamp(batch_vertices / kBatchVerticesARing, kTubeBlockRings, kMaxRings);
 }
 
 std::uint64_t TubeSolids::bytes_needed(std::uint32_t rings) {
-    return TubeWay::bytes_needed() + TubeLine::bytes_needed(rings) + TubeSkin::bytes_needed() +
+    return TubePath::bytes_needed() + TubeLine::bytes_needed(rings) + TubeSkin::bytes_needed() +
            std::uint64_t{with_cusps(rings)} * sizeof(scene::TubeRing) + kRingPadding_bytes;
 }
 

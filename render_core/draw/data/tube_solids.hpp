@@ -12,12 +12,12 @@
 /// the way that they fly.
 ///
 /// Counts are points of the layer, not lines: drawn are those that a ring stands at, aggregated those that the tube passes within
-/// its tolerance (tube_way.hpp), hidden those without a place or without room. Tubes take at most half of the room that the batch
-/// has left, so that elements after them find some.
+/// its tolerance (tube_path.hpp), hidden those without a place or without room. Tubes take at most half of the room that the
+/// batch has left, so that elements after them find some.
 #pragma once
 
+#include "render_core/draw/data/tube_path.hpp"
 #include "render_core/draw/data/tube_skin.hpp"
-#include "render_core/draw/data/tube_way.hpp"
 
 namespace tedavis::draw {
 
@@ -51,7 +51,7 @@ private:
     void add_posts(const Work& work);
     void add_post(const Work& work, const scene::TubeRing& ring);
 
-    TubeWay way_;
+    TubePath way_;
     TubeLine line_;
     TubeSkin skin_;
     base::Span<scene::TubeRing> rings_;

@@ -87,9 +87,9 @@ private:
 }  // namespace
 
 BarbFlags barb_flags(double speed_mps) noexcept {
-    constexpr double kMost = 50;  // fives: 250 knots
+    constexpr double kMax = 50;  // fives: 250 knots
     const double fives = std::round(speed_mps / kKnot_mps / 5);
-    const int count = fives > 0 ? static_cast<int>(std::min(fives, kMost)) : 0;
+    const int count = fives > 0 ? static_cast<int>(std::min(fives, kMax)) : 0;
     return {count / 10, count % 10 / 2, count % 2};
 }
 

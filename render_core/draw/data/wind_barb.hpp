@@ -26,7 +26,7 @@ struct BarbStyle {
 };
 
 /// Vertices of the largest sign, its rim included.
-inline constexpr std::size_t kMostBarbVertices = 4 * 2 * (2 * 10 + 2 + 5 * 4 + 5);
+inline constexpr std::size_t kMaxBarbVertices = 4 * 2 * (2 * 10 + 2 + 5 * 4 + 5);
 
 /// `from`: unit vector on the screen, to where steady wind blows from.
 bool draw_wind_barb(QuadBatch& batch, Point ring, Point from, const scene::Wind& wind, const BarbStyle& style);

@@ -38,7 +38,7 @@ public:
 
     bool add() const {
         const BillboardSheet::Spot spot = sheet_.spot(place_);
-        if (!spot.is_ahead || !sheet_.has_room(kMostBarbVertices, BillboardSheet::kLinkVertices)) return false;
+        if (!spot.is_ahead || !sheet_.has_room(kMaxBarbVertices, BillboardSheet::kLinkVertices)) return false;
         const float staff_px = kStaff * sheet_.text_px() * static_cast<float>(focus_.size), half = kBox * staff_px;
         if (!sheet_.claim({spot.at.x - half, spot.at.y - half, 2 * half, 2 * half}, place_)) return false;
         const earth::Geodetic at = earth::from_ecef(place_);

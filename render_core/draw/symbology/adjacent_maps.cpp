@@ -17,8 +17,8 @@ using policy::Element;
 using policy::ElementShow;
 
 constexpr design::Color kMapGround{0, 0, 0, 255};  // in no scale of data
-constexpr double kMostLatitude_rad = base::radians(89.875), kLatitudeStep_rad = base::radians(0.125);
-constexpr float kLeastCell_px = 4;
+constexpr double kMaxLatitude_rad = base::radians(89.875), kLatitudeStep_rad = base::radians(0.125);
+constexpr float kMinCell_px = 4;
 constexpr float kDot_px = 3, kStroke_px = 2;
 constexpr float kGap_px = 1;  // round interpolated values
 
@@ -30,7 +30,7 @@ constexpr float kMarkShare = 0.13f;  // of a map's side, at most
 /// Away from the equator to a step, so that cells hardly ever change their width on the way, and are never narrower than asked.
 double lattice_latitude_rad(double latitude_rad) {
     const double steps = std::ceil(std::fabs(latitude_rad) / kLatitudeStep_rad);
-    return std::fmin(steps * kLatitudeStep_rad, kMostLatitude_rad);
+    return std::fmin(steps * kLatitudeStep_rad, kMaxLatitude_rad);
 }
 
 /// Of a number of cells that a map is wide, with those cut at its edges.
@@ -146,7 +146,7 @@ std::uint32_t map_count(const AdjacentInput& input) noexcept {
 
 std::uint32_t cells_across(const AdjacentInput& input, float side_px) noexcept {
     const double share = std::sqrt(double{kAdjacentCells} / std::max(map_count(input), 1u));
-    const auto legible = static_cast<std::uint32_t>(std::max(side_px / kLeastCell_px, 1.0f));
+    const auto legible = static_cast<std::uint32_t>(std::max(side_px / kMinCell_px, 1.0f));
     return std::min({input.view.cells, static_cast<std::uint32_t>(share) - 1, legible});
 }
 
@@ -158,8 +158,7 @@ MapLattice::MapLattice(const AdjacentInput& input, const Rect& box)
     : box_(box), latitude_rad_(input.latitude_rad), longitude_rad_(input.longitude_rad) {
     const double cell_m = 2 * input.view.range_m / cells_across(input, box.width),
                  px_per_m = static_cast<double>(box.width) / (2 * input.view.range_m);
-    const double near_rad = std::fmin(std::fabs(latitude_rad_), kMostLatitude_rad),
-                 line_rad = lattice_latitude_rad(latitude_rad_);
+    const double near_rad = std::fmin(std::fabs(latitude_rad_), kMaxLatitude_rad), line_rad = lattice_latitude_rad(latitude_rad_);
     const double north_m = earth::meridian_radius_m(latitude_rad_);
     px_per_lat_rad_ = px_per_m * north_m;
     px_per_lon_rad_ = px_per_m * earth::prime_vertical_radius_m(near_rad) * std::cos(near_rad);

@@ -16,7 +16,7 @@ float side_of(std::uint32_t across, float width) {
 
 std::uint32_t maps_across(const AdjacentNeed& need, float width) noexcept {
     std::uint32_t across = 1;
-    while (across < std::min(need.maps, kMostMapsAcross) && side_of(across, width) > need.size + kRoundingShare) ++across;
+    while (across < std::min(need.maps, kMaxMapsAcross) && side_of(across, width) > need.size + kRoundingShare) ++across;
     return across;
 }
 
@@ -28,7 +28,7 @@ float adjacent_height(std::uint32_t maps, std::uint32_t across, float width) noe
 AdjacentPlan plan_adjacent(const Rect& panel, std::uint32_t maps, float text_px) noexcept {
     AdjacentPlan plan;
     const float width = panel.width / text_px, height = panel.height / text_px;
-    while (plan.across < kMostMapsAcross && adjacent_height(maps, plan.across, width) > height + kRoundingShare) ++plan.across;
+    while (plan.across < kMaxMapsAcross && adjacent_height(maps, plan.across, width) > height + kRoundingShare) ++plan.across;
     plan.maps = {std::ceil(panel.x), std::ceil(panel.y + kAdjacentCaption * text_px), panel.width, panel.height};
     plan.maps.width = panel.right() - plan.maps.x;
     plan.maps.height = panel.bottom() - plan.maps.y;

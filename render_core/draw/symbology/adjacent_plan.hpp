@@ -13,10 +13,10 @@ struct AdjacentNeed {
     float size = 0;          ///< of a map, at most
 };
 
-inline constexpr std::uint32_t kMostMapsAcross = 3;
+inline constexpr std::uint32_t kMaxMapsAcross = 3;
 inline constexpr float kAdjacentCaption = 1.7f, kAdjacentGap = 0.15f;
 
-/// Maps side by side, so that none is larger than wanted where the panel has this width in texts; 1 .. kMostMapsAcross.
+/// Maps side by side, so that none is larger than wanted where the panel has this width in texts; 1 .. kMaxMapsAcross.
 [[nodiscard]] std::uint32_t maps_across(const AdjacentNeed& need, float width) noexcept;
 /// In texts, of a panel of this width.
 [[nodiscard]] float adjacent_height(std::uint32_t maps, std::uint32_t across, float width) noexcept;

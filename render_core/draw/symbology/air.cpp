@@ -17,7 +17,7 @@ constexpr float kText = 0.85f;
 constexpr float kFromSide = 0.1f;
 
 constexpr double kCalm_kt = 0.5;
-constexpr double kMost_kt = 399;
+constexpr double kMax_kt = 399;
 
 void append_age(ElementShow show, base::Duration age, ShortText& text) {
     if (show != ElementShow::flagged) return;
@@ -28,7 +28,7 @@ void append_age(ElementShow show, base::Duration age, ShortText& text) {
 
 /// "265/12KT", "CALM"; from where it blows, true.
 ShortText wind_text(const SymbologyInput& input) {
-    const double knots = limited(input.wind_speed_mps / base::kMpsPerKnot, 0, kMost_kt);
+    const double knots = limited(input.wind_speed_mps / base::kMpsPerKnot, 0, kMax_kt);
     if (knots < kCalm_kt) return "CALM";
     const double degrees = std::round(base::degrees(limited(input.wind_from_rad, 0, 2 * base::kPi)));
     ShortText text = whole_number(degrees < 0.5 ? 360 : degrees, 3);

@@ -37,7 +37,7 @@ void add_adjacent(Layout& layout, const LegendNeed& need) {
     const float foot = layout.baro_setting.bottom(), width = layout.legend.width / t;
     const float for_data = need.data.entries > 0 ? need.data.shortest * t + gap : 0;
     const float room = foot - layout.legend.y - need.terrain_least * t - for_data - gap;
-    for (std::uint32_t across = maps_across(need.adjacent, width); across <= kMostMapsAcross; ++across) {
+    for (std::uint32_t across = maps_across(need.adjacent, width); across <= kMaxMapsAcross; ++across) {
         const float height = adjacent_height(need.adjacent.maps, across, width) * t;
         if (height > room) continue;
         layout.adjacent = {layout.legend.x, foot - height, layout.legend.width, height};

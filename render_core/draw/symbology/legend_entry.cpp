@@ -17,7 +17,7 @@ constexpr float kRow = 0.85f;
 constexpr float kBar = 0.75f, kNumbers = 0.75f;
 constexpr float kEnds = 0.45f;  // half a number beyond each end of an upright scale
 constexpr float kClass = 1.0f;
-constexpr float kContinuous = 5, kMostUpright = 8;
+constexpr float kContinuous = 5, kMaxUpright = 8;
 constexpr float kEntryInset = 0.3f, kEntryPad = 0.1f;
 constexpr float kText = 0.7f;
 constexpr float kNumberGap = 0.12f;
@@ -37,7 +37,7 @@ float scale_height(const DataLegend& legend, LegendDetail detail) {
     if (named > 0) return kRow * static_cast<float>(named + (named < legend.class_names.size() ? 1 : 0));
     if (detail != LegendDetail::whole || !legend.class_names.empty()) return kBar + kNumbers;
     const auto classes = static_cast<float>(legend.scale.breaks.size() + 1);
-    return 2 * kEnds + (classes < 2 ? kContinuous : std::min(kClass * classes, kMostUpright));
+    return 2 * kEnds + (classes < 2 ? kContinuous : std::min(kClass * classes, kMaxUpright));
 }
 
 /// The shortest entries are all of one height, for rows of them.

@@ -16,25 +16,25 @@ constexpr float kGridPitch_px = 5;
 constexpr float kDotPitch_px = 12, kDot_px = 3;
 constexpr float kGrain_px = 3, kStrokePitch_px = 8;
 constexpr float kHalfRoot = 0.70710678f;
-constexpr int kMost = 64;  // pieces of a pattern across a box
+constexpr int kMax = 64;  // pieces of a pattern across a box
 
 /// Lines down to the right, `pitch` pixels apart along a row.
 void diagonals(QuadBatch& batch, const Rect& in, float pitch, float width, Color color) {
     float x = in.x - in.height;
-    for (int n = 0; n < kMost && x < in.right() + pitch; ++n, x += pitch)
+    for (int n = 0; n < kMax && x < in.right() + pitch; ++n, x += pitch)
         batch.line({x, in.y}, {x + in.height, in.bottom()}, width * kHalfRoot, color);
 }
 
 void grid(QuadBatch& batch, const Rect& in, float pitch, float width, Color color) {
     float x = in.x + pitch / 2;
-    for (int n = 0; n < kMost && x < in.right(); ++n, x += pitch) batch.box({x, in.y, width, in.height}, color);
+    for (int n = 0; n < kMax && x < in.right(); ++n, x += pitch) batch.box({x, in.y, width, in.height}, color);
     float y = in.y + pitch / 2;
-    for (int n = 0; n < kMost && y < in.bottom(); ++n, y += pitch) batch.box({in.x, y, in.width, width}, color);
+    for (int n = 0; n < kMax && y < in.bottom(); ++n, y += pitch) batch.box({in.x, y, in.width, width}, color);
 }
 
 void dots(QuadBatch& batch, const Rect& in, Color color) {
     float x = in.x + kDotPitch_px / 4;
-    for (int n = 0; n < kMost && x + kDot_px < in.right(); ++n, x += kDotPitch_px)
+    for (int n = 0; n < kMax && x + kDot_px < in.right(); ++n, x += kDotPitch_px)
         batch.box({x, in.center().y - kDot_px / 2, kDot_px, kDot_px}, color);
 }
 

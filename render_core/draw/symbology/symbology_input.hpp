@@ -44,7 +44,7 @@ struct MagnifiedSign {
     float reach_px = 0;                        ///< of all that is moved
     std::uint32_t power = 0, compression = 0;  ///< of two: so much larger, and the ring so much smaller
 };
-inline constexpr std::size_t kMostMagnifiedSigns = 4;
+inline constexpr std::size_t kMaxMagnifiedSigns = 4;
 
 /// The map, or the orthographic view, whose middle is the own ship.
 struct MapInput {
@@ -56,7 +56,7 @@ struct MapInput {
     double look_down_rad = base::radians(90);  ///< from level
     double above_ground_m = std::nan("");      ///< own ship's, over what is drawn as the ground; NaN: not known
 
-    base::FixedVector<MagnifiedSign, kMostMagnifiedSigns> magnified{};
+    base::FixedVector<MagnifiedSign, kMaxMagnifiedSigns> magnified{};
 
     [[nodiscard]] double top_rad() const { return up_rad + turn_rad; }
 };

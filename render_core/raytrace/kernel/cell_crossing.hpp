@@ -13,7 +13,7 @@
 namespace tedavis::raytrace {
 
 template <class V>
-struct CellMeeting {
+struct CellHit {
     typename V::Mask is_met;
     typename V::Mask is_beyond;  ///< it is on the other side as it enters, by more than a continuous surface allows
     typename V::Float t;
@@ -160,7 +160,7 @@ TEDAVIS_LANES_INLINE typename V::Mask is_beyond(const RayLanes<V>& ray, const Ce
 }
 
 template <class V, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE CellHit<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
     using Lanes = RayLanes<V>;
     const Float height_in = Lanes::height_at(ray, p.t_in);
@@ -168,7 +168,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
     const Float middle = gap_of<V, side>(Lanes::height_at(ray, p.t_middle), p.surface_middle);
     const Float out = gap_of<V, side>(Lanes::height_at(ray, p.t_out), p.surface_out);
     const typename V::Mask is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
-    CellMeeting<V> m;
+    CellHit<V> m;
     m.is_met = is_met_in | is_met_before | (out <= Float(0));
     m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
     // Linear between the last place on this side and the first on the other.
@@ -181,7 +181,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_triangles(const RayLanes<V>& ray, const
 
 /// A ray over a bilinear patch has a quadratic gap; it may dip below the surface between two places above it.
 template <class V, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE CellHit<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
     using Lanes = RayLanes<V>;
     const Float height_in = Lanes::height_at(ray, p.t_in);
@@ -201,7 +201,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const Cel
     const auto is_possible = side == HitSide::below ? height >= p.lowest : height <= p.highest;
     const auto dips = (root >= Float(0)) & falls & (share < Float(1)) & is_possible;
     const auto is_met_in = in <= Float(0);
-    CellMeeting<V> m;
+    CellHit<V> m;
     m.is_met = is_met_in | dips | (out <= Float(0));
     m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
     m.t = V::select(is_met_in, p.t_in, V::min(V::max(between, p.t_in), p.t_out));
@@ -209,7 +209,7 @@ TEDAVIS_LANES_INLINE CellMeeting<V> meet_patch(const RayLanes<V>& ray, const Cel
 }
 
 template <class V, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE CellMeeting<V> meet_surface(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE CellHit<V> meet_surface(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     if constexpr (surface == CellSurface::two_triangles)
         return meet_triangles<V, side>(ray, p, asked);
     else

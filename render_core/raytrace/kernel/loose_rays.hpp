@@ -10,10 +10,10 @@ namespace tedavis::raytrace {
 /// Those of one tile: which pixel, how far they have come, and over nodes of which level.
 template <class V>
 struct LooseRays {
-    static constexpr std::uint32_t kMost = kTileWidth * kTileHeight;
+    static constexpr std::uint32_t kMax = kTileWidth * kTileHeight;
     std::uint32_t count = 0;
-    float x[kMost + V::kCount], y[kMost + V::kCount], t[kMost + V::kCount];  ///< pixels; lanes are read whole
-    std::int32_t level[kMost + V::kCount];
+    float x[kMax + V::kCount], y[kMax + V::kCount], t[kMax + V::kCount];  ///< pixels; lanes are read whole
+    std::int32_t level[kMax + V::kCount];
 
     /// Lanes behind so many that wait are as the first.
     void fill(std::uint32_t lanes) {
@@ -44,7 +44,8 @@ struct LooseRays {
 
 /// From node to node, as long as most of the lanes run.
 template <class V, class Height, CellSurface surface>
-TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m, int few) {
+TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m,
+                                               int few) {
     constexpr int kEnough = V::kCount * 3 / 8 + 1;  // of rays that ask are worth a meeting, which takes some steps' time
     while (V::any(m.runs)) {
         const auto steps = V::without(m.runs, m.asks);
@@ -59,8 +60,8 @@ TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field,
 
 /// Writes what lanes have met to pixels anywhere in the picture.
 template <class V, class Height>
-void keep_scattered(const TileWork<V, Height>& tile, const RayLanes<V>& ray, const March<V>& m, const float* x, const float* y,
-                    std::uint32_t lanes) {
+void keep_scattered(const TileWork<V, Height>& tile, const RayLanes<V>& ray, const TraversalState<V>& m, const float* x,
+                    const float* y, std::uint32_t lanes) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     const HitPicture& picture = tile.job.picture;
@@ -97,7 +98,7 @@ void trace_loose(const TileWork<V, Height>& tile, LooseRays<V>& loose) {
         V::store(x, at_x);
         V::store(y, at_y);
         const RayLanes<V> ray = tile.rays(at_x, at_y);
-        March<V> m =
+        TraversalState<V> m =
             enter<V, Height>(tile.nodes, ray, V::load(loose.t + loose.count), V::mask(all), V::load(loose.level + loose.count));
         march_nodes_together<V, Height, surface>(tile.nodes, ray, m, loose.count > 0 ? kFew : 0);
         const std::uint32_t runs = V::bits(m.runs);

@@ -10,7 +10,7 @@ namespace tedavis::raytrace {
 
 /// Where rays are, and what they have met.
 template <class V>
-struct March {
+struct TraversalState {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Mask = typename V::Mask;
@@ -37,8 +37,8 @@ TEDAVIS_LANES_INLINE typename V::Int first_cell(const RayAxis<V>& axis, std::int
 
 /// When rays enter the grid and leave it; not in which cell. Those that never do, or only in infinite time, do not run.
 template <class V, class Height>
-TEDAVIS_LANES_INLINE March<V> enter_times(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
-                                          typename V::Mask asked, typename V::Int level) {
+TEDAVIS_LANES_INLINE TraversalState<V> enter_times(const TracedNodes<Height>& field, const RayLanes<V>& ray,
+                                                   typename V::Float from, typename V::Mask asked, typename V::Int level) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Axis = RayAxis<V>;
@@ -46,7 +46,7 @@ TEDAVIS_LANES_INLINE March<V> enter_times(const TracedNodes<Height>& field, cons
     const Int columns(field.columns), rows(field.rows);
     const Int first_x = first_cell<V>(ray.x, field.columns), first_y = first_cell<V>(ray.y, field.rows);
     const Float in = V::max(from, V::max(Axis::crossing(ray.x, first_x), Axis::crossing(ray.y, first_y)));
-    March<V> m;
+    TraversalState<V> m;
     m.leaves = V::min(ray.to, V::min(Axis::crossing(ray.x, first_x + columns), Axis::crossing(ray.y, first_y + rows)));
     m.runs = asked & (in < m.leaves) & (in < Float(kNever));
     m.t = V::select(m.runs, in, Float(0));
@@ -60,7 +60,7 @@ TEDAVIS_LANES_INLINE March<V> enter_times(const TracedNodes<Height>& field, cons
 
 /// In which cells they do.
 template <class V, class Height>
-TEDAVIS_LANES_INLINE void enter_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+TEDAVIS_LANES_INLINE void enter_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     using Int = typename V::Int;
     const auto entered = [&m](const RayAxis<V>& axis, std::int32_t cells) TEDAVIS_LANES_LAMBDA {
         const Int first = first_cell<V>(axis, cells);
@@ -71,17 +71,18 @@ TEDAVIS_LANES_INLINE void enter_cells(const TracedNodes<Height>& field, const Ra
 }
 
 template <class V, class Height>
-TEDAVIS_LANES_INLINE March<V> enter(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
-                                    typename V::Mask asked, typename V::Int level) {
-    March<V> m = enter_times<V, Height>(field, ray, from, asked, level);
+TEDAVIS_LANES_INLINE TraversalState<V> enter(const TracedNodes<Height>& field, const RayLanes<V>& ray, typename V::Float from,
+                                             typename V::Mask asked, typename V::Int level) {
+    TraversalState<V> m = enter_times<V, Height>(field, ray, from, asked, level);
     enter_cells<V, Height>(field, ray, m);
     return m;
 }
 
 /// Whether rays stay on their side of all that a node bounds, until they leave it.
 template <class V, class Height, HitSide side>
-TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& field, const RayLanes<V>& ray, const March<V>& m,
-                                                  typename V::Float t_out, typename V::Int node, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& field, const RayLanes<V>& ray,
+                                                  const TraversalState<V>& m, typename V::Float t_out, typename V::Int node,
+                                                  typename V::Mask asked) {
     using Float = typename V::Float;
     const auto falls = ray.climb < Float(0);
     constexpr bool is_from_below = side == HitSide::below;
@@ -99,9 +100,9 @@ TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& fie
 template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPosts<V, Height>& posts, typename V::Int column,
                                            typename V::Int row, typename V::Float t_in, typename V::Float t_out,
-                                           typename V::Mask asked, March<V>& m) {
+                                           typename V::Mask asked, TraversalState<V>& m) {
     const auto profile = profile_of<V, Height, surface>(ray, posts, t_in, t_out);
-    const CellMeeting<V> meeting = meet_surface<V, surface, side>(ray, profile, asked);
+    const CellHit<V> meeting = meet_surface<V, surface, side>(ray, profile, asked);
     const auto met = asked & meeting.is_met;
     m.is_met = m.is_met | met;
     m.is_beyond = m.is_beyond | (met & meeting.is_beyond);
@@ -114,7 +115,7 @@ TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPos
 
 /// Takes those that ask to the surfaces of their cells.
 template <class V, class Height, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     using Int = typename V::Int;
     using Float = typename V::Float;
     using Axis = RayAxis<V>;
@@ -129,7 +130,7 @@ TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const Ray
 
 /// From cell to cell, for rays that are near to what they meet. Ends after so many cells.
 template <class V, class Height, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m, int most) {
+TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m, int most) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Mask = typename V::Mask;
@@ -164,7 +165,7 @@ TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const Ra
 
 /// One node on, or one level down; those that halt at level `finest` ask.
 template <class V, class Height, HitSide side, int finest = 0>
-TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m,
+TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m,
                                     typename V::Mask steps) {
     using Float = typename V::Float;
     using Int = typename V::Int;
@@ -196,7 +197,7 @@ TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayL
 
 /// From node to node, to the end.
 template <class V, class Height, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const RayLanes<V>& ray, March<V>& m) {
+TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     while (true) {
         const auto steps = V::without(m.runs, m.asks);
         if (V::any(steps)) {

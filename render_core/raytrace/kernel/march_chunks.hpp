@@ -31,7 +31,7 @@ template <class V, class Height, CellSurface surface, HitSide side>
 void cross_chunk(const TracedNodes<Height>& nodes, std::int32_t column, std::int32_t row, std::uint32_t asked, RayPacket& p) {
     using Int = typename V::Int;
     const RayLanes<V> ray = packet_rays<V>(p, column, row);
-    March<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(asked), Int(nodes.layout->top));
+    TraversalState<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(asked), Int(nodes.layout->top));
     march_nodes<V, Height, surface, side>(nodes, ray, m);
     p.met |= V::bits(m.is_met) & asked;
     p.beyond |= V::bits(m.is_beyond) & asked;
@@ -45,7 +45,7 @@ void seek_chunk(const TracedNodes<Height>& nodes, std::uint32_t asked, RayPacket
     using Int = typename V::Int;
     using Mask = typename V::Mask;
     const RayLanes<V> ray = packet_rays<V>(p, 0, 0);
-    March<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(asked), Int(nodes.layout->top));
+    TraversalState<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(asked), Int(nodes.layout->top));
     const Mask passes = V::mask(asked & p.pass);
     m.t = V::select(passes, V::load(p.t), m.t);
     m.column = V::select(passes, V::load(p.at_column), m.column);

@@ -10,7 +10,7 @@
 
 namespace tedavis::raytrace {
 
-inline constexpr int kMostSlabs = 24;
+inline constexpr int kMaxSlabs = 24;
 inline constexpr std::int32_t kWidestSlab = 3;  ///< cells; wider beams are no longer worth it
 
 /// An axis of a beam whose rays run one way, mirrored.
@@ -42,7 +42,7 @@ struct NarrowAxis {
 /// The cell for all rays that have met nothing yet; times of crossing its lines in the order of x and y.
 template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void try_cell(const TracedNodes<Height>& field, const RayLanes<V>& ray, std::int32_t column,
-                                   std::int32_t row, typename V::Float in, typename V::Float out, March<V>& m) {
+                                   std::int32_t row, typename V::Float in, typename V::Float out, TraversalState<V>& m) {
     using Float = typename V::Float;
     const Float t_in = V::max(in, ray.from), t_out = V::min(out, ray.to);
     const Float z_in = RayLanes<V>::height_at(ray, t_in), z_out = RayLanes<V>::height_at(ray, t_out);
@@ -57,13 +57,13 @@ TEDAVIS_LANES_INLINE void try_cell(const TracedNodes<Height>& field, const RayLa
 /// Follows rays from slab to slab. Gives the first slab that was not tried; rays that still run have met nothing before it.
 template <class V, class Height, CellSurface surface, bool is_x_fast>
 TEDAVIS_LANES_INLINE std::int32_t march_slabs(const TracedNodes<Height>& field, const RayLanes<V>& ray, const NarrowAxis& fast,
-                                              const NarrowAxis& slow, std::int32_t slab, March<V>& m) {
+                                              const NarrowAxis& slow, std::int32_t slab, TraversalState<V>& m) {
     using Float = typename V::Float;
     constexpr float kSlack = 1e-5f;
     const RayAxis<V>&fast_rays = is_x_fast ? ray.x : ray.y, &slow_rays = is_x_fast ? ray.y : ray.x;
     const Float slope = slow_rays.speed * fast_rays.inverse;
     const float least = V::least(slope) * (1 - kSlack), most = V::most(slope) * (1 + kSlack);
-    for (int n = 0; n < kMostSlabs && V::any(m.runs) && NarrowAxis::holds(fast, slab); ++n, ++slab) {
+    for (int n = 0; n < kMaxSlabs && V::any(m.runs) && NarrowAxis::holds(fast, slab); ++n, ++slab) {
         const float begin = NarrowAxis::line(fast, slab), end = NarrowAxis::line(fast, slab + 1);
         const std::int32_t first = NarrowAxis::cell_at(slow, (begin > 0 ? begin : 0) * least - kSlack);
         const std::int32_t last = NarrowAxis::cell_at(slow, end * most + kSlack);

@@ -74,8 +74,8 @@ void keep_asked(const Value* values, Value* pixels, std::uint32_t width, std::ui
 }
 
 template <class V, class Height>
-void keep_packet(const ViewJob<Height>& job, std::int32_t columns, const RayLanes<V>& ray, const March<V>& m, std::uint32_t asked,
-                 std::uint32_t left, std::uint32_t top) {
+void keep_packet(const ViewJob<Height>& job, std::int32_t columns, const RayLanes<V>& ray, const TraversalState<V>& m,
+                 std::uint32_t asked, std::uint32_t left, std::uint32_t top) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Shape = PacketShape<V>;

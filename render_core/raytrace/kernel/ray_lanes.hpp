@@ -48,15 +48,15 @@ struct RayAxis {
     /// Of an origin's cell (column or row) and fraction, and of speeds that may be 0. Those next to it have no sign: where
     /// denormals are flushed they lose it.
     TEDAVIS_LANES_INLINE RayAxis make(Int cell, Float fraction, Float direction) {
-        constexpr float kLeastSpeed = 1e-30f;
-        const auto is_back = direction < Float(-kLeastSpeed);
+        constexpr float kMinSpeed = 1e-30f;
+        const auto is_back = direction < Float(-kMinSpeed);
         RayAxis a;
         a.sign = V::select(is_back, Int(-1), Int(0));
         a.own_cell = cell;
         a.own_fraction = fraction;
         a.cell = (cell ^ a.sign) - a.sign;
         a.fraction = V::select(is_back, Float(0) - fraction, fraction);
-        a.speed = V::max(V::select(is_back, Float(0) - direction, direction), Float(kLeastSpeed));
+        a.speed = V::max(V::select(is_back, Float(0) - direction, direction), Float(kMinSpeed));
         a.own_speed = V::select(is_back, Float(0) - a.speed, a.speed);
         a.inverse = Float(1) / a.speed;
         return a;

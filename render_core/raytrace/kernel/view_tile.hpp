@@ -14,8 +14,8 @@ namespace tedavis::raytrace {
 inline constexpr int kBeamSizes = 3;
 inline constexpr std::uint32_t kBeamSide[kBeamSizes] = {16, 8, 4};
 /// Steps after which beams of each size are left where they are: those of their rays that get on do so alone.
-inline constexpr int kMostBeamSteps[kBeamSizes] = {150, 12, 8};
-inline constexpr int kMostCells = 16;  ///< that rays pass one by one before they look at larger nodes
+inline constexpr int kMaxBeamSteps[kBeamSizes] = {150, 12, 8};
+inline constexpr int kMaxCells = 16;  ///< that rays pass one by one before they look at larger nodes
 
 /// How many beams of a size a tile has.
 constexpr std::uint32_t beams_across(int size) { return kTileWidth / kBeamSide[size]; }
@@ -66,7 +66,7 @@ void start_beams(const Tile& tile, const BeamStarts* around, BeamStarts& beams) 
         b.to = Float(tile.job.span.to);
         b.t = V::load(t);
         b.level = V::load(level);
-        march_beams<V>(tile.nodes, b, kMostBeamSteps[size]);
+        march_beams<V>(tile.nodes, b, kMaxBeamSteps[size]);
         V::store(beams.t + first, b.t);
         V::store(beams.level + first, b.level);
     }
@@ -75,7 +75,7 @@ void start_beams(const Tile& tile, const BeamStarts* around, BeamStarts& beams) 
 /// As far as the rays keep together; those that go on alone know their cells.
 template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void march_near(const TracedNodes<Height>& nodes, const RayLanes<V>& ray, const ViewOrigin& origin,
-                                     March<V>& m) {
+                                     TraversalState<V>& m) {
     using Float = typename V::Float;
     using Int = typename V::Int;
     if (!NarrowAxis::is_one_way<V>(ray.x) || !NarrowAxis::is_one_way<V>(ray.y)) return enter_cells<V, Height>(nodes, ray, m);
@@ -114,9 +114,9 @@ void trace_packet(const TileWork<V, Height>& tile, const BeamStarts& beams, std:
     const Float at_x = Float(static_cast<float>(left)) + V::load(kMiddles.x);
     const Float at_y = Float(static_cast<float>(top)) + V::load(kMiddles.y);
     const RayLanes<V> ray = tile.rays(at_x, at_y);
-    March<V> m = enter_times<V, Height>(tile.nodes, ray, start, V::mask(asked), Int(0));
+    TraversalState<V> m = enter_times<V, Height>(tile.nodes, ray, start, V::mask(asked), Int(0));
     if (V::any(m.runs)) march_near<V, Height, surface>(tile.nodes, ray, tile.origin, m);
-    if (V::any(m.runs)) march_cells<V, Height, surface, HitSide::above>(tile.nodes, ray, m, kMostCells);
+    if (V::any(m.runs)) march_cells<V, Height, surface, HitSide::above>(tile.nodes, ray, m, kMaxCells);
     const std::uint32_t runs = V::bits(m.runs);
     if (runs != 0) loose.take(runs, at_x, at_y, m.t, m.level);
     if (runs != asked) keep_packet<V, Height>(tile.job, tile.nodes.columns, ray, m, asked & ~runs, left, top);

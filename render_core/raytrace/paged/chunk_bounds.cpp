@@ -8,7 +8,7 @@ namespace {
 /// Nodes of all levels that have any.
 std::uint32_t lay_out_chunks(std::uint32_t columns, std::uint32_t rows, MipmapLayout& layout) {
     std::int32_t nodes = 0, across = static_cast<std::int32_t>(columns - 1), down = static_cast<std::int32_t>(rows - 1);
-    for (int n = 0; n < MipmapLayout::kMostLevels; ++n) {
+    for (int n = 0; n < MipmapLayout::kMaxLevels; ++n) {
         layout.top = n;
         layout.first[n] = nodes;
         layout.columns[n] = across;

@@ -7,7 +7,7 @@
 
 namespace tedavis::raytrace {
 
-/// As of a HeightGrid, but for its posts: 2..HeightGrid::kMostPosts columns and rows, of any number in all. Chunk (column, row)
+/// As of a HeightGrid, but for its posts: 2..HeightGrid::kMaxPosts columns and rows, of any number in all. Chunk (column, row)
 /// has the posts from (32 * column, 32 * row) to (32 * column + 32, 32 * row + 32), both included.
 template <class Height>
 class ChunkHeights {

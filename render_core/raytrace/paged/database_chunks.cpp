@@ -46,8 +46,8 @@ bool DatabaseChunks::start(const terrain::TerrainDatabase& database, const terra
     database_ = &database;
     window_ = window;
     damaged_pages_ = 0;
-    constexpr std::uint32_t kMost = HeightGrid<float>::kMostPosts;
-    if (columns() < 2 || rows() < 2 || columns() > kMost || rows() > kMost) return false;
+    constexpr std::uint32_t kMax = HeightGrid<float>::kMaxPosts;
+    if (columns() < 2 || rows() < 2 || columns() > kMax || rows() > kMax) return false;
     desks_ = arena.allocate_array<Desk>(desks);
     if (desks_.empty()) return false;
     for (Desk& desk : desks_) {

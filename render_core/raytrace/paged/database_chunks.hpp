@@ -17,7 +17,7 @@ class DatabaseChunks final : public ChunkHeights<float> {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t desks);
     /// A window of the lattice (GroundWindow) whose first post is a chunk's: its column and row are multiples of 32. False where
-    /// the arena has no room, or a side of the window is of one post or of more than HeightGrid::kMostPosts. The database is
+    /// the arena has no room, or a side of the window is of one post or of more than HeightGrid::kMaxPosts. The database is
     /// borrowed and must stay.
     [[nodiscard]] bool start(const terrain::TerrainDatabase& database, const terrain::PostRange& window, std::uint32_t desks,
                              base::Arena& arena);

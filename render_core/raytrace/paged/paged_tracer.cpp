@@ -189,7 +189,7 @@ void PagedTracer<Height>::cross(const Job& job, const Task& task, const std::uin
         job.kernel->cross(nodes_of(slots_.minima(task.slot), column, row), job.surface, HitSide::below, column, row, below,
                           packet);
     packet.pass = inside & ~packet.met;
-    for (std::uint32_t lane = 0; lane < RayPacket::kMostLanes; ++lane)
+    for (std::uint32_t lane = 0; lane < RayPacket::kMaxLanes; ++lane)
         if ((packet.met >> lane & 1) != 0) keep_meeting(job, rays[lane], lane, packet);
 }
 

@@ -10,9 +10,9 @@ namespace tedavis::raytrace {
 
 /// Arrays of lanes: all that a kernel reads and writes. Bit n of a set is lane n.
 struct RayPacket {
-    static constexpr std::uint32_t kMostLanes = 32;
-    using Floats = float[kMostLanes];
-    using Ints = std::int32_t[kMostLanes];
+    static constexpr std::uint32_t kMaxLanes = 32;
+    using Floats = float[kMaxLanes];
+    using Ints = std::int32_t[kMaxLanes];
 
     Ints column, row, z;  ///< whole part of the origin, and what is left
     Floats column_fraction, row_fraction, z_fraction;

@@ -5,16 +5,16 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr float kLeastCost = 1e-6f;  // of a step, ms: a better level that costs no more is taken first
+constexpr float kMinCost = 1e-6f;  // of a step, ms: a better level that costs no more is taken first
 
 }  // namespace
 
 std::uint64_t SettingsChooser::bytes_needed(std::uint32_t regions) {
-    return std::uint64_t{regions} * (TraceCosts::kMostLevels - 1) * sizeof(Step) + alignof(Step);
+    return std::uint64_t{regions} * (TraceCosts::kMaxLevels - 1) * sizeof(Step) + alignof(Step);
 }
 
 bool SettingsChooser::start(std::uint32_t regions, base::Arena& arena) {
-    steps_ = arena.allocate_array<Step>(std::size_t{regions} * (TraceCosts::kMostLevels - 1));
+    steps_ = arena.allocate_array<Step>(std::size_t{regions} * (TraceCosts::kMaxLevels - 1));
     return regions > 0 && !steps_.empty();
 }
 
@@ -32,7 +32,7 @@ std::uint32_t SettingsChooser::list_steps(base::Span<const RegionView> regions, 
             step.gain = regions[n].weight * (limits.error[level - 1] - limits.error[level]);
             const float counted = step.is_new ? step.gain : step.gain * (1 + limits.hysteresis);
             // No step is worth more than the one that must come before it.
-            step.worth = before = std::min(before, counted / std::max(step.cost, kLeastCost));
+            step.worth = before = std::min(before, counted / std::max(step.cost, kMinCost));
             if (step.gain > 0) steps_[count++] = step;
         }
     }
@@ -41,8 +41,8 @@ std::uint32_t SettingsChooser::list_steps(base::Span<const RegionView> regions, 
 
 Choice SettingsChooser::choose(base::Span<const RegionView> regions, const TraceCosts& costs, const ChoiceLimits& limits,
                                base::Span<std::uint8_t> levels) {
-    TEDAVIS_CHECK(regions.size() == levels.size() && regions.size() * (TraceCosts::kMostLevels - 1) <= steps_.size());
-    TEDAVIS_CHECK(limits.levels > 0 && limits.levels <= TraceCosts::kMostLevels);
+    TEDAVIS_CHECK(regions.size() == levels.size() && regions.size() * (TraceCosts::kMaxLevels - 1) <= steps_.size());
+    TEDAVIS_CHECK(limits.levels > 0 && limits.levels <= TraceCosts::kMaxLevels);
     const std::uint32_t count = list_steps(regions, costs, limits, {levels.data(), levels.size()});
     std::sort(steps_.begin(), steps_.begin() + count, [](const Step& a, const Step& b) {
         if (a.worth != b.worth) return a.worth > b.worth;

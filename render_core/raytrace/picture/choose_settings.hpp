@@ -16,11 +16,11 @@
 namespace tedavis::raytrace {
 
 struct ChoiceLimits {
-    std::uint32_t levels = 1;                   ///< 1..TraceCosts::kMostLevels
-    float error[TraceCosts::kMostLevels] = {};  ///< of each level against the best, falling (picture_error.hpp)
-    float deadline_ms = 0;                      ///< of the sum of all regions' costs; 0: none
-    float most_error = 0;                       ///< weighted mean of all regions that is good enough; 0: as good as can be
-    float hysteresis = 0.1f;                    ///< 0..1
+    std::uint32_t levels = 1;                  ///< 1..TraceCosts::kMaxLevels
+    float error[TraceCosts::kMaxLevels] = {};  ///< of each level against the best, falling (picture_error.hpp)
+    float deadline_ms = 0;                     ///< of the sum of all regions' costs; 0: none
+    float most_error = 0;                      ///< weighted mean of all regions that is good enough; 0: as good as can be
+    float hysteresis = 0.1f;                   ///< 0..1
 };
 
 struct Choice {

@@ -8,14 +8,14 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr std::uint32_t kMostInSpan = PixelSpan::kMost;
+constexpr std::uint32_t kMaxInSpan = PixelSpan::kMax;
 
 /// Cells of a span with places in them, and the heights of their posts.
 struct SpanCells {
-    std::uint32_t post[kMostInSpan];  ///< row * cells + column
-    std::int32_t row[kMostInSpan];
-    float corner[4][kMostInSpan];
-    float u[kMostInSpan], v[kMostInSpan];
+    std::uint32_t post[kMaxInSpan];  ///< row * cells + column
+    std::int32_t row[kMaxInSpan];
+    float corner[4][kMaxInSpan];
+    float u[kMaxInSpan], v[kMaxInSpan];
 };
 
 /// A ray that meets nothing leaves no place: it counts as the cell's corner, so that nothing made of it is out of range.
@@ -122,7 +122,7 @@ void KernelTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits)
 
 template <class Height>
 void KernelTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const {
-    TEDAVIS_CHECK(span.count <= PixelSpan::kMost && std::size_t{span.first} + span.count <= hits.t.size());
+    TEDAVIS_CHECK(span.count <= PixelSpan::kMax && std::size_t{span.first} + span.count <= hits.t.size());
     surface.count = span.count;
     std::copy_n(hits.t.data() + span.first, span.count, surface.t);
     const HeightGrid<Height>& grid = field_.grid();
@@ -166,9 +166,9 @@ typename KernelTerrain<Height>::PlacedHit KernelTerrain<Height>::first_hit(const
 }
 
 template <class Height>
-RayMeeting KernelTerrain<Height>::meet(const Ray& ray) const {
+RayHit KernelTerrain<Height>::meet(const Ray& ray) const {
     const PlacedHit hit = first_hit(ray);
-    RayMeeting met;
+    RayHit met;
     met.is_met = hit.side != HitSide::none;
     if (!met.is_met) return met;
     SurfaceSettings settings;

@@ -20,7 +20,7 @@ public:
     /// Rectangles of whole tiles of the kernel, as far as the picture has them. Asks for u and v of hits.
     void trace(const PixelRect& rect, const HitPicture& hits) const override;
     void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const override;
-    [[nodiscard]] RayMeeting meet(const Ray& ray) const override;
+    [[nodiscard]] RayHit meet(const Ray& ray) const override;
     [[nodiscard]] bool is_hidden(const Ray& ray) const override;
 
 private:

@@ -14,7 +14,7 @@ Ray ray_in_grid(const GridScale& scale, const glm::dvec3& origin_m, const glm::d
 
 LitPlace lit_place(const void* asked, const glm::dvec3& origin, const glm::dvec3& direction) {
     const LitTerrain& lit = *static_cast<const LitTerrain*>(asked);
-    const RayMeeting met = lit.terrain->meet(ray_in_grid(lit.scale, origin, direction));
+    const RayHit met = lit.terrain->meet(ray_in_grid(lit.scale, origin, direction));
     LitPlace place;
     place.is_met = met.is_met;
     if (!met.is_met) return place;
@@ -24,8 +24,8 @@ LitPlace lit_place(const void* asked, const glm::dvec3& origin, const glm::dvec3
     SpanSurface surface;
     surface.count = 1;
     surface.height[0] = static_cast<float>(met.point.height);
-    float colour[3][PixelSpan::kMost];
-    find_colours(surface, *lit.look, colour);
+    float colour[3][PixelSpan::kMax];
+    find_colors(surface, *lit.look, colour);
     place.material = lit.look->material;
     place.material.colour = {colour[0][0], colour[1][0], colour[2][0]};
     if (surface.height[0] > lit.look->mirror_below) place.material.mirror = 0;

@@ -60,7 +60,7 @@ void SmoothTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits)
 
 template <class Height>
 void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const {
-    TEDAVIS_CHECK(span.count <= PixelSpan::kMost && std::size_t{span.first} + span.count <= hits.t.size());
+    TEDAVIS_CHECK(span.count <= PixelSpan::kMax && std::size_t{span.first} + span.count <= hits.t.size());
     const std::uint32_t cells = maxima_->grid().columns - 1;
     surface.count = span.count;
     for (std::uint32_t n = 0; n < span.count; ++n) {
@@ -86,9 +86,9 @@ void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
 }
 
 template <class Height>
-RayMeeting SmoothTerrain<Height>::meet(const Ray& ray) const {
+RayHit SmoothTerrain<Height>::meet(const Ray& ray) const {
     const SurfaceHit hit = first_hit(ray);
-    RayMeeting met;
+    RayHit met;
     met.is_met = hit.side != HitSide::none;
     if (!met.is_met) return met;
     met.t = static_cast<float>(hit.t);

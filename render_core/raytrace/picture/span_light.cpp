@@ -9,7 +9,7 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr std::uint32_t kMostOfSpan = PixelSpan::kMost;
+constexpr std::uint32_t kMaxOfSpan = PixelSpan::kMax;
 
 float cut_to_one(float x) { return std::min(std::max(x, 0.0f), 1.0f); }
 
@@ -30,8 +30,8 @@ float arc_of_versine(float versine) {
 
 /// Posts round places of a span, with weights.
 struct SpanPosts {
-    std::uint32_t first[kMostOfSpan];
-    float weight[4][kMostOfSpan];
+    std::uint32_t first[kMaxOfSpan];
+    float weight[4][kMaxOfSpan];
 };
 
 TEDAVIS_WIDE_LOOPS void find_posts(const SpanSurface& surface, std::uint32_t columns, std::uint32_t rows, SpanPosts& posts) {
@@ -53,12 +53,12 @@ TEDAVIS_WIDE_LOOPS void find_posts(const SpanSurface& surface, std::uint32_t col
 /// Mean apertures: axes and cosines of their radii.
 struct SpanApertures {
     SpanVectors axis;
-    float cos_radius[kMostOfSpan];
+    float cos_radius[kMaxOfSpan];
 };
 
 /// Of the four posts round each place: x, y and cos_radius in 16 bits each, from the lowest on.
 struct SpanStored {
-    std::uint64_t post[4][kMostOfSpan];
+    std::uint64_t post[4][kMaxOfSpan];
 };
 
 std::uint64_t packed_of(std::uint16_t x, std::uint16_t y, std::uint16_t cosine) {
@@ -80,7 +80,7 @@ float of_16_bits(std::uint64_t packed) { return static_cast<float>(static_cast<s
 
 TEDAVIS_WIDE_LOOPS void find_apertures(const SpanStored& __restrict read, const SpanPosts& __restrict posts, std::uint32_t count,
                                        SpanApertures& __restrict apertures) {
-    float x[kMostOfSpan] = {}, y[kMostOfSpan] = {}, z[kMostOfSpan] = {}, sum[kMostOfSpan] = {};
+    float x[kMaxOfSpan] = {}, y[kMaxOfSpan] = {}, z[kMaxOfSpan] = {}, sum[kMaxOfSpan] = {};
     for (int k = 0; k < 4; ++k)
         for (std::uint32_t n = 0; n < count; ++n) {
             const std::uint64_t post = read.post[k][n];
@@ -122,7 +122,7 @@ TEDAVIS_WIDE_LOOPS void light_through(const SpanApertures& apertures, const glm:
 }
 
 /// Which two colours a height lies between, and how far.
-TEDAVIS_WIDE_LOOPS void place_in_palette(const SpanSurface& surface, const GroundColours& ground, std::int32_t* first,
+TEDAVIS_WIDE_LOOPS void place_in_palette(const SpanSurface& surface, const GroundColors& ground, std::int32_t* first,
                                          float* share) {
     const auto parts = static_cast<float>(ground.palette.size() - 1);
     const float lowest = ground.lowest, scale = parts / (ground.highest - lowest);
@@ -159,14 +159,14 @@ TEDAVIS_WIDE_LOOPS void find_eyes(const float* direction_x, const float* directi
     }
 }
 
-void find_colours(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMost]) {
+void find_colors(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMax]) {
     const base::Span<const glm::vec3> palette = look.ground.palette;
     if (palette.empty()) {
         for (int c = 0; c < 3; ++c) std::fill_n(colour[c], surface.count, look.material.colour[c]);
         return;
     }
-    std::int32_t first[kMostOfSpan];
-    float share[kMostOfSpan];
+    std::int32_t first[kMaxOfSpan];
+    float share[kMaxOfSpan];
     place_in_palette(surface, look.ground, first, share);
     const glm::vec3* const colours = palette.data();
     const auto last = static_cast<std::int32_t>(palette.size() - 1);
@@ -199,7 +199,7 @@ void find_sky(const SpanSurface& surface, const SkyMap<Height>& sky, Ambient amb
 
 TEDAVIS_WIDE_LOOPS void add_up_light(Shading shading, const TraceLook& look, std::uint32_t count, SpanLight& light) {
     const glm::vec3 sun(look.sun.towards);
-    float diffuse[kMostOfSpan], highlight[kMostOfSpan];
+    float diffuse[kMaxOfSpan], highlight[kMaxOfSpan];
     for (std::uint32_t n = 0; n < count; ++n) {
         const float cosine = light.normal.of[0][n] * sun.x + light.normal.of[1][n] * sun.y + light.normal.of[2][n] * sun.z;
         diffuse[n] = std::max(cosine, 0.0f);
@@ -213,7 +213,7 @@ TEDAVIS_WIDE_LOOPS void add_up_light(Shading shading, const TraceLook& look, std
                                 (twice * light.normal.of[2][n] - sun.z) * light.eye.of[2][n];
             highlight[n] = diffuse[n] > 0 ? cut_to_one(along) : 0;
         }
-        float power[kMostOfSpan];
+        float power[kMaxOfSpan];
         for (std::uint32_t n = 0; n < count; ++n) power[n] = highlight[n] > 0 ? 1.0f : 0.0f;
         for (std::uint32_t exponent = look.material.sharpness; exponent != 0; exponent >>= 1) {
             if ((exponent & 1) != 0)

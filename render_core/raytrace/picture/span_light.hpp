@@ -14,22 +14,22 @@ namespace tedavis::raytrace {
 
 /// Unit vectors in metres; [x, y, z][place].
 struct SpanVectors {
-    float of[3][PixelSpan::kMost];
+    float of[3][PixelSpan::kMax];
 };
 
 struct SpanLight {
-    SpanVectors normal, eye;            ///< the eye only for Phong's light
-    float sun_seen[PixelSpan::kMost];   ///< 0..1
-    float sky_seen[PixelSpan::kMost];   ///< 0..1
-    float colour[3][PixelSpan::kMost];  ///< of the ground
-    float light[3][PixelSpan::kMost];   ///< what comes of it
+    SpanVectors normal, eye;           ///< the eye only for Phong's light
+    float sun_seen[PixelSpan::kMax];   ///< 0..1
+    float sky_seen[PixelSpan::kMax];   ///< 0..1
+    float colour[3][PixelSpan::kMax];  ///< of the ground
+    float light[3][PixelSpan::kMax];   ///< what comes of it
 };
 
 void find_normals(const SpanSurface& surface, const GridScale& scale, SpanVectors& normals);
 /// Towards the eye, along rays whose directions are those of grid space.
 void find_eyes(const float* direction_x, const float* direction_y, const float* direction_z, std::uint32_t count,
                const GridScale& scale, SpanVectors& eyes);
-void find_colours(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMost]);
+void find_colors(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMax]);
 /// How much of the sky is seen; of apertures also how much of the sun, by which `sun_seen` is multiplied.
 template <class Height>
 void find_sky(const SpanSurface& surface, const SkyMap<Height>& sky, Ambient ambient, const glm::dvec3& towards_sun,

@@ -46,7 +46,7 @@ template <class Height>
 void SpanShader<Height>::cover_with_data(const SpanSurface& surface, SpanLight& light) const {
     for (std::uint32_t n = 0; n < surface.count; ++n) {
         if (!surface.is_met[n]) continue;
-        const DataColour data = data_colour(look->values, look->uncertainties, look->legend, surface.x[n], surface.y[n]);
+        const DataColor data = data_color(look->values, look->uncertainties, look->legend, surface.x[n], surface.y[n]);
         for (int c = 0; c < 3; ++c) light.colour[c][n] += data.cover * (data.colour[c] - light.colour[c][n]);
     }
 }
@@ -76,7 +76,7 @@ void SpanShader<Height>::draw_capsules(const SpanRays& rays, const SpanSurface& 
         }
         if (!nearest.is_met) continue;
         Material material;
-        material.colour = look->capsule_colour;
+        material.colour = look->capsule_color;
         light[n] = local_light(material, nearest.normal, -glm::normalize(direction), look->sun, 1, look->sky, 1);
     }
 }
@@ -105,7 +105,7 @@ void SpanShader<Height>::shade(const SpanRays& rays, const std::uint32_t* seeds,
     SpanLight all;
     std::fill_n(all.sun_seen, surface.count, 1.0f);
     std::fill_n(all.sky_seen, surface.count, 1.0f);
-    find_colours(surface, *look, all.colour);
+    find_colors(surface, *look, all.colour);
     if (settings->has_data) cover_with_data(surface, all);
     if (settings->shading != Shading::none) {
         find_normals(surface, maps.scale, all.normal);

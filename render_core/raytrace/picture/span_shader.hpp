@@ -10,9 +10,9 @@ namespace tedavis::raytrace {
 
 /// Rays in the scene's grid space.
 struct SpanRays {
-    glm::dvec3 origin{0};                  ///< of all, where `origins` is null
-    const glm::dvec3* origins = nullptr;   ///< one a ray
-    float direction[3][PixelSpan::kMost];  ///< [x, y, z][ray]
+    glm::dvec3 origin{0};                 ///< of all, where `origins` is null
+    const glm::dvec3* origins = nullptr;  ///< one a ray
+    float direction[3][PixelSpan::kMax];  ///< [x, y, z][ray]
 
     [[nodiscard]] Ray ray(std::uint32_t n) const;
 };

@@ -10,8 +10,8 @@ template <class Height>
 HeightGrid<float> fine_grid_of(const HeightGrid<Height>& grid, std::uint32_t parts) {
     HeightGrid<float> fine;
     const std::uint64_t columns = std::uint64_t{grid.columns - 1} * parts + 1, rows = std::uint64_t{grid.rows - 1} * parts + 1;
-    if (columns > HeightGrid<float>::kMostPosts || rows > HeightGrid<float>::kMostPosts ||
-        columns * rows > HeightGrid<float>::kMostInAll)
+    if (columns > HeightGrid<float>::kMaxPosts || rows > HeightGrid<float>::kMaxPosts ||
+        columns * rows > HeightGrid<float>::kMaxInAll)
         return fine;
     fine.columns = fine.stride = static_cast<std::uint32_t>(columns);
     fine.rows = static_cast<std::uint32_t>(rows);

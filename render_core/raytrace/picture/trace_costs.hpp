@@ -7,11 +7,11 @@
 namespace tedavis::raytrace {
 
 struct TraceCosts {
-    static constexpr std::uint32_t kMostLevels = PictureVariants::kMost;
+    static constexpr std::uint32_t kMaxLevels = PictureVariants::kMax;
     static constexpr float kMemory = 0.75f;  ///< of the old mean that stays with a measurement
 
-    float ms[kMostLevels][kRegionKinds] = {};  ///< of a region
-    bool is_measured[kMostLevels][kRegionKinds] = {};
+    float ms[kMaxLevels][kRegionKinds] = {};  ///< of a region
+    bool is_measured[kMaxLevels][kRegionKinds] = {};
 
     [[nodiscard]] float of(std::uint32_t level, RegionKind kind) const { return ms[level][static_cast<std::size_t>(kind)]; }
     /// Before anything has been measured.

@@ -2,14 +2,14 @@
 /// a frame with the axes of grid space (GridScale). Borrowed memory must stay while pictures are drawn.
 #pragma once
 
-#include "render_core/raytrace/shading/data_colour.hpp"
+#include "render_core/raytrace/shading/data_color.hpp"
 #include "render_core/raytrace/shading/local_light.hpp"
 #include "render_core/raytrace/shading/ray_capsule.hpp"
 
 namespace tedavis::raytrace {
 
 /// Colour by height: linear between colours at equal distances, and the first and last beyond them.
-struct GroundColours {
+struct GroundColors {
     base::Span<const glm::vec3> palette;  ///< empty: `material.colour` everywhere
     float lowest = 0, highest = 1;        ///< height steps; different
 };
@@ -19,12 +19,12 @@ struct TraceLook {
     glm::vec3 sky{0.25f};        ///< light of the sky on the ground
     glm::vec3 background{0.6f};  ///< what rays that meet nothing see
     Material material;           ///< of the ground; its mirror counts only up to `mirror_below`
-    GroundColours ground;
+    GroundColors ground;
     float mirror_below = std::numeric_limits<float>::lowest();  ///< height steps: water
     DataGrid values, uncertainties;
     DataLegend legend;
     base::Span<const Capsule> capsules;
-    glm::vec3 capsule_colour{1, 0.2f, 0.1f};
+    glm::vec3 capsule_color{1, 0.2f, 0.1f};
 };
 
 }  // namespace tedavis::raytrace

@@ -13,8 +13,7 @@ constexpr std::uint32_t kPixelWords = 2;  ///< set pixel: first place and end; a
 constexpr std::uint32_t kTilesTogether = 1, kWordsLeftByTile = 8192;
 constexpr std::uint32_t kPlainOutputs = kPixelWords + 1;
 /// What a shaded span gives that has remainders: set pixel, rays and pixels to resample.
-constexpr std::uint32_t kMostOutputsOfShade =
-    kPlainOutputs + PixelSpan::kMost * kRayWords + 1 + PixelSpan::kMost * kPixelWords + 1;
+constexpr std::uint32_t kMaxOutputsOfShade = kPlainOutputs + PixelSpan::kMax * kRayWords + 1 + PixelSpan::kMax * kPixelWords + 1;
 
 struct TEDAVIS_RECORD PixelRecord {
     std::uint32_t first, end;
@@ -63,7 +62,7 @@ bool TracePicture<Height>::add_tasks() {
     made.primary.most_count = kTilesTogether;
     if (has_more) made.surface = make_range_task("spans", span_steps_, kNoTask);
     made.shade =
-        stage_of(this, "shade", kRangeArguments, has_more ? kMostOutputsOfShade : kPlainOutputs, &TracePicture::run_shade);
+        stage_of(this, "shade", kRangeArguments, has_more ? kMaxOutputsOfShade : kPlainOutputs, &TracePicture::run_shade);
     made.trace = stage_of(this, "trace", kRayWords, kRayWords + 1, &TracePicture::run_trace);
     made.set_pixel = stage_of(this, "set pixel", kPixelWords, 0, &TracePicture::run_set_pixel);
     made.primary.lanes = made.shade.lanes = made.set_pixel.lanes = 1;  // each is a whole tile or span
@@ -112,12 +111,12 @@ void TracePicture<Height>::run_shade(void* self, const Batch& batch, TokenWriter
     for (std::uint32_t n = 0; n < batch.count; ++n) {
         const std::uint32_t first = batch.record(n)[0], end = batch.record(n)[1];
         for (std::uint32_t span = first; span < end; ++span) stages.shade_span(stages.span(span), rest);
-        const PixelRecord shaded = {first * PixelSpan::kMost, end * PixelSpan::kMost};
+        const PixelRecord shaded = {first * PixelSpan::kMax, end * PixelSpan::kMax};
         out.calls(batch.next, &shaded, 1);
         // Only of one span, where there are such: the range before has a grain of 1.
         if (stages.has_remainders()) {
             out.calls(picture.tasks_.main.trace, rest.ray, rest.rays);
-            PixelRecord again[PixelSpan::kMost];
+            PixelRecord again[PixelSpan::kMax];
             for (std::uint32_t k = 0; k < rest.resampled; ++k) again[k] = {rest.pixel[k], 0};
             out.calls(picture.tasks_.resample, again, rest.resampled);
         }
@@ -159,10 +158,10 @@ void TracePicture<Height>::run_set_pixel(void* self, const Batch& batch, TokenWr
     const PixelRecord* const records = batch.records<PixelRecord>();
     for (std::uint32_t n = 0; n < batch.count; ++n)
         for (std::uint32_t place = records[n].first; place < records[n].end;) {
-            const std::uint32_t skipped = place % PixelSpan::kMost, left = records[n].end - place;
-            const PixelSpan span = stages.span(place / PixelSpan::kMost);
+            const std::uint32_t skipped = place % PixelSpan::kMax, left = records[n].end - place;
+            const PixelSpan span = stages.span(place / PixelSpan::kMax);
             if (skipped < span.count) stages.set_levels({span.first + skipped, std::min(left, span.count - skipped)});
-            place += PixelSpan::kMost - skipped;
+            place += PixelSpan::kMax - skipped;
         }
 }
 

@@ -20,19 +20,19 @@ enum class Ambient : std::uint8_t {
 };
 
 struct TraceSettings {
-    static constexpr std::uint32_t kMostRaysAlong = 8;
-    static constexpr std::uint32_t kMostMirrors = 8;
+    static constexpr std::uint32_t kMaxRaysAlong = 8;
+    static constexpr std::uint32_t kMaxMirrors = 8;
 
     SurfaceSettings surface;
     /// The surface is sampled `surface.subdivisions` times as finely, once at start, micro-structure included, and bilinear
     /// between: the vector kernel traces it then. Of approximate_bicubic it is the same surface, but for the micro-structure.
     bool is_surface_stored = false;
     Antialiasing antialiasing = Antialiasing::none;
-    std::uint32_t rays_along = 2;  ///< at most, along each side of a pixel that is supersampled; 1..kMostRaysAlong
+    std::uint32_t rays_along = 2;  ///< at most, along each side of a pixel that is supersampled; 1..kMaxRaysAlong
     Shading shading = Shading::lambert;
     Ambient ambient = Ambient::none;
     bool has_shadows = false;   ///< a ray to the sun from each place
-    std::uint32_t mirrors = 0;  ///< reflections of a ray that are followed, 0..kMostMirrors
+    std::uint32_t mirrors = 0;  ///< reflections of a ray that are followed, 0..kMaxMirrors
     std::uint32_t paths = 0;    ///< 0: local light; else so many paths a pixel of up to `bounces` rays (traced_light.hpp)
     std::uint32_t bounces = 2;
     bool has_data = false;      ///< colour of data and their certainty (TraceLook)

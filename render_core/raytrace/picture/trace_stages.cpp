@@ -29,7 +29,7 @@ TEDAVIS_WIDE_LOOPS void set_directions(const GridCamera& camera, std::uint32_t x
     }
 }
 
-void set_meeting(const RayMeeting& met, SpanSurface& surface, std::uint32_t n) {
+void set_meeting(const RayHit& met, SpanSurface& surface, std::uint32_t n) {
     surface.is_met[n] = met.is_met;
     surface.x[n] = met.x;
     surface.y[n] = met.y;
@@ -68,7 +68,7 @@ void TraceStages<Height>::begin(const TracedScene<Height>& scene, const TraceLoo
                                 base::Span<std::uint8_t> rgb8) {
     const std::size_t pixels = light_.size();
     TEDAVIS_CHECK(scene.size().width == width_ && scene.size().height == height_);
-    TEDAVIS_CHECK(!variants.settings.empty() && variants.settings.size() <= PictureVariants::kMost);
+    TEDAVIS_CHECK(!variants.settings.empty() && variants.settings.size() <= PictureVariants::kMax);
     TEDAVIS_CHECK(variants.regions.empty() || variants.regions.size() == tiles());
     TEDAVIS_CHECK(rgb8.empty() || rgb8.size() == 3 * pixels);
     look_ = &look;
@@ -108,7 +108,7 @@ std::uint32_t TraceStages<Height>::place_of(std::uint32_t pixel) const {
     constexpr std::uint32_t kWidth = PictureVariants::kRegionWidth, kHeight = PictureVariants::kRegionHeight;
     const std::uint32_t y = pixel / width_, x = pixel - y * width_, column = x / kWidth;
     const std::uint32_t tile = y / kHeight * PictureVariants::regions_across(width_) + column;
-    return (tile * kSpansOfTile + y % kHeight) * PixelSpan::kMost + x % kWidth;
+    return (tile * kSpansOfTile + y % kHeight) * PixelSpan::kMax + x % kWidth;
 }
 
 template <class Height>
@@ -149,7 +149,7 @@ void TraceStages<Height>::shade_span(const PixelSpan& span, SpanRemainder& rest)
     shader.terrain->find_surface(span, hits_, surface);
     SpanRays rays;
     rays.origin = camera_.origin;
-    std::uint32_t seeds[PixelSpan::kMost];
+    std::uint32_t seeds[PixelSpan::kMax];
     set_directions(camera_, x, y, span.count, rays);
     for (std::uint32_t n = 0; n < span.count; ++n) seeds[n] = span.first + n;
     glm::vec3* const light = light_.data() + span.first;
@@ -175,7 +175,7 @@ void TraceStages<Height>::shade_span(const PixelSpan& span, SpanRemainder& rest)
 
 template <class Height>
 std::uint32_t TraceStages<Height>::follow(const MirroredRay* rays, std::uint32_t count, MirroredRay* further) const {
-    TEDAVIS_CHECK(count <= PixelSpan::kMost);
+    TEDAVIS_CHECK(count <= PixelSpan::kMax);
     std::uint32_t left = 0;
     for (std::uint32_t n = 0; n < count; ++n) {  // one by one: neighbours may be of other settings
         const MirroredRay sent = rays[n];
@@ -215,16 +215,16 @@ void TraceStages<Height>::resample(std::uint32_t pixel) const {
     rays.origin = camera_.origin;
     SpanSurface surface;
     surface.count = along * along;
-    std::uint32_t seeds[PixelSpan::kMost];
+    std::uint32_t seeds[PixelSpan::kMax];
     for (std::uint32_t n = 0; n < surface.count; ++n) {
         const float part = 1 / static_cast<float>(along);
         const std::uint32_t line = n / along, column = n - line * along;
         const float right = (static_cast<float>(column) + 0.5f) * part, down = (static_cast<float>(line) + 0.5f) * part;
         set_direction(camera_, static_cast<float>(x) + right, static_cast<float>(y) + down, rays, n);
         set_meeting(shader.terrain->meet(rays.ray(n)), surface, n);
-        seeds[n] = pixel * (TraceSettings::kMostRaysAlong * TraceSettings::kMostRaysAlong) + n;
+        seeds[n] = pixel * (TraceSettings::kMaxRaysAlong * TraceSettings::kMaxRaysAlong) + n;
     }
-    glm::vec3 light[PixelSpan::kMost], sum(0);
+    glm::vec3 light[PixelSpan::kMax], sum(0);
     shader.shade(rays, seeds, surface, light);
     for (std::uint32_t n = 0; n < surface.count; ++n) sum += light[n];
     light_.data()[pixel] = sum / static_cast<float>(surface.count);

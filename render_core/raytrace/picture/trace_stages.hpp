@@ -26,16 +26,16 @@ struct TEDAVIS_RECORD MirroredRay {
 /// What a span has left to do.
 struct SpanRemainder {
     std::uint32_t rays = 0, resampled = 0;
-    MirroredRay ray[PixelSpan::kMost];
-    std::uint32_t pixel[PixelSpan::kMost];
+    MirroredRay ray[PixelSpan::kMax];
+    std::uint32_t pixel[PixelSpan::kMax];
 };
 
 /// Settings of a picture's regions, which are also its tiles: which of `settings` each has. Borrowed.
 struct PictureVariants {
-    static constexpr std::uint32_t kMost = 4;
+    static constexpr std::uint32_t kMax = 4;
     static constexpr std::uint32_t kRegionWidth = 64, kRegionHeight = 32;
 
-    base::Span<const TraceSettings> settings;  ///< 1 to kMost
+    base::Span<const TraceSettings> settings;  ///< 1 to kMax
     base::Span<const std::uint8_t> regions;    ///< row by row; empty: the first everywhere
 
     [[nodiscard]] static constexpr std::uint32_t regions_across(std::uint32_t width) {
@@ -63,13 +63,13 @@ public:
     /// Spans are numbered tile by tile, so many in each; some have no pixels.
     static constexpr std::uint32_t kSpansOfTile = PictureVariants::kRegionHeight;
     [[nodiscard]] PixelSpan span(std::uint32_t n) const;
-    /// A pixel's number among the places of all spans, PixelSpan::kMost for each.
+    /// A pixel's number among the places of all spans, PixelSpan::kMax for each.
     [[nodiscard]] std::uint32_t place_of(std::uint32_t pixel) const;
 
     void trace_tile(std::uint32_t tile) const;
     /// Pixels that are not done yet are in `rest`; set_levels() leaves them out.
     void shade_span(const PixelSpan& span, SpanRemainder& rest) const;
-    /// Up to PixelSpan::kMost rays. Those whose pixels are not done come back, to the front of `further`; returns their number.
+    /// Up to PixelSpan::kMax rays. Those whose pixels are not done come back, to the front of `further`; returns their number.
     std::uint32_t follow(const MirroredRay* rays, std::uint32_t count, MirroredRay* further) const;
     void resample(std::uint32_t pixel) const;
     void set_levels(const PixelSpan& span) const;
@@ -99,7 +99,7 @@ private:
     GridCamera camera_;
     double pixel_width_m_ = 0;
     PictureVariants variants_;
-    Variant variant_[PictureVariants::kMost];
+    Variant variant_[PictureVariants::kMax];
     base::Span<std::uint8_t> rgb8_;
     HitPicture hits_;
     base::Span<glm::vec3> light_;  ///< red below 0: not done

@@ -53,7 +53,7 @@ template <class Height>
 std::uint64_t TracedScene<Height>::bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings) {
     const Needs needs = needs_of(settings);
     const std::uint64_t maxima = HeightMipmap<Height>::bytes_needed(grid.columns, grid.rows);
-    std::uint64_t bytes = kAlignments * (kMostItems + 1);
+    std::uint64_t bytes = kAlignments * (kMaxItems + 1);
     if (needs.has_triangles || needs.has_bilinear) bytes += maxima;
     if (needs.stored != nullptr) {
         const std::uint64_t parts = needs.stored->subdivisions;
@@ -123,7 +123,7 @@ typename TracedScene<Height>::Answer TracedScene<Height>::start(const HeightGrid
                                                                 base::Arena& arena) {
     const Needs needs = needs_of(settings);
     if (settings.empty()) return base::fail(base::FaultText("a traced scene needs at least one setting; give one"));
-    if (size.width == 0 || size.height == 0 || size.width > SceneSize::kMostSide || size.height > SceneSize::kMostSide)
+    if (size.width == 0 || size.height == 0 || size.width > SceneSize::kMaxSide || size.height > SceneSize::kMaxSide)
         return base::fail(base::FaultText("a traced picture is 1 to 16384 pixels wide and high; change its size"));
     if (!needs.is_of_one_surface)
         return base::fail(base::FaultText("settings ask for two different stored or smooth surfaces; give them one"));

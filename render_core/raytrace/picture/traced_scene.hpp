@@ -16,7 +16,7 @@
 namespace tedavis::raytrace {
 
 struct SceneSize {
-    static constexpr std::uint32_t kMostSide = 16384;
+    static constexpr std::uint32_t kMaxSide = 16384;
     std::uint32_t width = 0, height = 0;  ///< of pictures
     std::uint32_t sky_azimuths = 16, sky_radius = 64;
 };
@@ -38,7 +38,7 @@ template <class Height>
 class TracedScene {
 public:
     using Answer = base::Result<std::uint64_t, base::FaultText>;
-    static constexpr std::size_t kMostItems = 8;
+    static constexpr std::size_t kMaxItems = 8;
 
     /// Enough for start().
     [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings);
@@ -83,7 +83,7 @@ private:
     KernelTerrain<Height> triangles_, bilinear_;
     KernelTerrain<float> fine_;
     SmoothTerrain<Height> smooth_;
-    base::FixedVector<PreparedItem, kMostItems> items_;
+    base::FixedVector<PreparedItem, kMaxItems> items_;
 };
 
 }  // namespace tedavis::raytrace

@@ -15,24 +15,24 @@ struct PixelRect {
 
 /// Neighbours in a row.
 struct PixelSpan {
-    static constexpr std::uint32_t kMost = 64;
+    static constexpr std::uint32_t kMax = 64;
     std::uint32_t first = 0;  ///< y * width + x
-    std::uint32_t count = 0;  ///< to kMost
+    std::uint32_t count = 0;  ///< to kMax
 };
 
-/// The surface where up to PixelSpan::kMost rays met it. Places in posts of the scene's grid, heights in its steps, slopes in
+/// The surface where up to PixelSpan::kMax rays met it. Places in posts of the scene's grid, heights in its steps, slopes in
 /// steps a post. What was not met means nothing.
 struct SpanSurface {
-    static constexpr std::uint32_t kMost = PixelSpan::kMost;
+    static constexpr std::uint32_t kMax = PixelSpan::kMax;
     std::uint32_t count = 0;
-    bool is_met[kMost];
-    double x[kMost], y[kMost];
-    float height[kMost], slope_x[kMost], slope_y[kMost];
-    float t[kMost];
+    bool is_met[kMax];
+    double x[kMax], y[kMax];
+    float height[kMax], slope_x[kMax], slope_y[kMax];
+    float t[kMax];
 };
 
 /// What a single ray met.
-struct RayMeeting {
+struct RayHit {
     bool is_met = false;
     float t = 0;
     double x = 0, y = 0;
@@ -49,7 +49,7 @@ public:
     /// Of pixels that have been traced.
     virtual void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const = 0;
     /// A ray in the scene's grid space.
-    [[nodiscard]] virtual RayMeeting meet(const Ray& ray) const = 0;
+    [[nodiscard]] virtual RayHit meet(const Ray& ray) const = 0;
     [[nodiscard]] virtual bool is_hidden(const Ray& ray) const = 0;
 };
 

@@ -48,7 +48,7 @@ Crossing first_descent(const GapCurve& whole) {
     Half waiting[kDeepest + 1];
     int count = 1;
     waiting[0] = {whole, 0, 0};
-    for (int steps = 0; count > 0 && steps < kMostHalvings; ++steps) {
+    for (int steps = 0; count > 0 && steps < kMaxHalvings; ++steps) {
         const Half half = waiting[--count];
         if (half.curve.c[0] <= 0) return {true, false, half.from};
         if (is_all_above(half.curve)) continue;

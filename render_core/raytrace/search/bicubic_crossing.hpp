@@ -5,7 +5,7 @@
 /// stretch is halved and the earlier half looked at first, down to 2^-40 of it. So no root is passed over that is wider than
 /// that; where the line only touches, rounding decides, as it would in any arithmetic.
 ///
-/// Cost: some 40 halvings where it meets, mostly none where it passes. Bounded: kMostHalvings, beyond which (a line that lies in
+/// Cost: some 40 halvings where it meets, mostly none where it passes. Bounded: kMaxHalvings, beyond which (a line that lies in
 /// the surface) it meets where it is.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace tedavis::raytrace {
 
-inline constexpr int kMostHalvings = 2048;
+inline constexpr int kMaxHalvings = 2048;
 
 /// The first place at which sign * (the line's height above the patch) is not above zero.
 [[nodiscard]] Crossing bicubic_crossing(const BicubicPatch& patch, const CellRay& ray, double sign);

@@ -10,7 +10,7 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr std::uint32_t kMostConeRadius = 256;
+constexpr std::uint32_t kMaxConeRadius = 256;
 constexpr float kWidest = 1e6f;     // posts a height step: as good as level
 constexpr double kShortest = 0.02;  // posts of a step: where a cone has no width, the ray must still go on
 
@@ -26,7 +26,7 @@ bool bilinear_height(const HeightGrid<Height>& grid, double x, double y, double&
 
 template <class Height>
 bool ConeMap<Height>::start(const HeightGrid<Height>& grid, const ConeSettings& settings, base::Arena& arena) {
-    TEDAVIS_CHECK(grid.is_valid() && settings.radius >= 1 && settings.radius <= kMostConeRadius && settings.azimuths >= 4);
+    TEDAVIS_CHECK(grid.is_valid() && settings.radius >= 1 && settings.radius <= kMaxConeRadius && settings.azimuths >= 4);
     grid_ = grid;
     settings_ = settings;
     ratios_ = arena.allocate_array<float>(std::size_t{grid.columns} * grid.rows);
@@ -36,7 +36,7 @@ bool ConeMap<Height>::start(const HeightGrid<Height>& grid, const ConeSettings& 
 template <class Height>
 float ConeMap<Height>::narrowest_along(std::uint32_t column, std::uint32_t row, double across, double down) const {
     const double tip = static_cast<double>(grid_.at(column, row));
-    double heights[kMostConeRadius + 1];
+    double heights[kMaxConeRadius + 1];
     std::uint32_t count = 0;
     for (heights[0] = tip; count < settings_.radius; ++count)
         if (!bilinear_height(grid_, column + (count + 1) * across, row + (count + 1) * down, heights[count + 1])) break;

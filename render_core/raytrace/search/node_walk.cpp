@@ -5,15 +5,15 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr double kLeastDirection = 1e-30;
+constexpr double kMinDirection = 1e-30;
 constexpr double kLongest = 1e30;  // of a ray without an end: as good as none, but a number
 
-bool is_parallel(float d) { return std::abs(double{d}) < kLeastDirection; }
+bool is_parallel(float d) { return std::abs(double{d}) < kMinDirection; }
 
 /// A ray along a grid line goes on one side of it: the one before the last line, else the one behind.
 double direction_along(float d, double origin, std::uint32_t cells) {
     if (!is_parallel(d)) return d;
-    return origin >= cells ? -kLeastDirection : kLeastDirection;
+    return origin >= cells ? -kMinDirection : kMinDirection;
 }
 
 /// The cell of a place on an axis that a ray goes on from: on a grid line the one ahead.
@@ -55,7 +55,7 @@ NodeWalk::NodeWalk(const Ray& ray, std::uint32_t columns, std::uint32_t rows)
 }
 
 double NodeWalk::crossing_t(int axis, std::uint32_t level) const {
-    if (std::abs(direction_[axis]) <= kLeastDirection) return std::numeric_limits<double>::infinity();
+    if (std::abs(direction_[axis]) <= kMinDirection) return std::numeric_limits<double>::infinity();
     const std::uint32_t node = (axis == 0 ? cell_[0] : cell_[1]) >> level;
     const std::uint32_t end = axis == 0 ? cells_[0] : cells_[1];
     const std::uint32_t line = direction_[axis] < 0 ? node << level : std::min((node + 1) << level, end);

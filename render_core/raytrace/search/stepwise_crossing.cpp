@@ -47,7 +47,7 @@ Crossing stepwise_crossing(const CellPatch& patch, const MicroStructure& micro, 
     Crossing found;
     found.is_from_below = start < 0;
     double s = 0, gap = sign * start;
-    for (int step = 0; step < kMostSteps && gap > skin && s < 1; ++step) {
+    for (int step = 0; step < kMaxSteps && gap > skin && s < 1; ++step) {
         s = fastest > 0 ? std::min(s + gap / fastest, 1.0) : 1.0;
         gap = s < 1 ? sign * gap_at(s) : sign * end;
     }

@@ -4,7 +4,7 @@
 /// Lipschitz bounds). L comes from the steepest slopes of the patch and of the micro-structure.
 ///
 /// What is inexact: a ray counts as meeting the surface where it comes as close as kSkin of the patch's range of heights and the
-/// amplitude, so up to that too early, and rays that pass as closely above it count as meeting it. After kMostSteps the ray meets
+/// amplitude, so up to that too early, and rays that pass as closely above it count as meeting it. After kMaxSteps the ray meets
 /// where it is, which is never behind the surface. Cost: a surface point a step; steep micro-structure makes steps short.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace tedavis::raytrace {
 
 inline constexpr double kSkin = 1e-6;
-inline constexpr int kMostSteps = 4096;
+inline constexpr int kMaxSteps = 4096;
 
 [[nodiscard]] Crossing stepwise_crossing(const CellPatch& patch, const MicroStructure& micro, const CellRay& ray);
 

@@ -16,10 +16,10 @@ namespace tedavis::raytrace {
 
 struct UniformSearch {
     /// More halvings say nothing: a float has no more digits (NUMERICS A23).
-    static constexpr std::uint32_t kMostHalvings = 24;
+    static constexpr std::uint32_t kMaxHalvings = 24;
 
     std::uint32_t steps = 4;      ///< 1 or more
-    std::uint32_t halvings = 10;  ///< 0..kMostHalvings; more count as that many
+    std::uint32_t halvings = 10;  ///< 0..kMaxHalvings; more count as that many
 };
 
 struct SearchedPlace {
@@ -43,7 +43,7 @@ template <class Gap>
             continue;
         }
         double low = last, high = t;
-        for (std::uint32_t k = 0; k < std::min(search.halvings, UniformSearch::kMostHalvings); ++k) {
+        for (std::uint32_t k = 0; k < std::min(search.halvings, UniformSearch::kMaxHalvings); ++k) {
             const double middle = 0.5 * (low + high), value = gap(middle);
             (before > 0 ? value > 0 : value < 0) ? low = middle : high = middle;
         }

@@ -116,7 +116,7 @@ std::uint64_t SkyMap<Height>::bytes_needed(std::uint32_t columns, std::uint32_t 
 
 template <class Height>
 bool SkyMap<Height>::start(const HeightGrid<Height>& grid, const SkyMapSettings& settings, base::Arena& arena) {
-    TEDAVIS_CHECK(grid.is_valid() && settings.azimuths >= 4 && settings.azimuths <= SkyMapSettings::kMostAzimuths);
+    TEDAVIS_CHECK(grid.is_valid() && settings.azimuths >= 4 && settings.azimuths <= SkyMapSettings::kMaxAzimuths);
     grid_ = grid;
     settings_ = settings;
     const std::size_t posts = std::size_t{grid.columns} * grid.rows;

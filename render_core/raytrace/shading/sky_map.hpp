@@ -31,9 +31,9 @@
 namespace tedavis::raytrace {
 
 struct SkyMapSettings {
-    static constexpr std::uint32_t kMostAzimuths = 128;
+    static constexpr std::uint32_t kMaxAzimuths = 128;
 
-    std::uint32_t azimuths = 16;  ///< 4..kMostAzimuths
+    std::uint32_t azimuths = 16;  ///< 4..kMaxAzimuths
     std::uint32_t radius = 64;    ///< posts, 1 or more
     GridScale scale;
     bool has_apertures = false;

@@ -94,7 +94,7 @@ glm::dvec3 cosine_direction(const glm::dvec3& normal, double u, double v) {
 
 glm::vec3 traced_light(const LitScene& scene, const glm::dvec3& origin, const glm::dvec3& direction, const TracedLight& settings,
                        std::uint32_t seed) {
-    TEDAVIS_CHECK(settings.paths > 0 && settings.bounces <= TracedLight::kMostBounces);
+    TEDAVIS_CHECK(settings.paths > 0 && settings.bounces <= TracedLight::kMaxBounces);
     glm::vec3 sum(0);
     for (std::uint32_t n = 0; n < settings.paths; ++n)
         sum += path_light(scene, origin, glm::normalize(direction), settings, n, seed);

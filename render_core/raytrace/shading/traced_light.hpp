@@ -37,9 +37,9 @@ struct LitScene {
 };
 
 struct TracedLight {
-    static constexpr std::uint32_t kMostBounces = 16;
+    static constexpr std::uint32_t kMaxBounces = 16;
 
-    std::uint32_t bounces = 3;  ///< rays after the first, 0..kMostBounces
+    std::uint32_t bounces = 3;  ///< rays after the first, 0..kMaxBounces
     std::uint32_t paths = 16;   ///< for each pixel, 1 or more
 };
 

@@ -12,9 +12,7 @@ constexpr double kEarly = 0.14644660940672624, kLate = 0.85355339059327376;
 
 /// 1/m: by how much rays bend at a place, at most. Vertically they do by 1/R, and where they run down while they run out, aside
 /// by as much; in the lattice great circles bend by tan(latitude)/R, and twice where they cross it aslant.
-double most_bend(double latitude_rad) {
-    return (1.15 + 0.85 * std::abs(std::tan(latitude_rad))) / earth::kLeastCurvatureRadius_m;
-}
+double most_bend(double latitude_rad) { return (1.15 + 0.85 * std::abs(std::tan(latitude_rad))) / earth::kMinCurvatureRadius_m; }
 
 }  // namespace
 
@@ -24,7 +22,7 @@ PieceEnds cut_rays(const earth::Ecef& from, double angle_rad, double stretch, do
     const double bend = most_bend(earth::from_ecef(from).latitude_rad) * stretch * stretch;
     // The first: its line begins at the origin, off by angle t |t - s/2| bend / 2.
     double end = 4 * angle_rad / bend;
-    while (ends.count < PieceEnds::kMost) {
+    while (ends.count < PieceEnds::kMax) {
         ends.end[++ends.count] = end < far_m ? end : far_m;
         if (end >= far_m) break;
         end += std::sqrt(16 * angle_rad * end / bend);

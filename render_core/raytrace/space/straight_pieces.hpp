@@ -16,16 +16,16 @@ namespace tedavis::raytrace {
 
 /// Times at which rays are cut, in metres along the direction that they are measured in.
 struct PieceEnds {
-    static constexpr int kMost = 48;
+    static constexpr int kMax = 48;
 
-    double end[kMost + 1] = {};  ///< the first is 0
-    int count = 0;               ///< of pieces
-    double angle_rad = 0;        ///< that pieces are off by, at most
+    double end[kMax + 1] = {};  ///< the first is 0
+    int count = 0;              ///< of pieces
+    double angle_rad = 0;       ///< that pieces are off by, at most
 
     [[nodiscard]] double most_off_m(int piece) const { return angle_rad * end[piece]; }
 };
 
-/// To a distance, or as far as kMost pieces go; `angle_rad`: what they may be off by, of the ray's own direction; a ray may be
+/// To a distance, or as far as kMax pieces go; `angle_rad`: what they may be off by, of the ray's own direction; a ray may be
 /// longer than t says by `stretch`, the length of the longest direction.
 [[nodiscard]] PieceEnds cut_rays(const earth::Ecef& from, double angle_rad, double stretch, double far_m);
 

@@ -83,11 +83,11 @@ void ground_tile_of(void* context, std::uint32_t tile) {
 }  // namespace
 
 double gap_before(const GroundSpace& space, const terrain::View& view, double from) {
-    return 2 * kMostOff_px / view.focal_px * from / space.step_m();
+    return 2 * kMaxOff_px / view.focal_px * from / space.step_m();
 }
 
 PieceEnds cut_view(const terrain::View& view) {
-    return cut_rays(view.eye, kPieceShare * kMostOff_px / view.focal_px, stretch_of(view), view.far_m);
+    return cut_rays(view.eye, kPieceShare * kMaxOff_px / view.focal_px, stretch_of(view), view.far_m);
 }
 
 bool can_trace(const GroundSpace& space, const terrain::View& view) {

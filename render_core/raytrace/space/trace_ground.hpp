@@ -15,7 +15,7 @@
 namespace tedavis::raytrace {
 
 /// Of a pixel, that the middle of a pixel's ray is off by at most.
-inline constexpr double kMostOff_px = 0.1;
+inline constexpr double kMaxOff_px = 0.1;
 
 /// What pictures of a view are traced with, tile by tile. Plain data; all borrowed.
 template <class Height>

@@ -9,7 +9,7 @@ std::uint64_t BlockPool::bytes_needed(std::uint32_t block_words, std::uint32_t b
 }
 
 bool BlockPool::start(base::Arena& arena, std::uint32_t block_words, std::uint32_t blocks) {
-    TEDAVIS_CHECK(block_words >= kLeastBlockWords && block_words <= kMostBlockWords && (block_words & (block_words - 1)) == 0);
+    TEDAVIS_CHECK(block_words >= kMinBlockWords && block_words <= kMaxBlockWords && (block_words & (block_words - 1)) == 0);
     block_words_ = block_words;
     call_bits_ = arena.allocate_array<std::uint64_t>(std::size_t{blocks} * (block_words / 64));
     words_ = arena.allocate_array<std::uint32_t>(std::size_t{blocks} * block_words);

@@ -13,7 +13,7 @@
 namespace tedavis::raytrace {
 
 inline constexpr std::uint32_t kNoBlock = 0xffffffff;
-inline constexpr std::uint32_t kLeastBlockWords = 64, kMostBlockWords = 4096;
+inline constexpr std::uint32_t kMinBlockWords = 64, kMaxBlockWords = 4096;
 
 struct TokenBlock {
     std::uint32_t next = kNoBlock;

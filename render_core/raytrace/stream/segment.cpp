@@ -24,28 +24,28 @@ void run_batch(const Task& task, const Batch& batch, base::Span<const std::uint3
 
 std::uint64_t Segment::bytes_needed() {
     constexpr std::uint64_t kItem = 2 * sizeof(Item) + 2 * sizeof(std::uint16_t) + sizeof(std::uint32_t) + sizeof(WrittenRun);
-    return kMostItems * kMostParts * kItem + (kMostArguments + kMostOutputs) * sizeof(std::uint32_t) +
-           kMostSteps * kMostOutputs * (sizeof(std::uint32_t) + sizeof(std::uint16_t)) + 10 * alignof(std::max_align_t);
+    return kMaxItems * kMaxParts * kItem + (kMaxArguments + kMaxOutputs) * sizeof(std::uint32_t) +
+           kMaxSteps * kMaxOutputs * (sizeof(std::uint32_t) + sizeof(std::uint16_t)) + 10 * alignof(std::max_align_t);
 }
 
 bool Segment::start(base::Arena& arena) {
-    items_ = arena.allocate_array<Item>(kMostItems * kMostParts);
-    next_items_ = arena.allocate_array<Item>(kMostItems * kMostParts);
-    order_ = arena.allocate_array<std::uint16_t>(kMostItems * kMostParts);
-    gathered_ = arena.allocate_array<std::uint16_t>(kMostItems * kMostParts);
-    borders_ = arena.allocate_array<std::uint32_t>(kMostItems * kMostParts);
-    runs_ = arena.allocate_array<WrittenRun>(kMostItems * kMostParts);
-    copies_ = arena.allocate_array<std::uint32_t>(kMostArguments);
-    records_ = arena.allocate_array<std::uint32_t>(kMostOutputs);
-    output_ = arena.allocate_array<std::uint32_t>(kMostSteps * kMostOutputs);
-    call_places_ = arena.allocate_array<std::uint16_t>(kMostSteps * kMostOutputs);
+    items_ = arena.allocate_array<Item>(kMaxItems * kMaxParts);
+    next_items_ = arena.allocate_array<Item>(kMaxItems * kMaxParts);
+    order_ = arena.allocate_array<std::uint16_t>(kMaxItems * kMaxParts);
+    gathered_ = arena.allocate_array<std::uint16_t>(kMaxItems * kMaxParts);
+    borders_ = arena.allocate_array<std::uint32_t>(kMaxItems * kMaxParts);
+    runs_ = arena.allocate_array<WrittenRun>(kMaxItems * kMaxParts);
+    copies_ = arena.allocate_array<std::uint32_t>(kMaxArguments);
+    records_ = arena.allocate_array<std::uint32_t>(kMaxOutputs);
+    output_ = arena.allocate_array<std::uint32_t>(kMaxSteps * kMaxOutputs);
+    call_places_ = arena.allocate_array<std::uint16_t>(kMaxSteps * kMaxOutputs);
     return !items_.empty() && !next_items_.empty() && !order_.empty() && !gathered_.empty() && !borders_.empty() &&
            !runs_.empty() && !copies_.empty() && !records_.empty() && !output_.empty() && !call_places_.empty();
 }
 
 void Segment::add(std::uint32_t call, const CallShape& shape, std::uint32_t kept, std::uint32_t skipped, BlockCursor from) {
     Item& item = items_[count_++];
-    item = {kept, skipped, call, kMostParts, from.together() == 0 ? nullptr : from.words(), {}};
+    item = {kept, skipped, call, kMaxParts, from.together() == 0 ? nullptr : from.words(), {}};
     if (shape.arguments > from.together()) {
         std::uint32_t* copy = copies_.data() + copied_;
         from.read(copy, shape.arguments);
@@ -59,7 +59,7 @@ void Segment::add(std::uint32_t call, const CallShape& shape, std::uint32_t kept
 void Segment::run(const TaskNetwork& network, BlockGroup& group) {
     TokenWriter out(network, output_, call_places_);
     run_open_items(network, out, group);
-    for (std::uint32_t step = 1; step < kMostSteps && go_on(network); ++step) run_open_items(network, out, group);
+    for (std::uint32_t step = 1; step < kMaxSteps && go_on(network); ++step) run_open_items(network, out, group);
 }
 
 /// Whether what an item gave is nothing but calls that can be executed at once. They need no more room than it took.
@@ -115,7 +115,7 @@ void Segment::sort_by_task(std::uint32_t tasks, std::uint32_t* ends) {
 }
 
 void Segment::run_open_items(const TaskNetwork& network, TokenWriter& out, BlockGroup& group) {
-    std::uint32_t ends[kMostTasks] = {};
+    std::uint32_t ends[kMaxTasks] = {};
     sort_by_task(network.size(), ends);
     for (std::uint32_t task = 0, first = 0; task < network.size(); first = ends[task++]) {
         if (ends[task] == first) continue;

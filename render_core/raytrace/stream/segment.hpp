@@ -20,7 +20,7 @@ public:
 
     /// Whether there is room for one more; there is for the first.
     [[nodiscard]] bool fits(const CallShape& shape) const {
-        return count_ == 0 || (count_ < kMostItems && words_ + shape.arguments <= kMostArguments &&
+        return count_ == 0 || (count_ < kMaxItems && words_ + shape.arguments <= kMaxArguments &&
                                outputs_ + shape.most_outputs + shape.left_words <= kOutputsTogether);
     }
     /// A call whose arguments lie at `from`. Before it `kept` words of the group stay as they are, then `skipped` go with the
@@ -32,13 +32,13 @@ public:
     void write(BlockCursor& from, BlockWriter& to);
 
 private:
-    static constexpr std::uint32_t kMostItems = 512;  ///< added
-    static constexpr std::uint32_t kMostParts = 4;    ///< calls that an item may come to
-    static constexpr std::uint32_t kMostArguments = 2 * kMostPatternWords;
-    static constexpr std::uint32_t kMostOutputs = kMostOutputWords;
+    static constexpr std::uint32_t kMaxItems = 512;  ///< added
+    static constexpr std::uint32_t kMaxParts = 4;    ///< calls that an item may come to
+    static constexpr std::uint32_t kMaxArguments = 2 * kMaxPatternWords;
+    static constexpr std::uint32_t kMaxOutputs = kMaxOutputWords;
     static constexpr std::uint32_t kOutputsTogether =
         8192;  ///< of items that run together, and what they leave: what the nearest cache holds
-    static constexpr std::uint32_t kMostSteps = 4;
+    static constexpr std::uint32_t kMaxSteps = 4;
 
     struct Item {
         std::uint32_t kept = 0, skipped = 0;

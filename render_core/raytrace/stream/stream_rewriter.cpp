@@ -5,18 +5,18 @@
 #include "render_core/raytrace/stream/call_scan.hpp"
 #include "render_core/raytrace/stream/decode_group.hpp"
 #include "render_core/raytrace/stream/execute_group.hpp"
-#include "render_core/raytrace/stream/pass_crew.hpp"
+#include "render_core/raytrace/stream/thread_team.hpp"
 
 namespace tedavis::raytrace {
 namespace {
 
 /// Groups are as large as gives each worker so many of them: small ones share the work well, large ones fill kernels.
 constexpr std::uint32_t kGroupsOfWorker = 8;
-constexpr std::uint32_t kLeastGroupCalls = 8, kMostGroupCalls = 4096;
-constexpr std::uint32_t kLeastFullGroupWords = 512, kMostGroupWords = 16384;
+constexpr std::uint32_t kMinGroupCalls = 8, kMaxGroupCalls = 4096;
+constexpr std::uint32_t kMinFullGroupWords = 512, kMaxGroupWords = 16384;
 /// Fewer words than that are decoded sooner than shared.
 constexpr std::uint32_t kWordsToShare = 4096;
-constexpr std::uint32_t kMostRoundsAlone = 64;
+constexpr std::uint32_t kMaxRoundsAlone = 64;
 
 void append_number(base::FaultText& text, std::uint64_t number) {
     char digits[20];
@@ -54,16 +54,16 @@ struct StreamRewriter::Run {
     bool is_over = false;
     std::uint32_t alone = 0, most_alone = 1;  ///< rounds since a worker was lost, and how many until it is called back
 
-    static void lead(void* context, PassCrew& crew) {
+    static void lead(void* context, ThreadTeam& crew) {
         Run& run = *static_cast<Run*>(context);
         do run.rewriter.run_round(run, crew);
         while (!run.is_over && !run.calls_back(crew));
     }
     /// Not at once, and more seldom each time: where there are fewer processors than workers they are lost again and again.
-    bool calls_back(const PassCrew& crew) {
+    bool calls_back(const ThreadTeam& crew) {
         if (!crew.has_lost() || rewriter.group_count_ < 2 || ++alone < most_alone) return false;
         alone = 0;
-        most_alone = std::min(2 * most_alone, kMostRoundsAlone);
+        most_alone = std::min(2 * most_alone, kMaxRoundsAlone);
         return true;
     }
 };
@@ -90,8 +90,8 @@ void StreamRewriter::form_groups(std::uint32_t lanes) {
     call_count_ = 0;
     for (std::uint32_t id = stream_->first_block(); id != kNoBlock; id = pool.block(id).next) call_count_ += pool.block(id).calls;
     const std::uint32_t share = kGroupsOfWorker * lanes, least = least_group_words(stream_->settings());
-    most_group_calls_ = std::clamp(call_count_ / share, kLeastGroupCalls, kMostGroupCalls);
-    const std::uint32_t most_words = std::clamp(stream_->words() / share, kLeastFullGroupWords, kMostGroupWords);
+    most_group_calls_ = std::clamp(call_count_ / share, kMinGroupCalls, kMaxGroupCalls);
+    const std::uint32_t most_words = std::clamp(stream_->words() / share, kMinFullGroupWords, kMaxGroupWords);
     std::uint32_t early_ends = lanes > 1 ? kEarlyEndsOfWorker * lanes : 0;
     group_count_ = 0;
     bool is_open = false;
@@ -136,7 +136,7 @@ void StreamRewriter::link_groups() {
     stream_->set_list(first, last, words);
 }
 
-void StreamRewriter::rewrite_once(Run& run, PassCrew& crew) {
+void StreamRewriter::rewrite_once(Run& run, ThreadTeam& crew) {
     const StreamSettings& settings = stream_->settings();
     const std::uint64_t left = settings.capacity_words - stream_->words();
     const RoundRoom room = {left > settings.reserve_words ? left - settings.reserve_words : 0, left};
@@ -159,7 +159,7 @@ void StreamRewriter::rewrite_once(Run& run, PassCrew& crew) {
     }
 }
 
-void StreamRewriter::run_round(Run& run, PassCrew& crew) {
+void StreamRewriter::run_round(Run& run, ThreadTeam& crew) {
     form_groups(run.lanes);
     run.report.is_finished = call_count_ == 0;
     run.is_over = run.report.is_finished || run.report.rounds == run.most_rounds;
@@ -180,7 +180,7 @@ StreamRewriter::Answer StreamRewriter::rewrite(const TaskNetwork& network, base:
     TEDAVIS_CHECK(stream_ != nullptr);
     const std::uint32_t lanes = std::min(workers.concurrency(), static_cast<std::uint32_t>(segments_.size()));
     Run run{*this, network, most_rounds, lanes, {}, {}};
-    while (!run.is_over) PassCrew::run(workers, lanes, &Run::lead, &run);
+    while (!run.is_over) ThreadTeam::run(workers, lanes, &Run::lead, &run);
     if (!run.fault.empty()) return base::fail(run.fault);
     return run.report;
 }

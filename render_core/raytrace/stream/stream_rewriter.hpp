@@ -22,7 +22,7 @@ struct RewriteReport {
     std::uint32_t most_groups = 0;
 };
 
-class PassCrew;
+class ThreadTeam;
 
 class StreamRewriter {
 public:
@@ -41,8 +41,8 @@ private:
     struct Run;
 
     void form_groups(std::uint32_t lanes);
-    void run_round(Run& run, PassCrew& crew);
-    void rewrite_once(Run& run, PassCrew& crew);
+    void run_round(Run& run, ThreadTeam& crew);
+    void rewrite_once(Run& run, ThreadTeam& crew);
     void link_groups();
     [[nodiscard]] base::Span<BlockGroup> groups() const { return groups_.subspan(0, group_count_); }
     [[nodiscard]] base::FaultText task_fault() const;

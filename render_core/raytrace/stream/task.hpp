@@ -41,8 +41,8 @@ using BatchFunction = void (*)(void* context, const Batch& batch, TokenWriter& o
 
 struct Task {
     base::FixedString<31> name;
-    std::uint32_t arguments = 0;     ///< words of a call, below kMostPatternWords
-    std::uint32_t most_outputs = 0;  ///< tokens that one call gives, to kMostOutputWords
+    std::uint32_t arguments = 0;     ///< words of a call, below kMaxPatternWords
+    std::uint32_t most_outputs = 0;  ///< tokens that one call gives, to kMaxOutputWords
     BatchFunction run = nullptr;
     void* context = nullptr;  ///< borrowed
     TaskId next = kNoTask;

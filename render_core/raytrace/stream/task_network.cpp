@@ -8,7 +8,7 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr std::uint32_t kMostCallsOfNothing = 4096;  ///< of a task that takes and gives nothing
+constexpr std::uint32_t kMaxCallsOfNothing = 4096;  ///< of a task that takes and gives nothing
 
 base::FaultText task_fault(std::string_view name, std::string_view what) {
     base::FaultText sentence("task '");
@@ -19,9 +19,9 @@ base::FaultText task_fault(std::string_view name, std::string_view what) {
 }
 
 std::uint32_t most_calls(const Task& task) {
-    std::uint32_t most = task.most_count == 0 ? kMostCallsOfNothing : task.most_count;
-    if (task.arguments > 0) most = std::min(most, (kMostPatternWords - 1) / task.arguments);
-    if (task.most_outputs > 0) most = std::min(most, kMostOutputWords / task.most_outputs);
+    std::uint32_t most = task.most_count == 0 ? kMaxCallsOfNothing : task.most_count;
+    if (task.arguments > 0) most = std::min(most, (kMaxPatternWords - 1) / task.arguments);
+    if (task.most_outputs > 0) most = std::min(most, kMaxOutputWords / task.most_outputs);
     return most;
 }
 
@@ -29,7 +29,7 @@ std::uint32_t most_calls(const Task& task) {
 base::FaultText fault_of(const Task& task) {
     if (task.run == nullptr) return task_fault(task.name.view(), "has no function; give it one");
     if (task.lanes == 0) return task_fault(task.name.view(), "has 0 lanes; give it 1 or more");
-    if (task.arguments >= kMostPatternWords || task.most_outputs > kMostOutputWords)
+    if (task.arguments >= kMaxPatternWords || task.most_outputs > kMaxOutputWords)
         return task_fault(task.name.view(), "takes more than 4095 words or gives more than 16384; divide it");
     return {};
 }
@@ -57,7 +57,7 @@ TaskNetwork::Answer TaskNetwork::replace(TaskId id, const Task& task) {
     Task& present = tasks_[id];
     if (task.arguments != present.arguments)
         return base::fail(task_fault(task.name.view(), "takes another number of words than what it replaces; add it instead"));
-    if (std::uint64_t{task.most_outputs} * present.most_count > kMostOutputWords)
+    if (std::uint64_t{task.most_outputs} * present.most_count > kMaxOutputWords)
         return base::fail(
             task_fault(task.name.view(), "gives more than calls of what it replaces allow; add that with a most_count"));
     const TaskId next = task.next == kNoTask ? present.next : task.next;

@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    base::FixedVector<Task, kMostTasks> tasks_;
+    base::FixedVector<Task, kMaxTasks> tasks_;
 };
 
 }  // namespace tedavis::raytrace

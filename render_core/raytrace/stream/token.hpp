@@ -12,10 +12,10 @@ namespace tedavis::raytrace {
 
 using TaskId = std::uint8_t;
 
-inline constexpr std::uint32_t kMostTasks = 64;
+inline constexpr std::uint32_t kMaxTasks = 64;
 inline constexpr TaskId kNoTask = 255;
-inline constexpr std::uint32_t kMostPatternWords = 4096;  ///< a call with its arguments
-inline constexpr std::uint32_t kMostOutputWords = 16384;  ///< what a call may give, however many it stands for
+inline constexpr std::uint32_t kMaxPatternWords = 4096;  ///< a call with its arguments
+inline constexpr std::uint32_t kMaxOutputWords = 16384;  ///< what a call may give, however many it stands for
 
 struct Token {
     std::uint32_t word = 0;

@@ -3,8 +3,8 @@
 namespace tedavis::raytrace {
 namespace {
 
-constexpr std::uint32_t kLeastGroupWords = 128;
-constexpr std::uint32_t kMostStreamWords = 1u << 26;
+constexpr std::uint32_t kMinGroupWords = 128;
+constexpr std::uint32_t kMaxStreamWords = 1u << 26;
 
 std::uint32_t blocks_of(const StreamSettings& settings) {
     const std::uint32_t early = kEarlyEndsOfWorker * settings.most_workers;
@@ -14,9 +14,9 @@ std::uint32_t blocks_of(const StreamSettings& settings) {
 /// Empty where nothing is wrong.
 base::FaultText fault_of_settings(const StreamSettings& settings) {
     const std::uint32_t size = settings.block_words;
-    if (size < kLeastBlockWords || size > kMostBlockWords || (size & (size - 1)) != 0)
+    if (size < kMinBlockWords || size > kMaxBlockWords || (size & (size - 1)) != 0)
         return "blocks of a token stream have 64 to 4096 words, a power of two; give block_words such a number";
-    if (settings.capacity_words < 2 * kMostOutputWords || settings.capacity_words > kMostStreamWords)
+    if (settings.capacity_words < 2 * kMaxOutputWords || settings.capacity_words > kMaxStreamWords)
         return "a token stream holds 32768 to 67108864 words; give capacity_words such a number";
     if (settings.reserve_words > settings.capacity_words)
         return "the reserve of a token stream is a part of its capacity; give reserve_words a smaller number";
@@ -27,7 +27,7 @@ base::FaultText fault_of_settings(const StreamSettings& settings) {
 
 }  // namespace
 
-std::uint32_t least_group_words(const StreamSettings& settings) { return std::max(kLeastGroupWords, settings.block_words); }
+std::uint32_t least_group_words(const StreamSettings& settings) { return std::max(kMinGroupWords, settings.block_words); }
 
 std::uint32_t most_groups(const StreamSettings& settings) {
     return settings.capacity_words / least_group_words(settings) + 1 + kEarlyEndsOfWorker * settings.most_workers;

@@ -13,7 +13,7 @@ namespace tedavis::raytrace {
 
 struct StreamSettings {
     std::uint32_t block_words = 512;            ///< 64 to 4096, a power of two
-    std::uint32_t capacity_words = 128 * 1024;  ///< 2 kMostOutputWords to 2^26
+    std::uint32_t capacity_words = 128 * 1024;  ///< 2 kMaxOutputWords to 2^26
     /// Of the capacity: what only the first call that lengthens the stream may use, so that it can always go on. A task that
     /// needs no more than this beyond its own words, when it is evaluated first call first, and leaves no more than it took,
     /// comes to its end.

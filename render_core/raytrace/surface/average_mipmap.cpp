@@ -60,7 +60,7 @@ void bound_average_row(const void* context, const HeightGrid<Height>& grid, Heig
 template <class Height>
 std::uint64_t AverageMipmap<Height>::bytes_needed(std::uint32_t columns, std::uint32_t rows) {
     std::uint64_t bytes = 0;
-    for (std::uint32_t n = 1; n < kMostLevels && (columns > 2 || rows > 2); ++n) {
+    for (std::uint32_t n = 1; n < kMaxLevels && (columns > 2 || rows > 2); ++n) {
         columns = posts_of_half(columns);
         rows = posts_of_half(rows);
         bytes += std::uint64_t{columns} * rows * sizeof(Height) + alignof(Height);
@@ -73,7 +73,7 @@ bool AverageMipmap<Height>::start(const HeightGrid<Height>& grid, base::Arena& a
     TEDAVIS_CHECK(grid.is_valid() && levels > 0);
     grids_[0] = grid;
     levels_ = 1;
-    while (levels_ < std::min(levels, kMostLevels) && (grids_[levels_ - 1].columns > 2 || grids_[levels_ - 1].rows > 2)) {
+    while (levels_ < std::min(levels, kMaxLevels) && (grids_[levels_ - 1].columns > 2 || grids_[levels_ - 1].rows > 2)) {
         HeightGrid<Height>& next = grids_[levels_];
         next.columns = next.stride = posts_of_half(grids_[levels_ - 1].columns);
         next.rows = posts_of_half(grids_[levels_ - 1].rows);

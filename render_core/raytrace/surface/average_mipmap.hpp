@@ -23,11 +23,11 @@ namespace tedavis::raytrace {
 template <class Height>
 class AverageMipmap {
 public:
-    static constexpr std::uint32_t kMostLevels = 17;
+    static constexpr std::uint32_t kMaxLevels = 17;
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
     /// False where the arena has no room. The grid is borrowed and must stay. Never more than `levels` and what the grid gives.
-    [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena, std::uint32_t levels = kMostLevels);
+    [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena, std::uint32_t levels = kMaxLevels);
     void build(base::Workers& workers);
 
     [[nodiscard]] std::uint32_t levels() const { return levels_; }
@@ -42,8 +42,8 @@ private:
     void average_row(std::uint32_t row);
     [[nodiscard]] SurfacePoint at_level(std::uint32_t n, double x, double y) const;
 
-    HeightGrid<Height> grids_[kMostLevels];
-    base::Span<Height> posts_[kMostLevels];
+    HeightGrid<Height> grids_[kMaxLevels];
+    base::Span<Height> posts_[kMaxLevels];
     std::uint32_t levels_ = 0;
     std::uint32_t in_work_ = 0;  ///< the level that build() is at
 };

@@ -77,7 +77,7 @@ template <class Height>
 CellPatch cell_patch(const HeightGrid<Height>& grid, const SurfaceSettings& settings, std::uint32_t column, std::uint32_t row) {
     CellPatch patch;
     patch.kind = settings.kind;
-    patch.subdivisions = std::clamp(settings.subdivisions, 1u, SurfaceSettings::kMostSubdivisions);
+    patch.subdivisions = std::clamp(settings.subdivisions, 1u, SurfaceSettings::kMaxSubdivisions);
     if (is_cubic(settings.kind)) {
         const PatchPosts posts = patch_posts(grid, column, row);
         patch.has_surface = posts.has_surface;

@@ -16,10 +16,10 @@ namespace tedavis::raytrace {
 enum class NoiseKind : std::uint8_t { value, gradient };
 
 struct MicroNoise {
-    static constexpr std::uint32_t kMostOctaves = 8;
+    static constexpr std::uint32_t kMaxOctaves = 8;
 
     NoiseKind kind = NoiseKind::gradient;
-    std::uint32_t octaves = 3;  ///< 1..kMostOctaves
+    std::uint32_t octaves = 3;  ///< 1..kMaxOctaves
     std::uint32_t seed = 1;
     double amplitude = 1;                          ///< height steps, 0 or more
     double frequency = 1;                          ///< lattice points a post, of the first octave; above 0

@@ -8,7 +8,7 @@ namespace {
 
 // Of control heights beyond the posts' range, in parts of it: they are sums of posts with weights whose magnitudes sum to at most
 // 16/9, and 6/36 more where a corner of the ring is continued from sides that are continued themselves.
-constexpr double kMostOvershoot = 0.5;
+constexpr double kMaxOvershoot = 0.5;
 
 template <class Height>
 void bound_surface_row(const void* context, const HeightGrid<Height>& grid, HeightBound bound, std::uint32_t row,
@@ -70,7 +70,7 @@ bool surface_fits(const HeightGrid<Height>& grid, const SurfaceSettings& setting
             highest = std::max(highest, static_cast<double>(height));
         }
     if (lowest > highest) return true;
-    const double more = (is_cubic(settings.kind) ? kMostOvershoot * (highest - lowest) : 0) + amplitude_of(settings.micro);
+    const double more = (is_cubic(settings.kind) ? kMaxOvershoot * (highest - lowest) : 0) + amplitude_of(settings.micro);
     return std::ceil(highest + more) <= 32767 && std::floor(lowest - more) >= -32767;
 }
 

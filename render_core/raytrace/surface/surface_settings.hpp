@@ -17,10 +17,10 @@ enum class SurfaceKind : std::uint8_t {
 }
 
 struct SurfaceSettings {
-    static constexpr std::uint32_t kMostSubdivisions = 64;
+    static constexpr std::uint32_t kMaxSubdivisions = 64;
 
     SurfaceKind kind = SurfaceKind::bilinear;
-    std::uint32_t subdivisions = 4;  ///< of a cell, each way, where the bicubic surface is approached; 1..kMostSubdivisions
+    std::uint32_t subdivisions = 4;  ///< of a cell, each way, where the bicubic surface is approached; 1..kMaxSubdivisions
     MicroStructure micro;
 };
 

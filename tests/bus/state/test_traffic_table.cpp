@@ -15,7 +15,7 @@ namespace tedavis::bus::test_traffic_table {
 namespace {
 
 using base::Duration;
-using flight::kMostTraffic;
+using flight::kMaxTraffic;
 using test_support::traffic_frames;
 using test_support::traffic_report;
 
@@ -215,7 +215,7 @@ TEST(TrafficTable, AFullTableKeepsTheNearestAndSaysSo) {
     Bus bus;
     bus.place_own_ship(0);
     // 0.05 degrees apart, the nearest first; the last one is number 16.
-    for (std::uint8_t n = 0; n < kMostTraffic; ++n) bus.hear(100u + n, n, 0, 0.1, 47.1 + 0.05 * n);
+    for (std::uint8_t n = 0; n < kMaxTraffic; ++n) bus.hear(100u + n, n, 0, 0.1, 47.1 + 0.05 * n);
     EXPECT_FALSE(bus.traffic(0.1).is_cut);
     bus.hear(200, 20, 0, 0.2, 49);
     EXPECT_FALSE(bus.holds(200, 0.2)) << "farther than all";
@@ -223,8 +223,8 @@ TEST(TrafficTable, AFullTableKeepsTheNearestAndSaysSo) {
     EXPECT_TRUE(bus.traffic(0.2).is_cut);
     bus.hear(201, 21, 0, 0.3, 47.01);
     EXPECT_TRUE(bus.holds(201, 0.3)) << "nearer than all";
-    EXPECT_FALSE(bus.holds(100 + kMostTraffic - 1, 0.3)) << "the farthest gave way";
-    EXPECT_EQ(bus.traffic(0.3).reports.size(), kMostTraffic);
+    EXPECT_FALSE(bus.holds(100 + kMaxTraffic - 1, 0.3)) << "the farthest gave way";
+    EXPECT_EQ(bus.traffic(0.3).reports.size(), kMaxTraffic);
     EXPECT_EQ(bus.counts().no_room, 2u);
     bus.hear(100, 0, 1, 1.1, 47.1);
     EXPECT_TRUE(bus.holds(100, 1.1)) << "those that have a place keep it";
@@ -236,10 +236,10 @@ TEST(TrafficTable, AFullTableKeepsTheNearestAndSaysSo) {
 
 TEST(TrafficTable, WithoutAnOwnPositionAFullTableTakesNoMore) {
     Bus bus;
-    for (std::uint8_t n = 0; n < kMostTraffic; ++n) bus.hear(100u + n, n, 0, 0, 47.1 + 0.05 * n);
+    for (std::uint8_t n = 0; n < kMaxTraffic; ++n) bus.hear(100u + n, n, 0, 0, 47.1 + 0.05 * n);
     bus.hear(200, 20, 0, 0.2, 47.01);
     EXPECT_FALSE(bus.holds(200, 0.2));
-    EXPECT_TRUE(bus.holds(100 + kMostTraffic - 1, 0.2));
+    EXPECT_TRUE(bus.holds(100 + kMaxTraffic - 1, 0.2));
     EXPECT_EQ(bus.counts().no_room, 1u);
 }
 
@@ -247,7 +247,7 @@ TEST(TrafficTable, KeepsTheWayOfEachAircraft) {
     Bus bus;
     for (int n = 0; n < 60; ++n) bus.hear(5, 0, static_cast<std::uint8_t>(n), n, 47 + 0.001 * n);
     const flight::TrafficReport report = bus.traffic(59).reports[0];
-    ASSERT_EQ(report.before.size(), flight::kMostTrafficPlaces);
+    ASSERT_EQ(report.before.size(), flight::kMaxTrafficPlaces);
     for (std::size_t n = 1; n < report.before.size(); ++n)
         EXPECT_EQ(report.before[n].at - report.before[n - 1].at, flight::kTrafficSpacing);
     EXPECT_LT(report.before.back().at, report.place.at);

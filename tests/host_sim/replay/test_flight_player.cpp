@@ -67,7 +67,7 @@ struct Played {
     [[nodiscard]] std::string text(double seconds) {
         const base::Time time = player.first() + Duration::from_seconds(seconds);
         std::string text = text_at(player, time);
-        const flight::FlownWay& way = *player.at(time).trail;
+        const flight::FlightTrail& way = *player.at(time).trail;
         for (std::size_t n = 0; n < way.size(); ++n)
             text += std::to_string(way[n].at.ns) + (way[n].begins ? " begins " : " ") + std::to_string(way[n].latitude_rad);
         return text;

@@ -6,7 +6,7 @@
 
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
-#include "host_sim/replay/frame_approach.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
 #include "tests/support/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_scripted_phases {
@@ -86,11 +86,11 @@ const std::vector<Shown>& flown() {
         o.switches = kFiles.folder.write("flight.switches", switch_log());
         DisplaySession session(o.picture, false);
         FlightPlayer player({o.log, o.picture.bus, o.switches, o.switch_config}, session.display());
-        FrameApproach approach(player, session, session.device().frame_rate_hz);
+        FramePreroll preroll(player, session, session.device().frame_rate_hz);
         std::vector<Shown> shown;
         for (double s = 0; s < 70; s += 0.2) {
             const base::Time time = player.first() + base::Duration::from_seconds(s);
-            approach.approach(time);
+            preroll.preroll(time);
             const flight::FrameInput instant = player.at(time);
             session.display().update(instant.state, instant.phase, time, instant.trail);
             session.draw();

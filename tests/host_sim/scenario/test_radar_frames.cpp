@@ -89,7 +89,7 @@ TEST(RadarFrames, CoverTheFlightUpToAnEnd) {
     EXPECT_EQ(frames(scenario, {}, 1).times_ns.size(), 2u);
     EXPECT_EQ(frames(scenario, {}, 600).times_ns.size(), 3u);
     EXPECT_EQ(frames(scenario, {}, 601).times_ns.size(), 4u);
-    EXPECT_EQ(frames(scenario, {}, 1e5).times_ns.size(), static_cast<std::size_t>(kMostRadarFrames));
+    EXPECT_EQ(frames(scenario, {}, 1e5).times_ns.size(), static_cast<std::size_t>(kMaxRadarFrames));
 }
 
 TEST(RadarFrames, SeeNoEchoOfNoStorm) {

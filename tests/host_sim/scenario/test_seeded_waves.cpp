@@ -30,12 +30,12 @@ TEST(SeededWaves, HaveMeanZeroAndVarianceOneOverManyLengths) {
         }
     EXPECT_NEAR(sum / kSide / kSide, 0, 0.02);
     EXPECT_NEAR(squares / kSide / kSide, 1, 0.05);
-    EXPECT_LE(most, SeededWaves::kMost);
+    EXPECT_LE(most, SeededWaves::kMax);
 }
 
 TEST(SeededWaves, AreSmooth) {
     const SeededWaves waves = waves_of(2);
-    const double steepest_per_m = SeededWaves::kMost * 2 * 3.1416 / 1'000;
+    const double steepest_per_m = SeededWaves::kMax * 2 * 3.1416 / 1'000;
     for (double x = 0; x < 10'000; x += 50) EXPECT_LE(std::abs(waves.at(x + 50, 0, 0) - waves.at(x, 0, 0)), 50 * steepest_per_m);
 }
 

@@ -27,7 +27,7 @@ TEST(PlaceInPicture, IsProjected) {
     const PlaceInPicture beside = place_in_picture(view(), {1500, 250, 100}, 1);
     EXPECT_DOUBLE_EQ(beside.x_px, 150) << "to the right";
     EXPECT_DOUBLE_EQ(beside.y_px, 30) << "above";
-    EXPECT_DOUBLE_EQ(beside.radius_px, PlaceInPicture::kLeastRadius_px);
+    EXPECT_DOUBLE_EQ(beside.radius_px, PlaceInPicture::kMinRadius_px);
 }
 
 TEST(PlaceInPicture, MayLieOutside) {

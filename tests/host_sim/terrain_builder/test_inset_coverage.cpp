@@ -62,7 +62,7 @@ TEST(InsetCoverage, WithoutInsetsEverythingExists) {
 }
 
 TEST(InsetCoverage, IsABalancedTreeAroundInsets) {
-    for (std::uint32_t levels = 1; levels <= kMostBaseLevel; ++levels) {
+    for (std::uint32_t levels = 1; levels <= kMaxBaseLevel; ++levels) {
         const BuildPlan plan = fine_plan(levels);
         const std::uint32_t side = 1u << levels;
         const InsetCoverage one(plan.lattice, levels, {{60 * side + 3, 50 * side, 80 * side, 61 * side + 1}});

@@ -130,7 +130,7 @@ TEST(NestedPolyline, NoChunkGetsMoreThanItsCapacity) {
             std::size_t inside = 0;
             for (std::size_t n = first + 1; n < std::min<std::size_t>(first + (16u << level), levels.size() - 1); ++n)
                 inside += levels[n] >= level ? 1 : 0;
-            EXPECT_LE(inside, kMostBorderInsertions + 1) << level;
+            EXPECT_LE(inside, kMaxBorderInsertions + 1) << level;
         }
 }
 

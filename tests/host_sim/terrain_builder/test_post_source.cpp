@@ -112,7 +112,7 @@ TEST_F(PostSourceTest, MoreFilesThanMayBeOpenAreReadAlike) {
         tile.value = [n](int i, int j) { return 100 + 10 * n + i + 0.5 * j; };
         files.push_back(write(tile, ("t" + std::to_string(n) + ".tif").c_str()));
     }
-    ASSERT_GT(files.size(), PostSource::kMostOpenFiles);
+    ASSERT_GT(files.size(), PostSource::kMaxOpenFiles);
     PostSource source(files, {});
     ASSERT_EQ(source.columns(), 301u);
     for (int pass = 0; pass < 2; ++pass) {

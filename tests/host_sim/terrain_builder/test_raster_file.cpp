@@ -240,7 +240,7 @@ TEST_F(RasterFormats, BinaryTerrainWithoutItsProjectionFileIsRefused) {
 }
 
 /// A PNG whose colours hold hills_m.
-std::string write_colours(const std::string& path, HeightEncoding encoding, int bands, const char* driver = "PNG") {
+std::string write_colors(const std::string& path, HeightEncoding encoding, int bands, const char* driver = "PNG") {
     const RasterFile place = hills();
     GDALAllRegister();
     const std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter> memory(
@@ -273,13 +273,13 @@ TEST_F(RasterFormats, ColoursThatEncodeHeightsAreDecodedBeforeAnythingElse) {
     options.extent = MapExtent{9.6, 47.1 - 30.0 / 1200, 9.6 + 40.0 / 1200, 47.1};
     for (const int bands : {3, 4}) {
         options.encoding = HeightEncoding::terrain_rgb;
-        const std::string rgb = write_colours(folder_.file("rgb.png"), *options.encoding, bands);
+        const std::string rgb = write_colors(folder_.file("rgb.png"), *options.encoding, bands);
         const Raster read = load_rasters({rgb}, options);
         expect_heights(read, hills(), 0.05);
         EXPECT_THAT(read.notes, IsEmpty());
         EXPECT_EQ(sea_posts(read), 3);
         options.encoding = HeightEncoding::terrarium;
-        expect_heights(load_rasters({write_colours(folder_.file("t.png"), *options.encoding, bands)}, options), hills(),
+        expect_heights(load_rasters({write_colors(folder_.file("t.png"), *options.encoding, bands)}, options), hills(),
                        1.0 / 256);
     }
 }
@@ -287,12 +287,12 @@ TEST_F(RasterFormats, ColoursThatEncodeHeightsAreDecodedBeforeAnythingElse) {
 TEST_F(RasterFormats, AWorldFilePlacesAPictureAndMapUnitsAreThoseOfTheSystem) {
     RasterOptions options;
     options.encoding = HeightEncoding::terrain_rgb;
-    const std::string path = write_colours(folder_.file("w.png"), *options.encoding, 3);
+    const std::string path = write_colors(folder_.file("w.png"), *options.encoding, 3);
     folder_.write("w.pgw", "0.000833333333333333\n0\n0\n-0.000833333333333333\n9.60041666666667\n47.0995833333333\n");
     refuses(path, "names no coordinate system; give it with --crs", options);
     options.crs = "EPSG:4326";
     expect_heights(load_rasters({path}, options), hills(), 0.05);
-    const std::string tile = write_colours(folder_.file("tile.png"), *options.encoding, 3);
+    const std::string tile = write_colors(folder_.file("tile.png"), *options.encoding, 3);
     options.crs = "EPSG:3857";
     options.extent = MapExtent{1100000, 5900000, 1104000, 5903000};
     const Raster mercator = load_rasters({tile}, options);
@@ -305,10 +305,10 @@ TEST_F(RasterFormats, AWorldFilePlacesAPictureAndMapUnitsAreThoseOfTheSystem) {
 TEST_F(RasterFormats, ColoursWithoutAWordOrWithLossAreRefused) {
     RasterOptions options;
     options.extent = MapExtent{9, 46, 10, 47};
-    refuses(write_colours(folder_.file("p.png"), HeightEncoding::terrain_rgb, 3),
+    refuses(write_colors(folder_.file("p.png"), HeightEncoding::terrain_rgb, 3),
             "holds colours or complex numbers, no heights; give a height raster, or say with --encoding", options);
     options.encoding = HeightEncoding::terrain_rgb;
-    refuses(write_colours(folder_.file("p.jpg"), HeightEncoding::terrain_rgb, 3, "JPEG"), "compressed with loss", options);
+    refuses(write_colors(folder_.file("p.jpg"), HeightEncoding::terrain_rgb, 3, "JPEG"), "compressed with loss", options);
     options.extent.reset();
     refuses(write_as("GTiff", hills(), folder_.file("a.tif")), "has no three bands of 8 bits", options);
 }

@@ -23,7 +23,7 @@ Read read(const std::string& text) {
     return result;
 }
 
-constexpr const char* kLeast = "[adjacent]\nlayer = 'gusts'\nattribute = 'gust'\npalette = 'grey'\n";
+constexpr const char* kMin = "[adjacent]\nlayer = 'gusts'\nattribute = 'gust'\npalette = 'grey'\n";
 
 TEST(AdjacentView, EveryKeyIsRead) {
     const Read whole = read(
@@ -44,21 +44,21 @@ TEST(AdjacentView, EveryKeyIsRead) {
 }
 
 TEST(AdjacentView, LittleHasToBeSaid) {
-    const Read least = read(kLeast);
+    const Read least = read(kMin);
     EXPECT_EQ(least.fault, "");
     EXPECT_EQ(least.view.shows, AdjacentShows::uncertainty);
     EXPECT_EQ(least.view.layer.view(), "gusts");
     EXPECT_EQ(least.view.size, 5);
     EXPECT_TRUE(std::isnan(least.view.height_m));
-    EXPECT_NEAR(read(std::string(kLeast) + "shows = 'members'\n").view.size, 2.5, 1e-9) << "of several smaller ones";
+    EXPECT_NEAR(read(std::string(kMin) + "shows = 'members'\n").view.size, 2.5, 1e-9) << "of several smaller ones";
     EXPECT_FALSE(read("").view.is_shown) << "nothing is shown that is not asked for";
-    EXPECT_FALSE(read(std::string(kLeast) + "enabled = false\n").view.is_shown);
+    EXPECT_FALSE(read(std::string(kMin) + "enabled = false\n").view.is_shown);
 }
 
 TEST(AdjacentView, FaultsNameWhatIsWrong) {
     EXPECT_NE(read("[adjacent]\nlayer = 'gusts'\nattribute = 'gust'\npalette = 'kinds'\n").fault.find("maps show numbers"),
               std::string::npos);
-    const auto fault = [](const std::string& more) { return read(kLeast + more).fault; };
+    const auto fault = [](const std::string& more) { return read(kMin + more).fault; };
     EXPECT_NE(fault("role = 'wind'\n").find("give one of them"), std::string::npos);
     EXPECT_NE(read("[adjacent]\nattribute = 'a'\npalette = 'grey'\n").fault.find("give one of them"), std::string::npos);
     EXPECT_NE(fault("shows = 'noise'\n").find("shows"), std::string::npos);

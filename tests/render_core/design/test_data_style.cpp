@@ -172,14 +172,14 @@ TEST(DataStyle, MapsBesideThePictureHaveFewerCellsOrMembersInLessDetail) {
     const std::string start = "[data.adjacent]\nlayer = 'a'\nattribute = 'b'\npalette = 'grey'\n";
     AdjacentView view = read(start).style.adjacent;
     EXPECT_TRUE(view.is_shown);
-    EXPECT_EQ(at_detail(view, 1).cells, kMostCells);
+    EXPECT_EQ(at_detail(view, 1).cells, kMaxCells);
     EXPECT_EQ(at_detail(view, 0.5).cells, 12u);
-    EXPECT_EQ(at_detail(view, 0).cells, kLeastCells);
+    EXPECT_EQ(at_detail(view, 0).cells, kMinCells);
     EXPECT_EQ(at_detail(view, 0.5).scale.breaks.size(), 3u);
     EXPECT_EQ(at_detail(view, 0.5).most_members, 16u);
     view.shows = AdjacentShows::members;
     EXPECT_EQ(at_detail(view, 0.5).most_members, 4u);
-    EXPECT_EQ(at_detail(view, 0.5).cells, kMostCells);
+    EXPECT_EQ(at_detail(view, 0.5).cells, kMaxCells);
     EXPECT_EQ(at_detail(view, std::nan("")).most_members, 1u);
     EXPECT_EQ(at_detail(AdjacentView{}, 0.2).scale.breaks.size(), 0u);
 }

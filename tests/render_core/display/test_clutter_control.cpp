@@ -99,18 +99,18 @@ private:
     gl::Texture texture_;
 };
 
-TEST(ClutterControl, OnlyWhatIsBeyondTheBudgetGivesWayAndOnlyFromTheNextEpochOn) {
+TEST(ClutterControl, OnlyWhatIsBeyondTheBudgetGivesWayAndOnlyFromTheNextIntervalOn) {
     Striped striped("es3-mid");
     striped.frame(9.5, 160, 160);
     EXPECT_EQ(striped.measured, 1) << "within the budget: nobody asks for the least";
     EXPECT_EQ(striped.left(10), 1);
     striped.frame(10, 10, 40);
     EXPECT_EQ(striped.measured, 3);
-    EXPECT_EQ(striped.left(10.4), 1) << "the frames of this epoch go by those before";
+    EXPECT_EQ(striped.left(10.4), 1) << "the frames of this interval go by those before";
     striped.frame(10.4, 10, 40);
-    EXPECT_EQ(striped.measured, 0) << "once an epoch";
+    EXPECT_EQ(striped.measured, 0) << "once an interval";
     EXPECT_LT(striped.left(10.5), 0.9);
-    EXPECT_GT(striped.left(10.5), effects::kLeastDetailLeft);
+    EXPECT_GT(striped.left(10.5), effects::kMinDetailLeft);
     EXPECT_EQ(striped.left(10.5, kCalm), 1);
     const effects::ClutterMeasures measures = striped.control.measured(at(10.5), 0).clutter;
     EXPECT_NEAR(static_cast<double>(measures.whole.measure[kStriped]), 0.2, 0.03) << "two edges in ten pixels";
@@ -121,7 +121,7 @@ TEST(ClutterControl, WhatSufficesIsNotTriedFurther) {
     Striped striped("es3-mid");
     striped.frame(10, 10, 40);
     EXPECT_EQ(striped.measured, 3);
-    EXPECT_GT(striped.left(10.5), effects::kLeastDetailLeft);
+    EXPECT_GT(striped.left(10.5), effects::kMinDetailLeft);
     EXPECT_EQ(striped.left(10.5, kCalm), 1);
 }
 
@@ -129,9 +129,9 @@ TEST(ClutterControl, WhereNothingThatIsTriedSufficesAllKeepTheLeast) {
     Striped striped("es3-mid");
     striped.tried_px = 12;
     striped.frame(10, 10, 40);
-    EXPECT_EQ(striped.measured, 2 + ClutterControl::kMostTries);
-    EXPECT_EQ(striped.left(10.5), effects::kLeastDetailLeft);
-    EXPECT_EQ(striped.left(10.5, kCalm), effects::kLeastDetailLeft);
+    EXPECT_EQ(striped.measured, 2 + ClutterControl::kMaxTries);
+    EXPECT_EQ(striped.left(10.5), effects::kMinDetailLeft);
+    EXPECT_EQ(striped.left(10.5, kCalm), effects::kMinDetailLeft);
     EXPECT_NEAR(static_cast<double>(striped.control.measured(at(10.5), 0).reached.measure[kStriped]), 2.0 / 40, 0.03);
 }
 
@@ -148,7 +148,7 @@ TEST(ClutterControl, WhatGaveWayComesBackTwoSecondsAfter) {
     EXPECT_TRUE(striped.control.regions(at(30), 0).is_whole()) << "what was so long ago says nothing";
 }
 
-TEST(ClutterControl, AtAFlightsBeginningAFrameGoesByItsOwnEpoch) {
+TEST(ClutterControl, AtAFlightsBeginningAFrameGoesByItsOwnInterval) {
     Striped striped("es3-mid");
     EXPECT_EQ(striped.left(10), 1);
     striped.frame(10, 10, 40);
@@ -167,7 +167,7 @@ TEST(ClutterControl, WhatAnotherDesignMeasuredDoesNotCount) {
     EXPECT_LT(striped.left(10.5), 0.9) << "control";
     EXPECT_EQ(striped.left(10.5, kStriped, 1), 1);
     striped.frame(10.2, 160, 160, 1);
-    EXPECT_EQ(striped.measured, 1) << "within the epoch, for the design that is shown now";
+    EXPECT_EQ(striped.measured, 1) << "within the interval, for the design that is shown now";
     EXPECT_EQ(striped.left(10.5, kStriped, 1), 1);
 }
 
@@ -205,7 +205,7 @@ TEST(ClutterControl, TheSmallLaneMeasuresEverySecond) {
         EXPECT_EQ(striped.measured, is_small ? 0 : 3);
         for (const double seconds : {11.0, -0.2, 0.2}) {
             striped.frame(seconds, 10, 40);
-            EXPECT_EQ(striped.measured, 3) << "before the source's zero is another epoch than after it";
+            EXPECT_EQ(striped.measured, 3) << "before the source's zero is another interval than after it";
         }
         EXPECT_EQ(striped.control.needed_since(at(20.7)).ns, at(is_small ? 18 : 18.5).ns);
     }

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "render_core/effects/design_effects.hpp"
-#include "render_core/effects/effect_calls.hpp"
+#include "render_core/effects/effect_requests.hpp"
 
 namespace tedavis::display::test_cue_states {
 namespace {
 
 using effects::Effect;
-using Kind = effects::EffectCall::Kind;
+using Kind = effects::EffectRequest::Kind;
 
 constexpr Effect kAll[] = {Effect::vertical_lines, Effect::projections, Effect::curtains};
 
@@ -78,14 +78,14 @@ TEST(CueStates, TheRecordSaysWhy) {
         facts.shows_terrain = true;
         facts.asked.add(Effect::curtains);
         facts.curtains = state;
-        return effects::effect_calls(facts)[Effect::curtains];
+        return effects::effect_requests(facts)[Effect::curtains];
     };
-    EXPECT_EQ(call({}).kind, Kind::not_called_for);
+    EXPECT_EQ(call({}).kind, Kind::not_applicable);
     EXPECT_EQ(call({}).why, "no element that asks for it is shown");
-    EXPECT_EQ(call({true, 0, 0}).kind, Kind::not_called_for);
+    EXPECT_EQ(call({true, 0, 0}).kind, Kind::not_applicable);
     EXPECT_EQ(call({true, 0, 0}).why, "nothing floats over ground that is known");
     EXPECT_EQ(call({true, 0, 7}).kind, Kind::no_input);
-    EXPECT_EQ(call({true, 3, 7}).kind, Kind::called);
+    EXPECT_EQ(call({true, 3, 7}).kind, Kind::applicable);
     EXPECT_NE(call({true, 3, 7}).why, call({true, 3, 0}).why);
 }
 
@@ -97,7 +97,7 @@ TEST(CueStates, WhatIsForbiddenIsToldByThePlanner) {
     facts.asked = effects::asked_effects(design);
     facts.forbidden.add(Effect::curtains);
     facts.vertical_lines = {true, 8, 0};
-    const effects::FramePlan plan = effects::plan_effects(effects::effect_calls(facts), {});
+    const effects::FramePlan plan = effects::plan_effects(effects::effect_requests(facts), {});
     EXPECT_EQ(plan[Effect::vertical_lines].state, effects::PlanState::run);
     EXPECT_EQ(plan[Effect::projections].state, effects::PlanState::skipped);
     EXPECT_EQ(plan[Effect::curtains].state, effects::PlanState::skipped);

@@ -58,7 +58,7 @@ TEST(Display, TheFlightsTimeIsTheBusesAndItsLossIsFlagged) {
 }
 
 /// Pixels whose colour differs from that of the same picture without warning colours.
-std::size_t coloured_pixels(const flight::AircraftState& state, bool widened, design::BandWidening* record = nullptr) {
+std::size_t colored_pixels(const flight::AircraftState& state, bool widened, design::BandWidening* record = nullptr) {
     design::DesignSettings design = test_support::shipped_design("default");
     design.symbology.legend = false;
     design.widening.enabled = widened;
@@ -81,9 +81,9 @@ TEST(Display, WarningColoursReachFurtherTheLessIsKnownOfTheHeight) {
     flight::AircraftState state = aircraft_over_hills(2000);  // tops reach the lowest limit, 2000 ft below
     const auto at_accuracy = [&](double metres, design::BandWidening* record = nullptr) {
         state[Signal::vertical_accuracy] = {metres, kHillsNow};
-        return coloured_pixels(state, true, record);
+        return colored_pixels(state, true, record);
     };
-    const std::size_t none = coloured_pixels(state, false);
+    const std::size_t none = colored_pixels(state, false);
     design::BandWidening good, poor;
     const std::size_t with_good = at_accuracy(2, &good), with_poor = at_accuracy(28, &poor);
     EXPECT_GT(with_good, none);
@@ -94,7 +94,7 @@ TEST(Display, WarningColoursReachFurtherTheLessIsKnownOfTheHeight) {
     EXPECT_LT(good.lowered_m, poor.lowered_m);
     state[Signal::vertical_accuracy] = {};
     design::BandWidening unknown;
-    static_cast<void>(coloured_pixels(state, true, &unknown));
+    static_cast<void>(colored_pixels(state, true, &unknown));
     EXPECT_TRUE(unknown.position_assumed);
 }
 
@@ -156,7 +156,7 @@ TEST(Display, BytesStayWithinTheBudgetsAndAreTheSameEveryFrame) {
 TEST(Display, ApproachingCountsNoFrameAndSettlingWaitsForAll) {
     OverHills over;
     Display& display = over.display.display();
-    display.approach(aircraft_over_hills(2000, 30, -20), {}, kHillsNow);
+    display.preroll(aircraft_over_hills(2000, 30, -20), {}, kHillsNow);
     EXPECT_GT(display.record().terrain.pending, 0u);
     display.settle(aircraft_over_hills(2000, 30, -20), {}, kHillsNow);
     EXPECT_EQ(display.record().terrain.pending, 0u);

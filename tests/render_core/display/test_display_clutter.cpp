@@ -167,7 +167,7 @@ TEST(DisplayClutter, WhatComesFirstDoesNotGiveWayAndIsNotMeasured) {
     EXPECT_EQ(with.effect().reason.view(), "nothing is shown that gives way");
 }
 
-TEST(DisplayClutter, OnlyTheFirstFrameOfAnEpochPaysForIt) {
+TEST(DisplayClutter, OnlyTheFirstFrameOfAnIntervalPaysForIt) {
     Shown one(design_with(kBudget));
     const auto passes = [&](double seconds) {
         one.display.display().update(one.state, {}, test_support::kHillsNow + base::Duration::from_seconds(seconds));
@@ -202,7 +202,7 @@ TEST(DisplayClutter, WhereItCannotBeMeasuredItSaysSo) {
     const design::DesignSettings possible = effects::possible_design(design_with(kBudget), test_support::shipped_device("sc2"));
     EXPECT_EQ(possible.priority.held_clutter(), 1) << "none is held";
     effects::PlanInput input;
-    input[effects::Effect::clutter].kind = effects::EffectCall::Kind::called;
+    input[effects::Effect::clutter].kind = effects::EffectRequest::Kind::applicable;
     const effects::FramePlan plan = effects::plan_effects(input, test_support::shipped_device("sc2").capability);
     EXPECT_EQ(plan[effects::Effect::clutter].reason, "the device cannot copy what it has drawn");
 }

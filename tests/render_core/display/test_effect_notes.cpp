@@ -9,7 +9,7 @@ namespace tedavis::display::test_effect_notes {
 namespace {
 
 using effects::Effect;
-using Kind = effects::EffectCall::Kind;
+using Kind = effects::EffectRequest::Kind;
 
 /// "name state, replaced_by: reason" of one effect; empty where the record has none of the name.
 std::string line_of(const FrameRecord& record, std::string_view name) {
@@ -25,7 +25,7 @@ class EffectNotesTest : public ::testing::Test {
 protected:
     EffectNotesTest() {
         decisions_.show_terrain = decisions_.show_warning_colors = true;
-        call(Effect::terrain, Kind::called, "terrain in view");
+        call(Effect::terrain, Kind::applicable, "terrain in view");
         design_.terrain.style.texture = design::TerrainTexture::image;
     }
     void call(Effect effect, Kind kind, std::string_view why = {}, double bound = std::numeric_limits<double>::infinity()) {
@@ -46,9 +46,9 @@ protected:
 };
 
 TEST_F(EffectNotesTest, ThePlanIsInTheRecordWithItsReasons) {
-    call(Effect::silhouettes, Kind::called);
-    call(Effect::warning_colors, Kind::not_called_for, "height not to be trusted");
-    call(Effect::haze, Kind::called, "", 0.003);
+    call(Effect::silhouettes, Kind::applicable);
+    call(Effect::warning_colors, Kind::not_applicable, "height not to be trusted");
+    call(Effect::haze, Kind::applicable, "", 0.003);
     device_.depth24_targets = false;
     const FrameRecord record = noted();
     EXPECT_EQ(line_of(record, "terrain"), "run : terrain in view");
@@ -61,7 +61,7 @@ TEST_F(EffectNotesTest, ThePlanIsInTheRecordWithItsReasons) {
 }
 
 TEST_F(EffectNotesTest, TheAspectOfTerrainIsItsStyle) {
-    call(Effect::drape, Kind::called);
+    call(Effect::drape, Kind::applicable);
     const auto with_image = noted().terrain_aspect.technique;
     EXPECT_EQ(noted().terrain_aspect.detail, 1);
     call(Effect::drape, Kind::no_input, "there is no image");
@@ -75,7 +75,7 @@ TEST_F(EffectNotesTest, TheAspectOfTerrainIsItsStyle) {
 TEST_F(EffectNotesTest, MembersOneAfterTheOtherAreAnUncertaintysTechnique) {
     design_.data.ground.is_shown = true;
     design_.data.ground.members = design::GroundMembers::animated;
-    call(Effect::ground_data, Kind::called);
+    call(Effect::ground_data, Kind::applicable);
     members_ = 4;
     EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "animated_members");
     EXPECT_NEAR(noted().uncertainty_aspect.detail, 0.5, 1e-9) << "4 of 16";
@@ -91,7 +91,7 @@ TEST_F(EffectNotesTest, MapsBesideThePictureAddTheirAspect) {
     design_.data.adjacent.shows = design::AdjacentShows::members;
     maps_ = 4;
     EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "") << "not planned";
-    call(Effect::adjacent, Kind::called);
+    call(Effect::adjacent, Kind::applicable);
     EXPECT_EQ(noted().uncertainty_aspect.technique.view(), "adjacent_members");
     EXPECT_NEAR(noted().uncertainty_aspect.detail, 0.5, 1e-9);
     design_.data.adjacent.shows = design::AdjacentShows::value;

@@ -101,7 +101,7 @@ TEST(ElementLabels, AllElementsAreCountedAsOne) {
     EXPECT_EQ(shown.drawn(0), 3u);
     EXPECT_EQ(shown.drawn(1), 2u);
     EXPECT_EQ(shown.frame(10.1).changed, 0u);
-    EXPECT_EQ(shown.frame(10.6).changed, 0u) << "in another epoch too";
+    EXPECT_EQ(shown.frame(10.6).changed, 0u) << "in another interval too";
     shown.shows_places = false;
     const LabelCounts without = shown.frame(10.7);
     EXPECT_EQ(without.placed, 2u);
@@ -111,7 +111,7 @@ TEST(ElementLabels, AllElementsAreCountedAsOne) {
     EXPECT_EQ(shown.frame(10.8).changed, 2u) << "after a frame without signs they come anew";
 }
 
-/// In the left half of the picture, as the epoch saw it.
+/// In the left half of the picture, as the interval saw it.
 TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
     policy::Declutter declutter;
     declutter.roles = 1u << static_cast<unsigned>(LayerRole::place) | 1u << static_cast<unsigned>(LayerRole::obstacle);
@@ -128,7 +128,7 @@ TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
     EXPECT_EQ(crowded.suppressed, 1u);
     EXPECT_EQ(shown.drawn(0), 1u);
     EXPECT_EQ(shown.drawn(1), 2u);
-    EXPECT_EQ(shown.frame(10.2, 12).lowered, 1u) << "within an epoch nothing comes and goes with a turn";
+    EXPECT_EQ(shown.frame(10.2, 12).lowered, 1u) << "within an interval nothing comes and goes with a turn";
     EXPECT_EQ(shown.frame(10.6, 40).lowered, 2u) << "as seen by the next one both are on the left";
     declutter.roles = 0;
     EXPECT_EQ(shown.frame(10.7, 40).lowered, 0u);
@@ -169,26 +169,26 @@ TEST(ElementLabels, WhatIsLeftOutIsCountedByElement) {
     EXPECT_EQ(counts.suppressed + counts.placed, 62u);
 }
 
-TEST(ElementLabels, DecisionsStandForAnEpoch) {
+TEST(ElementLabels, DecisionsStandForAnInterval) {
     Shown shown(scene_of({kPlaces, kMasts}));
     static_cast<void>(shown.frame(10));
-    LabelEpoch before, after;
+    LabelHistory before, after;
     shown.labels.keep(before);
     static_cast<void>(shown.frame(10.4, 3));
     shown.labels.keep(after);
-    EXPECT_EQ(after.labels.epoch, before.labels.epoch);
+    EXPECT_EQ(after.labels.interval, before.labels.interval);
     EXPECT_EQ(after.labels.labels.size(), before.labels.labels.size());
     static_cast<void>(shown.frame(10.5, 3));
     shown.labels.keep(after);
-    EXPECT_EQ(after.labels.epoch, before.labels.epoch + 1);
+    EXPECT_EQ(after.labels.interval, before.labels.interval + 1);
     EXPECT_EQ(shown.frame(10.6, 180).placed, 0u) << "behind";
     shown.labels.restore(before);
     shown.labels.keep(after);
-    EXPECT_EQ(after.labels.epoch, before.labels.epoch);
+    EXPECT_EQ(after.labels.interval, before.labels.interval);
 }
 
-bool are_same(const LabelEpoch& a, const LabelEpoch& b) {
-    bool same = a.labels.epoch == b.labels.epoch && a.labels.labels.size() == b.labels.labels.size();
+bool are_same(const LabelHistory& a, const LabelHistory& b) {
+    bool same = a.labels.interval == b.labels.interval && a.labels.labels.size() == b.labels.labels.size();
     for (std::size_t n = 0; same && n < a.labels.labels.size(); ++n) {
         const draw::Label &one = a.labels.labels[n], &other = b.labels.labels[n];
         same = one.key == other.key && one.level == other.level && one.side == other.side && one.age == other.age;
@@ -196,17 +196,17 @@ bool are_same(const LabelEpoch& a, const LabelEpoch& b) {
     return same;
 }
 
-LabelEpoch memory_of(const Shown& shown) {
-    LabelEpoch memory;
+LabelHistory memory_of(const Shown& shown) {
+    LabelHistory memory;
     shown.labels.keep(memory);
     return memory;
 }
 
-TEST(ElementLabels, AnotherDesignsEpochIsAsSeenAtItsFirstInstant) {
+TEST(ElementLabels, AnotherDesignsIntervalIsAsSeenAtItsFirstInstant) {
     Shown shown(scene_of({kPlaces, kMasts})), other(scene_of({kPlaces, kMasts})), late(scene_of({kPlaces, kMasts}));
     static_cast<void>(shown.frame(9.6));
     static_cast<void>(shown.frame(10.1));
-    const LabelEpoch before = memory_of(shown);
+    const LabelHistory before = memory_of(shown);
     shown.set(1);
     EXPECT_EQ(shown.frame(10.3, 180).placed, 0u) << "behind";
     EXPECT_TRUE(memory_of(shown).is_anew);
@@ -216,7 +216,7 @@ TEST(ElementLabels, AnotherDesignsEpochIsAsSeenAtItsFirstInstant) {
     late.set(1);
     static_cast<void>(late.frame(10.3, 180));
     EXPECT_FALSE(are_same(memory_of(shown), memory_of(late))) << "control: seen from where the design turned";
-    // One that comes from the epoch before goes on likewise.
+    // One that comes from the interval before goes on likewise.
     static_cast<void>(shown.frame(10.6, 20));
     EXPECT_FALSE(memory_of(shown).is_anew);
     other.labels.restore(before);
@@ -224,7 +224,7 @@ TEST(ElementLabels, AnotherDesignsEpochIsAsSeenAtItsFirstInstant) {
     EXPECT_TRUE(are_same(memory_of(shown), memory_of(other)));
 }
 
-TEST(ElementLabels, OfAnEpochWithoutLabelsNothingIsDecidedAnew) {
+TEST(ElementLabels, OfAnIntervalWithoutLabelsNothingIsDecidedAnew) {
     Shown shown(scene_of({kPlaces, kMasts}));
     static_cast<void>(shown.frame(9.6));
     shown.labels.skip(base::Time{} + base::Duration::from_seconds(10.1));

@@ -80,7 +80,7 @@ struct OwnShip {
         aircraft[flight::Signal::horizontal_accuracy] = aircraft[flight::Signal::vertical_accuracy] = {accuracy_m, now};
     }
     double accuracy_m;
-    flight::FlownWay way;
+    flight::FlightTrail way;
     flight::AircraftState aircraft;
     base::Time now;
 };

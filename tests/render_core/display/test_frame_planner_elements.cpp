@@ -11,11 +11,11 @@ TEST(DisplayElements, WhatLiesBeforeAFrameIsNotCounted) {
     test_support::HeadlessDisplay headless("egl", "es3-mid", 160, 120, &bytes);
     const flight::AircraftState state = test_support::aircraft_over_hills(1400);
     Display& display = headless.display();
-    EXPECT_TRUE(display.has_epochs()) << "terrain may be ahead, though there are neither labels nor weights";
+    EXPECT_TRUE(display.has_intervals()) << "terrain may be ahead, though there are neither labels nor weights";
     display.update(state, {}, test_support::kHillsNow);
     EXPECT_EQ(display.record().frame, 0u);
-    display.approach(state, {}, test_support::kHillsNow);
-    display.approach_epoch(state, {}, test_support::kHillsNow);
+    display.preroll(state, {}, test_support::kHillsNow);
+    display.preroll_interval(state, {}, test_support::kHillsNow);
     display.settle(state, {}, test_support::kHillsNow);
     display.update(state, {}, test_support::kHillsNow);
     EXPECT_EQ(display.record().frame, 1u);

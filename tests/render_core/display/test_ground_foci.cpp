@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/effects/design_effects.hpp"
-#include "render_core/effects/effect_calls.hpp"
+#include "render_core/effects/effect_requests.hpp"
 #include "tests/support/hills_display.hpp"
 
 namespace tedavis::display::test_ground_foci {

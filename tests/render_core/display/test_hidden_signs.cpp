@@ -84,7 +84,7 @@ public:
     Signs& operator=(const Signs&) = delete;
 
     draw::ElementCount plan(bool over_ridge) {
-        terrain::DrawnSight sight(ridge().lattice(), {selection_.chunks.data(), selection_.chunks.size()}, meshes_, frame_.view);
+        terrain::LineOfSight sight(ridge().lattice(), {selection_.chunks.data(), selection_.chunks.size()}, meshes_, frame_.view);
         const ElementFrame frame{ground_, frame_.view, {}, kNow};
         elements_.plan(frame);
         elements_.plan_signs(frame, {14, over_ridge ? &sight : nullptr});

@@ -60,7 +60,7 @@ public:
         reports_.clear();
         EXPECT_TRUE(reports_.try_push_back(report));
     }
-    ObstaclePlaces places(terrain::DrawnSight* sight = nullptr) {
+    ObstaclePlaces places(terrain::LineOfSight* sight = nullptr) {
         policy::HazardWatch watch(settings_, way_, ground_, 0);
         return obstacle_places({scene_.scene(), {}, ground_, eye_, sight, reports_, labels_}, watch);
     }
@@ -146,7 +146,7 @@ TEST(ObstaclePlaces, WhatStandsBehindARidgeIsHidden) {
     test_support::ResidentTdb catalogue(ridge);
     test_support::Selection selection;
     EXPECT_TRUE(selection.select(catalogue, flown.view(), {}).within_budget);
-    terrain::DrawnSight sight(ridge.lattice(), {selection.chunks.data(), selection.chunks.size()}, meshes, flown.view());
+    terrain::LineOfSight sight(ridge.lattice(), {selection.chunks.data(), selection.chunks.size()}, meshes, flown.view());
     const ObstaclePlaces places = flown.places(&sight);
     ASSERT_EQ(places.size(), 2u);
     EXPECT_EQ(places[0].state, ObstacleState::drawn) << "before the ridge";
@@ -158,9 +158,9 @@ TEST(ObstaclePlaces, OfManyTheSoonestAreKept) {
     std::vector<scene::ScenePoint> points;
     for (int n = 0; n < 30; ++n) points.push_back(mast(8500 - 250 * n, 10 * n));
     const ObstaclePlaces places = Flown(layer_of(points)).places();
-    ASSERT_EQ(places.size(), kMostObstaclePlaces);
+    ASSERT_EQ(places.size(), kMaxObstaclePlaces);
     for (std::size_t n = 1; n < places.size(); ++n) EXPECT_LE(places[n - 1].ahead_s, places[n].ahead_s);
-    EXPECT_GE(places.back().feature, 30 - 3 * kMostObstaclePlaces) << "of the last ones, which are nearest";
+    EXPECT_GE(places.back().feature, 30 - 3 * kMaxObstaclePlaces) << "of the last ones, which are nearest";
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ protected:
 
     std::vector<unsigned char> block_;
     test_support::LevelGround ground_;
-    flight::FlownWay way_;
+    flight::FlightTrail way_;
     OwnFlight own_;
 };
 
@@ -99,8 +99,8 @@ TEST_F(OwnFlightTest, AGapPartsTheTrailAndTheOwnShipIsLeftOut) {
 TEST_F(OwnFlightTest, HoldsAWholeWayOfShortParts) {
     for (int n = 0; n < 200; ++n) way_.step(aircraft(6 * n), at(6 * n));
     take(6 * 199);
-    EXPECT_EQ(own_.trail().entry->feature_count, flight::FlownWay::kMost);
-    EXPECT_EQ(own_.trail().entry->point_count, OwnFlight::kMostPoints);
+    EXPECT_EQ(own_.trail().entry->feature_count, flight::FlightTrail::kMax);
+    EXPECT_EQ(own_.trail().entry->point_count, OwnFlight::kMaxPoints);
 }
 
 TEST_F(OwnFlightTest, HeightsByPressureStandOnTheGeoid) {

@@ -85,7 +85,7 @@ TEST(SaliencySchedule, ADeviceThatCannotCopyItsPictureSaysSoAndPaysNothing) {
         effects::possible_design(design_with(design::SaliencyView::heat), test_support::shipped_device("sc2"));
     EXPECT_EQ(possible.effects.saliency.view, design::SaliencyView::none);
     effects::PlanInput input;
-    input[Effect::saliency].kind = effects::EffectCall::Kind::called;
+    input[Effect::saliency].kind = effects::EffectRequest::Kind::applicable;
     const effects::FramePlan plan = plan_effects(input, test_support::shipped_device("sc2").capability);
     EXPECT_EQ(plan[Effect::saliency].state, effects::PlanState::skipped);
     EXPECT_EQ(plan[Effect::saliency].reason, "the device cannot copy what it has drawn");
@@ -129,7 +129,7 @@ TEST(SaliencySchedule, TheSmallLaneMeasuresTwiceASecond) {
     static_cast<void>(shown.at(0.1));
     EXPECT_EQ(shown.effect().passes, 1u) << "shown again";
     EXPECT_EQ(shown.effect().draws, 1u);
-    shown.display.display().forget_turns();
+    shown.display.display().cut_to_design();
     const auto first = shown.at(0.2);
     EXPECT_EQ(shown.effect().passes, 2u) << "nothing goes before it";
     EXPECT_EQ(shown.at(0.2), first);

@@ -10,16 +10,16 @@ namespace tedavis::display::test_shadow_plan {
 namespace {
 
 using effects::Effect;
-using Kind = effects::EffectCall::Kind;
+using Kind = effects::EffectRequest::Kind;
 
 using Shadows = test_support::ShadedView;
 
 TEST_F(Shadows, AreCalledForWhereSomethingCastsThem) {
     add_plate(1000, 50);
-    EXPECT_EQ(call().kind, Kind::called);
+    EXPECT_EQ(call().kind, Kind::applicable);
     EXPECT_GT(plan().widest_px, 50);
     EXPECT_NEAR(plan().frame.top_m, 500, 1);
-    EXPECT_EQ(call(Effect::soft_shadows, 0, false).kind, Kind::not_called_for) << "the map's";
+    EXPECT_EQ(call(Effect::soft_shadows, 0, false).kind, Kind::not_applicable) << "the map's";
 }
 
 TEST_F(Shadows, SayWhyTheyAreNotCalledFor) {
@@ -36,15 +36,15 @@ TEST_F(Shadows, SayWhyTheyAreNotCalledFor) {
     light_.elevation_rad = 0.7;
     light_.source = policy::LightSource::sun_too_low;
     EXPECT_EQ(call().why, "the sun stands below 3 degrees") << "though the ground is lit otherwise";
-    EXPECT_EQ(call().kind, Kind::not_called_for);
+    EXPECT_EQ(call().kind, Kind::not_applicable);
 }
 
 TEST_F(Shadows, InTheAirNeedAirThatScattersLight) {
     settings_.in_air = 0.5;
     add_plate(1000, 50);
     EXPECT_EQ(call(Effect::volumetric_light, 0).why, "there is neither air nor haze that scatters light");
-    EXPECT_EQ(call(Effect::volumetric_light, 0).kind, Kind::not_called_for);
-    EXPECT_EQ(call(Effect::volumetric_light, 0.8).kind, Kind::called);
+    EXPECT_EQ(call(Effect::volumetric_light, 0).kind, Kind::not_applicable);
+    EXPECT_EQ(call(Effect::volumetric_light, 0.8).kind, Kind::applicable);
     EXPECT_NEAR(call(Effect::volumetric_light, 0.8).bound, 0.4, 1e-12);
     light_.elevation_rad = 0.03;
     EXPECT_EQ(call(Effect::volumetric_light, 0.8).why, "the sun stands below 3 degrees");
@@ -58,7 +58,7 @@ TEST_F(Shadows, BehindTheEyeThereAreNone) {
 TEST_F(Shadows, AreBoundedByTheirWidthInThePicture) {
     add_plate(1000, 0.2);
     nearest_m_ = 50'000;
-    const effects::EffectCall far = call();
+    const effects::EffectRequest far = call();
     EXPECT_LT(far.bound, effects::kUnseenPixels);
     EXPECT_NEAR(far.bound, 2 * 0.2 * std::sqrt(2.0) * view_.focal_px / 50'000, 1e-3);
     effects::PlanInput input;

@@ -100,14 +100,14 @@ TEST_F(TrafficLayerTest, LeadsTheWayThatItHasCome) {
 
 TEST_F(TrafficLayerTest, HoldsAsMuchAsCanBeHeard) {
     flight::TrafficReport report = traffic_report(1, kNow);
-    for (std::size_t n = 0; n < flight::kMostTrafficPlaces; ++n) {
+    for (std::size_t n = 0; n < flight::kMaxTrafficPlaces; ++n) {
         flight::TrafficPlace place = report.place;
         place.at = kNow - Duration::seconds(static_cast<std::int64_t>(50 - 5 * n));
         ASSERT_TRUE(report.before.try_push_back(place));
     }
-    take(std::vector<flight::TrafficReport>(flight::kMostTraffic, report));
-    EXPECT_EQ(layer_.layer().entry->feature_count, flight::kMostTraffic);
-    EXPECT_EQ(layer_.layer().entry->point_count, TrafficLayer::kMostPoints);
+    take(std::vector<flight::TrafficReport>(flight::kMaxTraffic, report));
+    EXPECT_EQ(layer_.layer().entry->feature_count, flight::kMaxTraffic);
+    EXPECT_EQ(layer_.layer().entry->point_count, TrafficLayer::kMaxPoints);
     take({});
     EXPECT_EQ(layer_.layer().entry->feature_count, 0u);
     EXPECT_EQ(layer_.layer().entry->data_time_ns, scene::kNoTime);

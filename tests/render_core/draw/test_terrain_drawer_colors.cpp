@@ -72,18 +72,18 @@ TEST(TerrainDrawer, LoweredBandsColourMoreTerrainAndNeverLess) {
     input.warning_colors = true;
     const double top_m = 4.0 * 160, lowest_m = design.warning_bands.back().lower_m;
     input.aircraft_msl_m = top_m + 20 - lowest_m;
-    std::vector<bool> coloured_before(plain.rgba.size() / 4, false);
+    std::vector<bool> colored_before(plain.rgba.size() / 4, false);
     std::size_t before = 0;
     for (const double lowered_m : {0.0, 15.0, 25.0, 60.0, 200.0}) {
         input.bands_lowered_m = lowered_m;
         const ChunkPicture picture = drawing.draw(input, 1);
         std::size_t coloured = 0;
-        for (std::size_t p = 0; p < coloured_before.size(); ++p) {
-            const bool is_coloured =
+        for (std::size_t p = 0; p < colored_before.size(); ++p) {
+            const bool is_colored =
                 !std::equal(picture.rgba.begin() + 4 * p, picture.rgba.begin() + 4 * p + 4, &plain.rgba[4 * p]);
-            EXPECT_TRUE(is_coloured || !coloured_before[p]) << "pixel " << p << " lost its colour";
-            coloured_before[p] = is_coloured;
-            coloured += is_coloured ? 1 : 0;
+            EXPECT_TRUE(is_colored || !colored_before[p]) << "pixel " << p << " lost its colour";
+            colored_before[p] = is_colored;
+            coloured += is_colored ? 1 : 0;
         }
         EXPECT_EQ(coloured > 0, lowered_m > 20) << lowered_m;
         EXPECT_GE(coloured, before);

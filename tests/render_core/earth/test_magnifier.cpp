@@ -81,8 +81,8 @@ Magnifier made(const MagnifierSettings& of) {
 std::vector<Magnifier> all_kinds() {
     std::vector<Magnifier> all;
     for (const bool is_square : {false, true})
-        for (std::uint32_t power = 1; power <= kMostMagnifierPower; ++power)
-            for (std::uint32_t compression = 1; compression <= kMostCompression; ++compression) {
+        for (std::uint32_t power = 1; power <= kMaxMagnifierPower; ++power)
+            for (std::uint32_t compression = 1; compression <= kMaxCompression; ++compression) {
                 MagnifierSettings of{radians(46.8), radians(9.8), is_square, 2000, 0, power};
                 of.context_m = Magnifier::context_needed_m(of, compression);
                 all.push_back(made(of));
@@ -269,12 +269,12 @@ TEST(Magnifier, RefusesWhatWouldFoldOrHasNoRoom) {
     const double reach_m = magnifier.reach_m();
     MagnifierSettings of = settings(false, 1);
     // As much as the focus takes, the context must have: less would fold.
-    of.context_m = 0.999 * Magnifier::context_needed_m(of, kMostCompression);
+    of.context_m = 0.999 * Magnifier::context_needed_m(of, kMaxCompression);
     EXPECT_FALSE(Magnifier::make(of, magnifier));
     of = settings(true, 1);
     of.context_m = of.radius_m;
     EXPECT_FALSE(Magnifier::make(of, magnifier));
-    for (const std::uint32_t power : {0u, kMostMagnifierPower + 1}) {
+    for (const std::uint32_t power : {0u, kMaxMagnifierPower + 1}) {
         of = settings(false, 1);
         of.power = power;
         EXPECT_FALSE(Magnifier::make(of, magnifier));

@@ -39,7 +39,7 @@ TEST(ClutterBudget, InProportionTheBudgetIsHeldExactlyWhereItCanBe) {
     for (const double budget : {0.1, 0.25, 0.4})
         for (float whole = 0.05f; whole < 0.9f; whole += 0.07f)
             for (float least = 0.01f; least < whole - 0.02f; least += 0.05f) {
-                const double lost = (1 - left(whole, least, budget)) / (1 - kLeastDetailLeft);
+                const double lost = (1 - left(whole, least, budget)) / (1 - kMinDetailLeft);
                 const double reached = static_cast<double>(whole) - lost * static_cast<double>(whole - least);
                 EXPECT_NEAR(reached, std::max(std::min(budget, static_cast<double>(whole)), static_cast<double>(least)), 1e-6);
             }
@@ -54,10 +54,10 @@ TEST(ClutterBudget, WhatIsNotEnoughGivesWayFurther) {
     EXPECT_NEAR(static_cast<double>(second.factor[kRegion]), 0.5, 1e-6) << "a third of the way that is left";
     EXPECT_EQ(less_detail(second, of(0.1f), measures, 0.05, 1).factor, second.factor) << "calmer it cannot be";
     EXPECT_NEAR(static_cast<double>(less_detail(first, of(0.4f), measures, 0.3, 2).factor[kRegion]), 0.375, 1e-6);
-    EXPECT_EQ(less_detail(first, of(0.4f), measures, 0.3, 100).factor[kRegion], static_cast<float>(kLeastDetailLeft));
+    EXPECT_EQ(less_detail(first, of(0.4f), measures, 0.3, 100).factor[kRegion], static_cast<float>(kMinDetailLeft));
     scene::DetailRegions left = first;
     for (int n = 0; n < 50; ++n) left = less_detail(left, of(0.45f), measures, 0.3, 1);
-    EXPECT_NEAR(static_cast<double>(left.factor[kRegion]), kLeastDetailLeft, 1e-3) << "but never less than the least";
+    EXPECT_NEAR(static_cast<double>(left.factor[kRegion]), kMinDetailLeft, 1e-3) << "but never less than the least";
 }
 
 TEST(ClutterBudget, TheLastResortTakesTheRegionsRoundItToo) {
@@ -68,7 +68,7 @@ TEST(ClutterBudget, TheLastResortTakesTheRegionsRoundItToo) {
     for (std::size_t n = 0; n < left.factor.size(); ++n) {
         const std::size_t column = n % scene::DetailRegions::kAcross, row = n / scene::DetailRegions::kAcross;
         const bool is_round = (column >= 2 && column <= 4 && row >= 1 && row <= 3) || (column <= 1 && row <= 1);
-        EXPECT_EQ(left.factor[n], is_round ? static_cast<float>(kLeastDetailLeft) : 1) << n;
+        EXPECT_EQ(left.factor[n], is_round ? static_cast<float>(kMinDetailLeft) : 1) << n;
     }
 }
 
@@ -88,14 +88,14 @@ TEST(ClutterBudget, MoreClutterOrLessBudgetNeverLeavesMore) {
         for (double budget = 0; budget <= 1; budget += 0.05) {
             EXPECT_GE(left(whole, 0.05f, budget), left(whole + 0.05f, 0.05f, budget));
             EXPECT_GE(left(whole, 0.05f, budget + 0.05), left(whole, 0.05f, budget));
-            EXPECT_GE(left(whole, 0.05f, budget), kLeastDetailLeft);
+            EXPECT_GE(left(whole, 0.05f, budget), kMinDetailLeft);
         }
 }
 
 TEST(ClutterBudget, WhereGivingWayHelpsNothingNothingGivesWay) {
     EXPECT_EQ(left(0.8f, 0.8f, 0.2), 1) << "clutter of the terrain's own";
     EXPECT_EQ(left(0.8f, 0.9f, 0.2), 1) << "fewer glyphs that are larger have more edges";
-    EXPECT_EQ(left(0.8f, 0.5f, 0.2), kLeastDetailLeft) << "control: it helps, but not enough";
+    EXPECT_EQ(left(0.8f, 0.5f, 0.2), kMinDetailLeft) << "control: it helps, but not enough";
 }
 
 TEST(ClutterBudget, WhatIsNotKnownTakesNothingAway) {

@@ -5,7 +5,7 @@
 namespace tedavis::effects::test_cost_model {
 namespace {
 
-using Kind = EffectCall::Kind;
+using Kind = EffectRequest::Kind;
 
 TEST(CostModel, ALineIsFixedByPixelsAndByThings) {
     EXPECT_DOUBLE_EQ(modelled_ms({1.5, 2, 3}, 0.5, 4000), 1.5 + 1 + 12);
@@ -24,9 +24,9 @@ TEST(CostModel, OnlyWhatRunsCostsAndAReplacementInItsPlace) {
     PlanInput input;
     DeviceCapability device;
     device.depth24_targets = false;
-    input[Effect::terrain] = {Kind::called, ""};
-    input[Effect::silhouettes] = {Kind::called, ""};
-    input[Effect::haze] = {Kind::not_called_for, ""};
+    input[Effect::terrain] = {Kind::applicable, ""};
+    input[Effect::silhouettes] = {Kind::applicable, ""};
+    input[Effect::haze] = {Kind::not_applicable, ""};
     const double sum = modelled_ms(powers_of_two(), plan_effects(input, device), {});
     const auto bit = [](Effect effect) { return static_cast<double>(1u << static_cast<unsigned>(effect)); };
     EXPECT_EQ(sum, bit(Effect::terrain) + bit(Effect::ridges));
@@ -36,7 +36,7 @@ TEST(CostModel, WhatIsSharedByTwoIsCountedOnce) {
     PlanInput input;
     DeviceCapability device;
     device.depth24_targets = false;
-    input[Effect::silhouettes] = input[Effect::ridges] = {Kind::called, ""};
+    input[Effect::silhouettes] = input[Effect::ridges] = {Kind::applicable, ""};
     EXPECT_EQ(modelled_ms(powers_of_two(), plan_effects(input, device), {}),
               static_cast<double>(1u << static_cast<unsigned>(Effect::ridges)));
 }
@@ -60,7 +60,7 @@ TEST(CostModel, CountersCountWhereTheyBelong) {
     counters.triangles = 6000;
     counters.maps = 2;
     EXPECT_DOUBLE_EQ(ms(), 4.5 + 5 + 12) << "neither runs";
-    input[Effect::terrain] = input[Effect::adjacent] = {Kind::called, ""};
+    input[Effect::terrain] = input[Effect::adjacent] = {Kind::applicable, ""};
     EXPECT_DOUBLE_EQ(ms(), 4.5 + 5 + 12 + 6 + 20);
 }
 

@@ -80,8 +80,8 @@ TEST(Device, NamesFaultsOfDriversThatItIgnores) {
 TEST(Device, ShippedBudgetsHoldTheirOwnPictureAndChunks) {
     for (const char* name : {"es2-small", "es3-mid", "desktop", "sc2"}) {
         const DeviceSettings device = shipped_device(name);
-        const std::uint64_t colour_and_depth = std::uint64_t{8} * device.width_px * device.height_px;
-        EXPECT_GE(device.budget.find(kRenderTargets)->bytes, colour_and_depth) << name;
+        const std::uint64_t color_and_depth = std::uint64_t{8} * device.width_px * device.height_px;
+        EXPECT_GE(device.budget.find(kRenderTargets)->bytes, color_and_depth) << name;
         constexpr std::uint64_t kChunkVertices = 65 * 65, kChunkTriangles = 64 * 64 * 2;
         EXPECT_GE(device.budget.find(kTerrainVertices)->bytes, device.max_chunk_slots * kChunkVertices * 12) << name;
         EXPECT_GE(device.budget.find(kTerrainIndices)->bytes, device.max_chunk_slots * kChunkTriangles * 6) << name;

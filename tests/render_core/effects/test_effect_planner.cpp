@@ -7,7 +7,7 @@
 namespace tedavis::effects::test_effect_planner {
 namespace {
 
-using Kind = EffectCall::Kind;
+using Kind = EffectRequest::Kind;
 
 class EffectPlanner : public ::testing::Test {
 protected:
@@ -25,7 +25,7 @@ TEST_F(EffectPlanner, WhatIsNotAskedForIsNotSpokenOf) {
 }
 
 TEST_F(EffectPlanner, WhatIsCalledForRuns) {
-    input_[Effect::silhouettes] = {Kind::called, ""};
+    input_[Effect::silhouettes] = {Kind::applicable, ""};
     EXPECT_EQ(plan()[Effect::silhouettes].state, PlanState::run);
     EXPECT_EQ(plan()[Effect::silhouettes].reason, "asked for by the design");
     EXPECT_TRUE(plan().runs(Effect::silhouettes));
@@ -35,7 +35,7 @@ TEST_F(EffectPlanner, WhatIsCalledForRuns) {
 }
 
 TEST_F(EffectPlanner, WhatTheViewDoesNotCallForIsSkippedEvenWhereItWouldBeReplaced) {
-    input_[Effect::silhouettes] = {Kind::not_called_for, "seen from above"};
+    input_[Effect::silhouettes] = {Kind::not_applicable, "seen from above"};
     device_.depth24_targets = false;
     EXPECT_EQ(plan()[Effect::silhouettes].state, PlanState::skipped);
     EXPECT_EQ(plan()[Effect::silhouettes].reason, "seen from above");
@@ -43,7 +43,7 @@ TEST_F(EffectPlanner, WhatTheViewDoesNotCallForIsSkippedEvenWhereItWouldBeReplac
 }
 
 TEST_F(EffectPlanner, WhatTheDeviceLacksIsReplacedAndTheReplacementRuns) {
-    input_[Effect::silhouettes] = {Kind::called, ""};
+    input_[Effect::silhouettes] = {Kind::applicable, ""};
     device_.depth24_targets = false;
     const PlannedEffect planned = plan()[Effect::silhouettes];
     EXPECT_EQ(planned.state, PlanState::replaced);
@@ -55,7 +55,7 @@ TEST_F(EffectPlanner, WhatTheDeviceLacksIsReplacedAndTheReplacementRuns) {
 
 TEST_F(EffectPlanner, WhatIsForbiddenIsReplacedOrSkipped) {
     for (const Effect effect : {Effect::silhouettes, Effect::drape, Effect::haze, Effect::ground_data}) {
-        input_[effect] = {Kind::called, ""};
+        input_[effect] = {Kind::applicable, ""};
         input_.forbidden.add(effect);
     }
     EXPECT_EQ(plan()[Effect::silhouettes].replaced_by, Effect::ridges);
@@ -77,7 +77,7 @@ TEST_F(EffectPlanner, WithoutItsInputSomethingElseStandsInWhateverTheDeviceCanDo
 }
 
 TEST_F(EffectPlanner, WhatTheTimeDoesNotSufficeForIsReplacedByWhatIsInReserve) {
-    input_[Effect::silhouettes] = {Kind::called, ""};
+    input_[Effect::silhouettes] = {Kind::applicable, ""};
     input_.too_costly.add(Effect::silhouettes);
     input_.in_reserve.add(Effect::ridges);
     const PlannedEffect planned = plan()[Effect::silhouettes];
@@ -89,7 +89,7 @@ TEST_F(EffectPlanner, WhatTheTimeDoesNotSufficeForIsReplacedByWhatIsInReserve) {
 }
 
 TEST_F(EffectPlanner, WithoutAReserveWhatTheTimeDoesNotSufficeForIsLeftOut) {
-    input_[Effect::silhouettes] = input_[Effect::haze] = {Kind::called, ""};
+    input_[Effect::silhouettes] = input_[Effect::haze] = {Kind::applicable, ""};
     input_.too_costly.add(Effect::silhouettes);
     input_.too_costly.add(Effect::haze);
     for (const Effect effect : {Effect::silhouettes, Effect::haze}) {
@@ -107,16 +107,16 @@ TEST_F(EffectPlanner, WithoutAReserveWhatTheTimeDoesNotSufficeForIsLeftOut) {
 TEST_F(EffectPlanner, WhatTheDeviceOrTheViewSaysGoesBeforeTheTime) {
     input_.too_costly.add(Effect::silhouettes);
     input_.in_reserve.add(Effect::ridges);
-    input_[Effect::silhouettes] = {Kind::not_called_for, "seen from above"};
+    input_[Effect::silhouettes] = {Kind::not_applicable, "seen from above"};
     EXPECT_EQ(plan()[Effect::silhouettes].reason, "seen from above");
     EXPECT_FALSE(plan().runs(Effect::ridges));
-    input_[Effect::silhouettes] = {Kind::called, ""};
+    input_[Effect::silhouettes] = {Kind::applicable, ""};
     input_.forbidden.add(Effect::silhouettes);
     EXPECT_EQ(plan()[Effect::silhouettes].reason, "forbidden by the device's file");
 }
 
 TEST_F(EffectPlanner, ColourIsLeftOutUpToOneStepOfEightBits) {
-    input_[Effect::haze] = {Kind::called, "", kUnseenColor};
+    input_[Effect::haze] = {Kind::applicable, "", kUnseenColor};
     EXPECT_EQ(plan()[Effect::haze].state, PlanState::skipped);
     EXPECT_EQ(plan()[Effect::haze].reason, "too small to be seen");
     EXPECT_EQ(plan()[Effect::haze].bound, kUnseenColor);
@@ -130,24 +130,24 @@ TEST_F(EffectPlanner, ColourIsLeftOutUpToOneStepOfEightBits) {
 
 TEST_F(EffectPlanner, ABoundThatIsNotKnownLeavesNothingOut) {
     for (const double bound : {std::numeric_limits<double>::infinity(), std::nan("")}) {
-        input_[Effect::haze] = {Kind::called, "", bound};
+        input_[Effect::haze] = {Kind::applicable, "", bound};
         EXPECT_TRUE(plan().runs(Effect::haze)) << bound;
     }
 }
 
 TEST_F(EffectPlanner, ContentIsNeverTooSmall) {
-    input_[Effect::ground_data] = {Kind::called, "", 1e-9};
+    input_[Effect::ground_data] = {Kind::applicable, "", 1e-9};
     EXPECT_TRUE(plan().runs(Effect::ground_data));
     input_[Effect::ground_data].bound = 0;
     EXPECT_FALSE(plan().runs(Effect::ground_data)) << "it shows nothing";
 }
 
 TEST_F(EffectPlanner, ForcedEffectsAreNotLeftOutForTheirSize) {
-    input_[Effect::haze] = {Kind::called, "", 0};
+    input_[Effect::haze] = {Kind::applicable, "", 0};
     EXPECT_FALSE(plan().runs(Effect::haze));
     input_.is_forced = true;
     EXPECT_TRUE(plan().runs(Effect::haze));
-    input_[Effect::haze].kind = Kind::not_called_for;
+    input_[Effect::haze].kind = Kind::not_applicable;
     EXPECT_FALSE(plan().runs(Effect::haze)) << "nothing can force what the view has no place for";
 }
 

@@ -79,8 +79,8 @@ TEST(EffectTable, RowsAreWhole) {
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectRow& row = row_of(static_cast<Effect>(n));
         EXPECT_FALSE(row.cost.empty()) << row.name;
-        EXPECT_EQ(row.is_asked != nullptr, row.call != nullptr) << row.name;
-        EXPECT_TRUE(row.take_out != nullptr || row.effect == Effect::terrain || row.call == nullptr) << row.name;
+        EXPECT_EQ(row.is_asked != nullptr, row.request != nullptr) << row.name;
+        EXPECT_TRUE(row.take_out != nullptr || row.effect == Effect::terrain || row.request == nullptr) << row.name;
         if (row.ask == nullptr) continue;
         design::DesignSettings design;
         row.ask(design);

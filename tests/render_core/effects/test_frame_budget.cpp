@@ -11,7 +11,7 @@
 namespace tedavis::effects::test_frame_budget {
 namespace {
 
-using Kind = EffectCall::Kind;
+using Kind = EffectRequest::Kind;
 
 base::Time at(double seconds) { return base::Time{} + base::Duration::from_seconds(seconds); }
 
@@ -32,8 +32,8 @@ CostTable simulated_costs() {
 /// Of a scene with much in view; with little, as from far above, forms and distances call for nothing.
 PlanInput called(double load) {
     PlanInput input;
-    input[Effect::terrain] = input[Effect::warning_colors] = {Kind::called, ""};
-    const Kind kind = load > 0.15 ? Kind::called : Kind::not_called_for;
+    input[Effect::terrain] = input[Effect::warning_colors] = {Kind::applicable, ""};
+    const Kind kind = load > 0.15 ? Kind::applicable : Kind::not_applicable;
     input[Effect::silhouettes] = input[Effect::haze] = {kind, ""};
     return input;
 }

@@ -31,7 +31,7 @@ TEST(ReplacementOrder, IsTheTablesWhereNothingIsStated) {
 TEST(ReplacementOrder, ADesignMayWantNothingInAnEffectsPlace) {
     const design::InsteadOf nothing = instead("silhouettes", {});
     PlanInput input;
-    input[Effect::silhouettes] = {EffectCall::Kind::called, ""};
+    input[Effect::silhouettes] = {EffectRequest::Kind::applicable, ""};
     DeviceCapability device;
     device.depth24_targets = false;
     EXPECT_EQ(plan_effects(input, device)[Effect::silhouettes].replaced_by, Effect::ridges);

@@ -236,7 +236,7 @@ TEST(EdgeDetector, TakesTheMemoryThatItSays) {
     EXPECT_TRUE(detector.start(arena, 300, 200));
     EXPECT_LE(arena.use().capacity - arena.use().in_use, 128u);
     EXPECT_FALSE(detector.start(arena, 0, 5));
-    EXPECT_FALSE(detector.start(arena, 5, kMostPictureSide + 1));
+    EXPECT_FALSE(detector.start(arena, 5, kMaxPictureSide + 1));
 }
 
 }  // namespace

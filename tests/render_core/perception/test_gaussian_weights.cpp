@@ -22,7 +22,7 @@ TEST(GaussianWeights, WithoutSigmaNothingIsBlurred) {
     EXPECT_EQ(gaussian_weights(0).radius, 0);
     EXPECT_EQ(gaussian_weights(-1).radius, 0);
     EXPECT_EQ(gaussian_weights(std::nan("")).radius, 0);
-    EXPECT_EQ(gaussian_weights(1e9).radius, kMostRadius);
+    EXPECT_EQ(gaussian_weights(1e9).radius, kMaxRadius);
 }
 
 // From the outside to any weight, the sum is rounded; the middle takes what is left of both sides.

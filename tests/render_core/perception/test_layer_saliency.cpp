@@ -55,7 +55,7 @@ TEST(LayerSaliency, IsTheSumOverEachPixelsMapValue) {
                 ++pixels[layer];
                 all += value;
             }
-        for (std::size_t n = 0; n < kMostLayers; ++n) {
+        for (std::size_t n = 0; n < kMaxLayers; ++n) {
             EXPECT_EQ(sums[n].pixels, pixels[n]);
             EXPECT_NEAR(sums[n].share, all > 0 ? expected[n] / all : 0, 1e-4);
             EXPECT_NEAR(sums[n].area, static_cast<double>(pixels[n]) / (width * height), 1e-12);

@@ -29,7 +29,7 @@ TEST(Pyramid, AReducedLevelIsTheWeightedMean) {
 
 TEST(Pyramid, AnExpandedRowIsInterpolated) {
     for (const auto& [width, height] : kSizes)
-        for (int levels = 1; levels <= kMostExpansion; ++levels) {
+        for (int levels = 1; levels <= kMaxExpansion; ++levels) {
             const HeldPlane coarse = noise_plane(level_side(width, levels), level_side(height, levels), 2);
             const Field field = coarse.field();
             std::vector<float> scratch(expansion_scratch(width));

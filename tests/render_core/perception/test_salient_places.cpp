@@ -85,8 +85,8 @@ TEST(SalientPlaces, AreThoseOfTheSortedMap) {
                                              [&](const auto& p) { return std::hypot(p.first - x, p.second - y) <= radius; });
             if (map.values[n] > 0 && !is_near) expected.emplace_back(x, y);
         }
-        const SalientPlaces places = salient_places(map.map(), radius, kMostSalientPlaces);
-        ASSERT_EQ(places.size(), std::min(expected.size(), kMostSalientPlaces));
+        const SalientPlaces places = salient_places(map.map(), radius, kMaxSalientPlaces);
+        ASSERT_EQ(places.size(), std::min(expected.size(), kMaxSalientPlaces));
         for (std::size_t n = 0; n < places.size(); ++n) EXPECT_EQ(std::make_pair(places[n].x, places[n].y), expected[n]);
     }
 }

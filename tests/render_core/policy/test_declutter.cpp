@@ -58,7 +58,7 @@ TEST(Declutter, WhereAllRegionsKeepAllNothingGivesWay) {
 TEST(Declutter, AtMostEverythingButWhatComesFirstKeepsTheLeast) {
     const design::PrioritySettings priority = priority_of(1, 0.3, 1);
     const Declutter most = declutter_of(effects::least_detail(), priority, priority.weights);
-    for (const float factor : most.regions.factor) EXPECT_EQ(factor, static_cast<float>(effects::kLeastDetailLeft));
+    for (const float factor : most.regions.factor) EXPECT_EQ(factor, static_cast<float>(effects::kMinDetailLeft));
     EXPECT_TRUE(gives_way(most, LayerRole::wind));
     EXPECT_FALSE(gives_way(most, LayerRole::obstacle));
 }

@@ -50,7 +50,7 @@ struct Flight {
     }
 };
 
-TEST(PriorityBoost, TheFirstEpochHasWhatIsAskedFor) {
+TEST(PriorityBoost, TheFirstIntervalHasWhatIsAskedFor) {
     Flight flight;
     flight.asked.ask(kTerrain, 0.7);
     EXPECT_EQ(flight.follow(3.2), 0.7);
@@ -68,13 +68,13 @@ TEST(PriorityBoost, WhatFlickersFromFrameToFrameDoesNot) {
         if (frame > 0 && raise != before) {
             ++changes;
             most = std::max(most, std::fabs(raise - before));
-            EXPECT_EQ(frame % 15, 0) << "only where an epoch begins";
+            EXPECT_EQ(frame % 15, 0) << "only where an interval begins";
         }
         before = raise;
     }
     EXPECT_LE(changes, 20u);
-    EXPECT_LE(most, PriorityBoost::kMostRise);
-    EXPECT_EQ(flight.asked.instants.size(), 20u) << "asked once an epoch";
+    EXPECT_LE(most, PriorityBoost::kMaxRise);
+    EXPECT_EQ(flight.asked.instants.size(), 20u) << "asked once an interval";
 }
 
 TEST(PriorityBoost, ItRisesAndFallsLittleByLittle) {
@@ -89,7 +89,7 @@ TEST(PriorityBoost, ItRisesAndFallsLittleByLittle) {
     EXPECT_DOUBLE_EQ(flight.follow(2), 0.475);
     EXPECT_NE(flight.raised.hazard(), nullptr) << "it is still falling";
     EXPECT_EQ(flight.raised.hazard()->latitude_rad, 0.6);
-    EXPECT_DOUBLE_EQ(flight.follow(3), 0.225) << "two epochs at once";
+    EXPECT_DOUBLE_EQ(flight.follow(3), 0.225) << "two intervals at once";
     EXPECT_EQ(flight.follow(9), 0);
     EXPECT_EQ(flight.raised.hazard(), nullptr);
 }
@@ -114,7 +114,7 @@ TEST(PriorityBoost, TheSameInstantElsewhereIsDecidedAnew) {
     EXPECT_TRUE(flight.raised.is_anew());
 }
 
-TEST(PriorityBoost, AnotherDesignDecidesTheEpochAtItsFirstInstant) {
+TEST(PriorityBoost, AnotherDesignDecidesTheIntervalAtItsFirstInstant) {
     Flight flight;
     flight.follow(5);
     flight.follow(5.5);
@@ -125,7 +125,7 @@ TEST(PriorityBoost, AnotherDesignDecidesTheEpochAtItsFirstInstant) {
     EXPECT_EQ(flight.follow(5.8), 0.9) << "at once";
     EXPECT_EQ(flight.asked.instants.back(), 5'500'000'000);
     EXPECT_TRUE(flight.raised.is_anew());
-    // The next epoch is the same, whether the turn was seen or not.
+    // The next interval is the same, whether the turn was seen or not.
     Flight other = flight;
     other.raised = before;
     const double seen = flight.follow(6);

@@ -18,7 +18,7 @@ using test_support::TraceAgreement;
 using test_support::TracedGround;
 
 constexpr CellSurface kSurfaces[] = {CellSurface::two_triangles, CellSurface::bilinear};
-constexpr float kLeast = 1e-42F;  // a denormal
+constexpr float kMin = 1e-42F;  // a denormal
 
 /// Both surfaces, every ray.
 class EdgeRays {
@@ -50,8 +50,8 @@ private:
 TEST(RayEdges, ZeroComponentsOfEverySignAreFollowed) {
     const TracedGround<std::int16_t> ground(test_support::rough_heights(33, 29, 40, 1));
     EdgeRays rays(ground);
-    for (const float zero : {0.0F, -0.0F, kLeast, -kLeast, 1e-31F, -1e-31F}) {
-        for (const float other : {0.0F, -0.0F, -kLeast}) {
+    for (const float zero : {0.0F, -0.0F, kMin, -kMin, 1e-31F, -1e-31F}) {
+        for (const float other : {0.0F, -0.0F, -kMin}) {
             for (int n = 0; n < 400; ++n) {
                 // On lines of posts, midway, and anywhere.
                 const double at = n % 29 + (n % 3 == 0 ? 0.0 : n % 3 == 1 ? 0.5 : 0.3711 + 0.001 * n);

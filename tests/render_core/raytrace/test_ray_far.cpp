@@ -20,7 +20,7 @@ using test_support::ReferenceTracer;
 using test_support::TraceAgreement;
 using test_support::TracedGround;
 
-constexpr std::uint32_t kLength = HeightGrid<std::int16_t>::kMostPosts, kWidth = 17;
+constexpr std::uint32_t kLength = HeightGrid<std::int16_t>::kMaxPosts, kWidth = 17;
 
 /// A valley as long as a grid can be, or as wide.
 HeightField<std::int16_t> valley(bool is_long) {

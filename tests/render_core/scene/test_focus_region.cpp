@@ -121,9 +121,9 @@ TEST(FocusRegion, WhatIsOverOrUnderAVolumeIsBesideIt) {
     const glm::dvec3 middle = ball.anchor + ball.up * 3000.0;
     EXPECT_EQ(focus_degree(ball, middle, 3000), 1);
     EXPECT_EQ(focus_degree(ball, middle + ball.up * 900.0, 3900), 1);
-    EXPECT_EQ(focus_degree(ball, middle + ball.up * 1100.0, 4100), kMostBesideVolume);
-    EXPECT_EQ(focus_degree(ball, middle + ball.up * 900.0 + ball.east * 900.0, 3900), kMostBesideVolume);
-    EXPECT_EQ(focus_degree(ball, ball.anchor, 0), kMostBesideVolume);
+    EXPECT_EQ(focus_degree(ball, middle + ball.up * 1100.0, 4100), kMaxBesideVolume);
+    EXPECT_EQ(focus_degree(ball, middle + ball.up * 900.0 + ball.east * 900.0, 3900), kMaxBesideVolume);
+    EXPECT_EQ(focus_degree(ball, ball.anchor, 0), kMaxBesideVolume);
     EXPECT_EQ(ground_focus_degree(ball, {0, 0}), 1) << "the ground below it";
     FocusRegion box = ball;
     box.is_ball = false;
@@ -131,8 +131,8 @@ TEST(FocusRegion, WhatIsOverOrUnderAVolumeIsBesideIt) {
     box.lower_m = 1000;
     box.upper_m = 2000;
     EXPECT_EQ(focus_degree(box, box.anchor + box.east * 999.0, 1500), 1);
-    EXPECT_EQ(focus_degree(box, box.anchor, 999), kMostBesideVolume);
-    EXPECT_EQ(focus_degree(box, box.anchor, 2001), kMostBesideVolume);
+    EXPECT_EQ(focus_degree(box, box.anchor, 999), kMaxBesideVolume);
+    EXPECT_EQ(focus_degree(box, box.anchor, 2001), kMaxBesideVolume);
     EXPECT_NEAR(focus_degree(box, box.anchor + box.east * 2800.0, 1500), 0.1, 1e-9) << "farther away heights no longer matter";
 }
 

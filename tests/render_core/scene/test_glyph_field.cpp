@@ -244,7 +244,7 @@ TEST(GlyphField, NoSitesAndSitesAtOnePlace) {
 }
 
 TEST(GlyphField, MemoryIsWhatItSays) {
-    for (const std::uint32_t sites : {kLeastGlyphSites, 1000u, 131072u}) {
+    for (const std::uint32_t sites : {kMinGlyphSites, 1000u, 131072u}) {
         const std::uint64_t bytes = GlyphField::bytes_needed(sites);
         EXPECT_EQ(GlyphField::sites_within(bytes), sites);
         EXPECT_EQ(GlyphField::sites_within(bytes - 1), sites - 1);
@@ -256,7 +256,7 @@ TEST(GlyphField, MemoryIsWhatItSays) {
     }
     base::Arena none;
     GlyphField field;
-    EXPECT_FALSE(field.start(none, kLeastGlyphSites - 1));
+    EXPECT_FALSE(field.start(none, kMinGlyphSites - 1));
     EXPECT_EQ(GlyphField::sites_within(0), 0u);
 }
 

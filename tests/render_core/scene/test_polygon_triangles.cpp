@@ -82,8 +82,8 @@ TEST(PolygonTriangles, WhatCrossesItselfEnds) {
 
 TEST(PolygonTriangles, TooFewTooManyAndTooLittleRoomGiveNone) {
     EXPECT_TRUE(cut({{0, 0}, {1, 1}}).empty());
-    EXPECT_TRUE(cut(star(1, kMostPolygonCorners + 1)).empty());
-    EXPECT_EQ(cut(star(1, kMostPolygonCorners)).size(), 3 * (kMostPolygonCorners - 2));
+    EXPECT_TRUE(cut(star(1, kMaxPolygonCorners + 1)).empty());
+    EXPECT_EQ(cut(star(1, kMaxPolygonCorners)).size(), 3 * (kMaxPolygonCorners - 2));
     const Corners square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     std::uint16_t room[5];
     EXPECT_EQ(triangulate({square.data(), square.size()}, {room, 5}), 0u);

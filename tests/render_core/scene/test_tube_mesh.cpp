@@ -34,7 +34,7 @@ std::vector<glm::dvec3> spiral(int count) {
 
 struct Room {
     std::size_t vertices = 20000, indices = 60000, chunks = 1000;
-    std::uint32_t chunk_vertices = kMostChunkVertices;
+    std::uint32_t chunk_vertices = kMaxChunkVertices;
 };
 
 struct MadeMesh {
@@ -182,7 +182,7 @@ TEST(TubeMesh, LongTubesKeepIndicesWithinSixteenBits) {
     const std::vector<TubeRing> rings = rings_along(spiral(12000), 1);
     const MadeMesh mesh = mesh_of(rings, 6, {200000, 500000, 10});
     EXPECT_EQ(mesh.chunks.size(), 3u);
-    for (const TubeChunk& chunk : mesh.chunks) EXPECT_LE(chunk.vertices, kMostChunkVertices);
+    for (const TubeChunk& chunk : mesh.chunks) EXPECT_LE(chunk.vertices, kMaxChunkVertices);
     EXPECT_EQ(mesh.counts.rings, 12000u);
     EXPECT_EQ(mesh.whole_indices().size(), 36u * 11999 + 24);
 }
@@ -217,8 +217,8 @@ TEST(TubeMesh, OnTheEarthVerticesAreExactFromANearOrigin) {
 
 TEST(TubeMesh, NumbersOfSidesAreBroughtIntoTheirRange) {
     const std::vector<TubeRing> rings = rings_along({{0, 0, 0}, {10, 0, 0}});
-    EXPECT_EQ(mesh_of(rings, 0).counts.vertices, mesh_of(rings, kLeastTubeSides).counts.vertices);
-    EXPECT_EQ(mesh_of(rings, 1000).counts.vertices, mesh_of(rings, kMostTubeSides).counts.vertices);
+    EXPECT_EQ(mesh_of(rings, 0).counts.vertices, mesh_of(rings, kMinTubeSides).counts.vertices);
+    EXPECT_EQ(mesh_of(rings, 1000).counts.vertices, mesh_of(rings, kMaxTubeSides).counts.vertices);
 }
 
 TEST(TubeMesh, TheCheckFindsAFlippedTriangle) {

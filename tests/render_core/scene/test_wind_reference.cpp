@@ -49,7 +49,7 @@ TEST(WindReference, MeansAreThoseOfAnotherProgram) {
         EXPECT_EQ(set.winds.count(), set.count);
         EXPECT_NEAR(mean.constancy, set.constancy, 1e-9) << set.count;
         EXPECT_NEAR(mean.speed_mps, set.speed_mps, 1e-9) << set.count;
-        EXPECT_EQ(mean.state, set.constancy < kLeastConstancy ? WindState::variable : WindState::steady) << set.count;
+        EXPECT_EQ(mean.state, set.constancy < kMinConstancy ? WindState::variable : WindState::steady) << set.count;
         const double off_deg = between_deg(base::degrees(mean.from_rad), set.from_deg);
         EXPECT_TRUE(mean.state == WindState::variable || off_deg < 1e-6) << set.count << ": " << off_deg;
     }

@@ -105,9 +105,9 @@ std::optional<double> moved_px(const View& view, const earth::Geodetic& truth, d
 
 struct Found {
     int poses = 0, known = 0, points = 0;
-    double greatest[NearGround::kMostSteps]{};  ///< found over stated, of each step
-    double mean = 0;                            ///< of the poses' greatest, of the first step
-    int over_half = 0;                          ///< points that half the bound would not hold
+    double greatest[NearGround::kMaxSteps]{};  ///< found over stated, of each step
+    double mean = 0;                           ///< of the poses' greatest, of the first step
+    int over_half = 0;                         ///< points that half the bound would not hold
 
     [[nodiscard]] double greatest_of_all() const { return *std::max_element(std::begin(greatest), std::end(greatest)); }
 };

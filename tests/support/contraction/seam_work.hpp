@@ -51,7 +51,7 @@ struct SeamWork {
         lanes.to = ray.to;
         lanes.gap = ray.gap;
         const TracedNodes<std::int16_t> nodes(maxima);
-        March<Lanes> m = enter<Lanes, std::int16_t>(nodes, lanes, lanes.from, true, nodes.layout->top);
+        TraversalState<Lanes> m = enter<Lanes, std::int16_t>(nodes, lanes, lanes.from, true, nodes.layout->top);
         march_nodes<Lanes, std::int16_t, CellSurface::two_triangles, HitSide::above>(nodes, lanes, m);
         Hit hit;
         if (!m.is_met || m.is_beyond) return hit;

@@ -228,7 +228,7 @@ TEST(AreaPrisms, WithLittleDetailTheyHaveFewerCornersAndCoverMore) {
         EXPECT_EQ(add_area_prisms(room.batch, room.mesh, test.input()).drawn, 1u);
         const double area = covered_m2(room.batch, room.batch.pieces()[0]);
         EXPECT_GE(area, least) << detail;
-        EXPECT_LE(area, base::kPi * 1e6 * (1 + kMostOutlineGrowth * (1 - detail)) * 1.002);
+        EXPECT_LE(area, base::kPi * 1e6 * (1 + kMaxOutlineGrowth * (1 - detail)) * 1.002);
         EXPECT_LE(room.batch.vertices().size(), before);
         least = area * 0.999;
         before = room.batch.vertices().size();

@@ -74,8 +74,8 @@ TEST(BillboardLook, TheRimIsTheMoreBrokenTheLessSure) {
     test.element.uncertainty_strength = 1;
     const auto rim = [&](std::size_t n) { return billboard_look(test.input(), n).rim(); };
     EXPECT_EQ(rim(0), 0) << "the certain has none";
-    EXPECT_NEAR(rim(1), 1 - 0.5 * (1 - kLeastDashes), 0.01);
-    EXPECT_NEAR(rim(2), kLeastDashes, 1e-6) << "unknown is never taken for certain";
+    EXPECT_NEAR(rim(1), 1 - 0.5 * (1 - kMinDashes), 0.01);
+    EXPECT_NEAR(rim(2), kMinDashes, 1e-6) << "unknown is never taken for certain";
     test.element.uncertainty = ElementUncertainty::transparency;
     EXPECT_EQ(rim(1), 0);
     EXPECT_EQ(rim(2), BillboardLook::kUnknownDashes);

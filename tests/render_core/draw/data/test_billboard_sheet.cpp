@@ -68,7 +68,7 @@ TEST(BillboardSheet, TheBestCandidatesAreKeptInOrder) {
     for (std::uint32_t n = 0; n < 5000; ++n) expected[n] = n;
     std::stable_sort(expected.begin(), expected.end(), [&](auto a, auto b) { return ranks[a] < ranks[b]; });
     const auto ranked = room.sheet.ranked();
-    ASSERT_EQ(ranked.size(), BillboardSheet::kMostCandidates);
+    ASSERT_EQ(ranked.size(), BillboardSheet::kMaxCandidates);
     for (std::size_t n = 0; n < ranked.size(); ++n) EXPECT_EQ(ranked[n].feature, expected[n]);
 }
 
@@ -81,7 +81,7 @@ TEST(BillboardSheet, LinesHaveTheDepthsOfTheirEnds) {
     ASSERT_EQ(room.drawn().size(), 8u) << "with its rim";
     for (const QuadVertex& vertex : room.drawn()) {
         const bool is_near = std::abs(vertex.y - near.at.y) < std::abs(vertex.y - far.at.y);
-        EXPECT_NEAR(vertex.distance_m, (is_near ? 200 : 900) * (1 - terrain::DrawnSight::kTail), 0.01);
+        EXPECT_NEAR(vertex.distance_m, (is_near ? 200 : 900) * (1 - terrain::LineOfSight::kTail), 0.01);
     }
 }
 

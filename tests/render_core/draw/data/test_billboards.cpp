@@ -46,7 +46,7 @@ TEST(Billboards, StandOverTheirPlaces) {
     EXPECT_LT(bounds.y, spot.at.y - 20);
     EXPECT_GT(room.glyph_vertices(), 0u);
     for (const QuadVertex& vertex : room.links.vertices())
-        EXPECT_NEAR(vertex.distance_m, 4000 * (1 - terrain::DrawnSight::kTail), 3);
+        EXPECT_NEAR(vertex.distance_m, 4000 * (1 - terrain::LineOfSight::kTail), 3);
     EXPECT_EQ(room.links.vertices().size(), 8u);
 }
 
@@ -169,7 +169,7 @@ TEST(Billboards, LinesAndAreasHaveOneInTheirMiddle) {
     ElementOfTest line(runway);
     BillboardRoom room;
     EXPECT_EQ(built(room, line).drawn, 1u);
-    EXPECT_NEAR(room.drawn()[0].distance_m, 4000 * (1 - terrain::DrawnSight::kTail), 5);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 4000 * (1 - terrain::LineOfSight::kTail), 5);
 
     host_sim::LayerDraft storm = layer_of({BillboardRoom::point(3000, -500, 0), BillboardRoom::point(3000, 500, 0),
                                            BillboardRoom::point(4000, 500, 0), BillboardRoom::point(4000, -500, 0)});
@@ -186,11 +186,11 @@ TEST(Billboards, LinesAndAreasHaveOneInTheirMiddle) {
     }
     ElementOfTest area(storm);
     EXPECT_EQ(built(room, area).drawn, 1u);
-    EXPECT_NEAR(room.drawn()[0].distance_m, 3500 * (1 - terrain::DrawnSight::kTail), 5);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 3500 * (1 - terrain::LineOfSight::kTail), 5);
     area.has_date = true;
     area.time_ns = storm.data_time_ns + 100'000'000'000;
     EXPECT_EQ(built(room, area).drawn, 1u);
-    EXPECT_NEAR(room.drawn()[0].distance_m, 4500 * (1 - terrain::DrawnSight::kTail), 5) << "10 m/s north for 100 s";
+    EXPECT_NEAR(room.drawn()[0].distance_m, 4500 * (1 - terrain::LineOfSight::kTail), 5) << "10 m/s north for 100 s";
 }
 
 /// A mast whose top is as high as the eye, and symbology about it.

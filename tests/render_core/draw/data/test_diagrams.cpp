@@ -119,7 +119,7 @@ TEST(Diagrams, WhatHasNoRoomOrPlaceIsHidden) {
     const Diagrams diagrams(layer);
     EXPECT_EQ(diagrams.count.drawn, 1u);
     EXPECT_EQ(diagrams.count.hidden, 3u);
-    EXPECT_NEAR(diagrams.room.drawn()[0].distance_m, 4000 * (1 - terrain::DrawnSight::kTail), 3) << "the nearest";
+    EXPECT_NEAR(diagrams.room.drawn()[0].distance_m, 4000 * (1 - terrain::LineOfSight::kTail), 3) << "the nearest";
     EXPECT_EQ(Diagrams(samples({})).count.all(), 0u);
 }
 

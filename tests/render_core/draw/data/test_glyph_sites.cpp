@@ -142,7 +142,7 @@ TEST(GlyphSites, GlyphsAreAsLargeAsPostsAreApartOrAsTheDesignSays) {
     coarse.grid.step_lon_rad *= 25;
     coarse.grid.step_lat_rad *= 25;
     ElementOfTest wide(coarse);
-    EXPECT_NEAR(FilledField(wide, 0).all().size_m, kMostGridGlyph_m, 1e-3);
+    EXPECT_NEAR(FilledField(wide, 0).all().size_m, kMaxGridGlyph_m, 1e-3);
     test.element.size_m = 77;
     EXPECT_NEAR(FilledField(test, 0).all().size_m, 77, 1e-3);
 }

@@ -185,7 +185,7 @@ TEST(Ribbons, WithLittleDetailTheyAreStraighterWithinTheTolerance) {
         EXPECT_EQ(add_ribbons(room.batch, room.mesh, test.input()).drawn, 1u);
         EXPECT_LE(room.batch.vertices().size(), before);
         before = room.batch.vertices().size();
-        EXPECT_LE(farthest_m(layer, room.batch), kMostStraightened_m * (1 - detail) + 1) << detail;
+        EXPECT_LE(farthest_m(layer, room.batch), kMaxStraightened_m * (1 - detail) + 1) << detail;
         if (detail == 0.2) {
             EXPECT_GT(farthest_m(layer, room.batch), 60) << "control: it is no longer the true way";
         }

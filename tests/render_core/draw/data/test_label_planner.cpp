@@ -85,8 +85,8 @@ TEST(LabelPlanner, NothingOverlaps) {
         EXPECT_TRUE(kScreen.contains(boxes[n]));
         for (std::size_t k = 0; k < n; ++k) EXPECT_FALSE(boxes[n].overlaps(boxes[k])) << n << " " << k;
     }
-    EXPECT_EQ(plan.planner.labels().size(), LabelPlanner::kMost);
-    EXPECT_GE(plan.planner.suppressed(0), 400 - LabelPlanner::kMost) << "whom the list does not hold is counted";
+    EXPECT_EQ(plan.planner.labels().size(), LabelPlanner::kMax);
+    EXPECT_GE(plan.planner.suppressed(0), 400 - LabelPlanner::kMax) << "whom the list does not hold is counted";
 }
 
 TEST(LabelPlanner, TheOrderOfTheOffersDoesNotMatter) {
@@ -95,13 +95,13 @@ TEST(LabelPlanner, TheOrderOfTheOffersDoesNotMatter) {
     for (std::uint32_t n = 0; n < 2000; ++n)
         features.push_back({n, 0.2 + 0.0001 * (n * 7919 % 5000), {float(n * 37 % 1000), float(n * 101 % 700)}});
     std::vector<Feature> turned(features.rbegin(), features.rend());
-    for (int epoch = 0; epoch < 20; ++epoch) {
+    for (int interval = 0; interval < 20; ++interval) {
         for (Feature& feature : features) feature.at.x += 3;
         for (Feature& feature : turned) feature.at.x += 3;
-        std::rotate(turned.begin(), turned.begin() + 37 * epoch, turned.end());
+        std::rotate(turned.begin(), turned.begin() + 37 * interval, turned.end());
         forth.decide(features);
         back.decide(turned);
-        ASSERT_TRUE(are_equal(forth.planner, back.planner)) << epoch;
+        ASSERT_TRUE(are_equal(forth.planner, back.planner)) << interval;
     }
 }
 
@@ -169,7 +169,7 @@ TEST(LabelPlanner, AChangeDwells) {
         before = plan.of(1).level;
     }
     ASSERT_GT(changed.size(), 2u);
-    for (std::size_t n = 1; n < changed.size(); ++n) EXPECT_GE(changed[n] - changed[n - 1], 6) << "epochs of half a second";
+    for (std::size_t n = 1; n < changed.size(); ++n) EXPECT_GE(changed[n] - changed[n - 1], 6) << "intervals of half a second";
 }
 
 TEST(LabelPlanner, ALeapForgetsAndSmallGapsDoNot) {
@@ -194,7 +194,7 @@ TEST(LabelPlanner, ALeapForgetsAndSmallGapsDoNot) {
     EXPECT_TRUE(plan.planner.labels().empty());
     EXPECT_FALSE(plan.planner.is_due(51));
     plan.decide(many, 52);
-    EXPECT_EQ(named(), 20) << "after an epoch without labels";
+    EXPECT_EQ(named(), 20) << "after an interval without labels";
     EXPECT_EQ(flight::decision_interval_of({-1}), -1);
     EXPECT_EQ(flight::decision_interval_of({499'999'999}), 0);
     EXPECT_EQ(flight::decision_interval_of({500'000'000}), 1);
@@ -221,7 +221,7 @@ TEST(LabelPlanner, LooksAreComparedWithTheFrameBefore) {
 /// A country of places, flown over straight on, ten frames a second: what stands in each frame, and how often that changes.
 class Flight {
 public:
-    static constexpr int kFramesAnEpoch = 5;
+    static constexpr int kFramesAnInterval = 5;
     Flight(std::size_t places, double side_m) {
         std::uint32_t state = 12345;
         const auto next = [&] {
@@ -236,7 +236,7 @@ public:
         std::size_t overlaps = 0, changes = 0, worst_second = 0, named = 0, frames = 0;
         [[nodiscard]] double a_second() const { return 10.0 * double(changes) / double(frames); }
     };
-    /// `remembers`: else every epoch is the first one.
+    /// `remembers`: else every interval is the first one.
     Result fly(double seconds, double speed_mps, bool remembers, Plan& plan, double from_s = 0) const {
         Result result;
         std::map<LabelKey, int> before;
@@ -244,10 +244,10 @@ public:
         for (int frame = 0; frame < 10 * seconds; ++frame) {
             const double time_s = from_s + 0.1 * frame;
             const std::vector<Feature> features = seen(speed_mps * time_s, time_s);
-            const auto epoch = static_cast<std::int64_t>(std::floor(2 * time_s + 1e-9));
-            if (plan.planner.is_due(epoch)) {
+            const auto interval = static_cast<std::int64_t>(std::floor(2 * time_s + 1e-9));
+            if (plan.planner.is_due(interval)) {
                 if (!remembers) plan.planner.forget();
-                plan.decide(features, epoch);
+                plan.decide(features, interval);
             }
             std::map<LabelKey, int> now;
             result.overlaps += stand(plan, features, now);

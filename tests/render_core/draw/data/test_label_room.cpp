@@ -20,7 +20,7 @@ TEST(LabelRoom, IsFreeWhereNoBoxIsInTheWay) {
         LabelRoom room({0, 0, 640, 480});
         EXPECT_TRUE(room.is_empty());
         std::vector<Rect> boxes;
-        for (std::size_t n = 0; n < LabelRoom::kMost; ++n) {
+        for (std::size_t n = 0; n < LabelRoom::kMax; ++n) {
             boxes.push_back({next(700) - 30, next(540) - 30, next(60) + 1, next(30) + 1});
             room.take(boxes.back());
         }

@@ -84,7 +84,7 @@ TEST(ObstacleSolids, EveryKindHasItsTrueHeightAndIsClosed) {
         EXPECT_GT(test_support::volume_m3(room.batch, room.batch.pieces()[0]), 0) << kind;
         EXPECT_EQ(test_support::open_edges(room.batch, room.batch.pieces()[0]), 0u) << kind;
         EXPECT_EQ(room.batch.pieces()[0].look.halo_px, 0);
-        EXPECT_EQ(room.batch.pieces()[1].look.halo_px, kLeastHalf_px);
+        EXPECT_EQ(room.batch.pieces()[1].look.halo_px, kMinHalf_px);
     }
 }
 

@@ -102,8 +102,8 @@ TEST(SolidBatch, IndicesStayWithinSixteenBits) {
     const Triangle triangle;
     for (int n = 0; n < 22'000; ++n) ASSERT_TRUE(triangle.add_to(room.batch, {0, 0, 0}));
     ASSERT_EQ(room.batch.pieces().size(), 2u);
-    EXPECT_EQ(room.batch.pieces()[0].vertices, SolidBatch::kMostPieceVertices);
-    EXPECT_EQ(room.batch.pieces()[1].first_vertex, SolidBatch::kMostPieceVertices);
+    EXPECT_EQ(room.batch.pieces()[0].vertices, SolidBatch::kMaxPieceVertices);
+    EXPECT_EQ(room.batch.pieces()[1].first_vertex, SolidBatch::kMaxPieceVertices);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Ink {
 Ink ink_of(Point from, const scene::Wind& wind, const BarbStyle& style) {
     BillboardRoom room;
     EXPECT_TRUE(draw_wind_barb(room.batch, {100, 100}, from, wind, style));
-    EXPECT_LE(room.drawn().size(), kMostBarbVertices);
+    EXPECT_LE(room.drawn().size(), kMaxBarbVertices);
     test_support::Picture picture(200, 200, {0, 0, 0});
     rasterize(room.batch, picture);
     Ink ink;

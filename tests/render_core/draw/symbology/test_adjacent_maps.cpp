@@ -69,10 +69,10 @@ TEST(AdjacentMaps, CellsShareTheRoomThatThereIs) {
     AdjacentInput input = input_of(loaded);
     EXPECT_EQ(map_count(AdjacentInput()), 0u);
     EXPECT_EQ(map_count(input), 1u);
-    EXPECT_EQ(cells_across(input, 500), design::kMostCells);
+    EXPECT_EQ(cells_across(input, 500), design::kMaxCells);
     input.view.cells = 8;
     EXPECT_EQ(cells_across(input, 500), 8u);
-    input.view.cells = design::kMostCells;
+    input.view.cells = design::kMaxCells;
     EXPECT_EQ(cells_across(input, 80), 20u) << "four pixels each at least";
     EXPECT_EQ(cells_across(input, 2), 1u);
     input.view.shows = AdjacentShows::members;
@@ -82,7 +82,7 @@ TEST(AdjacentMaps, CellsShareTheRoomThatThereIs) {
         const std::uint32_t lines = cells_across(input, 500) + 1;
         EXPECT_EQ(map_count(input), most);
         EXPECT_LE(most * lines * lines, kAdjacentCells);
-        EXPECT_GE(cells_across(input, 500), design::kLeastCells);
+        EXPECT_GE(cells_across(input, 500), design::kMinCells);
     }
 }
 

@@ -12,14 +12,14 @@ TEST(AdjacentPlan, MapsAreNoLargerThanWantedWhereThatCanBe) {
     EXPECT_EQ(maps_across({9, 5}, 5), 1u);
     EXPECT_EQ(maps_across({9, 2.5f}, 5), 2u);
     EXPECT_EQ(maps_across({9, 2.4f}, 5), 3u) << "two have a side of 2.425";
-    EXPECT_EQ(maps_across({9, 0.5f}, 5), kMostMapsAcross);
+    EXPECT_EQ(maps_across({9, 0.5f}, 5), kMaxMapsAcross);
     EXPECT_EQ(maps_across({1, 1.6f}, 5), 1u) << "one alone has the whole width";
 }
 
 TEST(AdjacentPlan, EveryMapIsAWholeSquareInThePanelAndCoversNoOther) {
     for (const float t : {8.0f, 12.3f, 16.0f, 25.6f, 72.0f})
         for (std::uint32_t maps = 1; maps <= 16; ++maps)
-            for (std::uint32_t across = 1; across <= kMostMapsAcross; ++across) {
+            for (std::uint32_t across = 1; across <= kMaxMapsAcross; ++across) {
                 const Rect panel{10.3f, 20.7f, 5 * t, adjacent_height(maps, across, 5) * t};
                 const AdjacentPlan plan = plan_adjacent(panel, maps, t);
                 EXPECT_LE(plan.across, across) << "never smaller than there is room for";

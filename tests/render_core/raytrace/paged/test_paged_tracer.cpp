@@ -140,7 +140,7 @@ TEST(PagedTracer, APictureIsTracedInPiecesOfItsRays) {
 
 /// 4,295 million posts, of which 1,025 x 1,025 near its far corner are in memory for comparison.
 TEST(PagedTracer, GroundThatIsNeverInMemoryIsTracedLikeAPartOfItThatIs) {
-    constexpr std::uint32_t kSide = HeightGrid<std::int16_t>::kMostPosts, kFirst = kSide - 2049, kPart = 1025;
+    constexpr std::uint32_t kSide = HeightGrid<std::int16_t>::kMaxPosts, kFirst = kSide - 2049, kPart = 1025;
     test_support::HeightField<std::int16_t> part(kPart, kPart);
     for (std::uint32_t j = 0; j < kPart; ++j)
         for (std::uint32_t i = 0; i < kPart; ++i) part.at(i, j) = test_support::GeneratedChunks::height(kFirst + i, kFirst + j);

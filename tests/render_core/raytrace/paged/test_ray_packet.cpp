@@ -13,7 +13,7 @@ TEST(RayPacket, ThereIsAKernelOfEachWidthThatTheMachineHas) {
     ASSERT_EQ(packets.size(), views.size());
     for (std::size_t n = 0; n < views.size(); ++n) {
         EXPECT_EQ(packets[n].lanes, static_cast<std::uint32_t>(views[n].lanes));
-        EXPECT_LE(packets[n].lanes, RayPacket::kMostLanes);
+        EXPECT_LE(packets[n].lanes, RayPacket::kMaxLanes);
     }
     EXPECT_EQ(packets[packets.size() - 1].lanes, 1u);
     EXPECT_EQ(packet_kernels<std::int16_t>().size(), packets.size());

@@ -69,7 +69,7 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
             for (std::uint32_t y = 0; y < kTiledHeight; y += 7) {
                 terrain.find_surface({y * kTiledWidth + 64, 64}, tiles.picture(), found);
                 for (std::uint32_t n = 0; n < found.count; ++n) {
-                    const RayMeeting one = terrain.meet(camera.ray(64 + n, y));
+                    const RayHit one = terrain.meet(camera.ray(64 + n, y));
                     ASSERT_EQ(found.is_met[n], one.is_met);
                     if (!one.is_met) continue;
                     ++met_pixels;
@@ -117,7 +117,7 @@ TEST_F(KernelTerrainTest, FinerPostsAreTheSamePlaces) {
     own.origin = {20.6, 24.4, 30000};
     own.direction = {0.02f, 0.04f, -1000};
     const Hit hit = trace_ray(field(CellSurface::bilinear), own);
-    const RayMeeting met = fine.meet(ray);
+    const RayHit met = fine.meet(ray);
     ASSERT_TRUE(met.is_met && hit.side != HitSide::none);
     EXPECT_EQ(met.t, hit.t);
     EXPECT_TRUE(fine.is_hidden(ray));

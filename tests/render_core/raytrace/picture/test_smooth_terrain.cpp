@@ -38,7 +38,7 @@ TEST(SmoothTerrain, HasWhatEachRayMeetsAlone) {
                 EXPECT_NEAR(surface.x[x], hit.place.column + hit.place.u, 1e-4);
                 EXPECT_NEAR(surface.slope_x[x], hit.slopes.x, 0.05);
                 EXPECT_NEAR(surface.slope_y[x], hit.slopes.y, 0.05);
-                const RayMeeting one = terrain.meet(camera.ray(x, y));
+                const RayHit one = terrain.meet(camera.ray(x, y));
                 EXPECT_EQ(one.point.height, hit.height);
                 EXPECT_EQ(one.t, surface.t[x]);
             }

@@ -27,7 +27,7 @@ protected:
 
     void any_surface() {
         const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); };
-        surface_.count = PixelSpan::kMost;
+        surface_.count = PixelSpan::kMax;
         for (std::uint32_t n = 0; n < surface_.count; ++n) {
             surface_.is_met[n] = true;
             surface_.x[n] = any(0, kLitPosts - 1);
@@ -46,7 +46,7 @@ protected:
         look_.material.sharpness = 1 + static_cast<std::uint32_t>(any(0, 40));
         find_normals(surface_, kPostScale, light_.normal);
         find_eyes(eye_[0], eye_[1], eye_[2], surface_.count, kPostScale, light_.eye);
-        find_colours(surface_, look_, light_.colour);
+        find_colors(surface_, look_, light_.colour);
     }
     [[nodiscard]] glm::dvec3 normal(std::uint32_t n) const {
         return normal_of({surface_.height[n], surface_.slope_x[n], surface_.slope_y[n]}, kPostScale);
@@ -64,7 +64,7 @@ protected:
     SpanSurface surface_;
     TraceLook look_;
     SpanLight light_;
-    float eye_[3][PixelSpan::kMost];
+    float eye_[3][PixelSpan::kMax];
 };
 
 TEST_F(SpanLightTest, IsLocalLightOfOnePlaceAtATime) {
@@ -118,7 +118,7 @@ TEST_F(SpanLightTest, ColoursGoByHeightFromTheFirstToTheLast) {
     surface_.count = 5;
     const float heights[] = {-50, 100, 150, 250, 900};
     std::copy(heights, heights + 5, surface_.height);
-    find_colours(surface_, look_, light_.colour);
+    find_colors(surface_, look_, light_.colour);
     const glm::vec3 expected[] = {{0, 0, 0}, {0, 0, 0}, {0.5f, 0, 0}, {1, 0.5f, 0.25f}, {1, 1, 0.5f}};
     for (std::uint32_t n = 0; n < 5; ++n)
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(light_.colour[c][n], expected[n][c], 1e-6) << n;

@@ -34,7 +34,7 @@ protected:
             rays_.direction[2][n] = -1;
             origins_[n] = {x, 20.5, 30000};
             rays_.origins = origins_;
-            const RayMeeting met = shader_.terrain->meet(rays_.ray(n));
+            const RayHit met = shader_.terrain->meet(rays_.ray(n));
             surface_.is_met[n] = met.is_met;
             surface_.x[n] = met.x;
             surface_.y[n] = met.y;
@@ -53,9 +53,9 @@ protected:
     SpanShader<std::int16_t> shader_;
     SpanRays rays_;
     SpanSurface surface_;
-    glm::dvec3 origins_[PixelSpan::kMost];
-    std::uint32_t seeds_[PixelSpan::kMost];
-    glm::vec3 light_[PixelSpan::kMost];
+    glm::dvec3 origins_[PixelSpan::kMax];
+    std::uint32_t seeds_[PixelSpan::kMax];
+    glm::vec3 light_[PixelSpan::kMax];
 };
 
 TEST_F(SpanShaderTest, ShadowsLieBehindTheRidgeAsFarAsItsHeightSays) {

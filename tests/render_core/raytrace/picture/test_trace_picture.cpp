@@ -133,7 +133,7 @@ void shade_nothing(void*, const Batch& batch, TokenWriter& out) {
 TEST(TracePicture, TasksReplacedWhileItRunsCountFromThatRoundOn) {
     const auto posts = test_support::fractal_heights(kPictureSide);
     StreamSettings small;
-    small.capacity_words = 2 * kMostOutputWords;
+    small.capacity_words = 2 * kMaxOutputWords;
     std::vector<std::vector<std::uint8_t>> pictures;
     for (const std::uint32_t block : {64u, 512u, 4096u})
         for (const std::uint32_t count : {1u, 2u, 3u, 7u}) {

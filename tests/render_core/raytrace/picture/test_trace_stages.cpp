@@ -23,7 +23,7 @@ TEST(TraceStages, SpansCoverEveryPixelOnceWhateverTheView) {
             const PixelSpan span = stages.span(n);
             for (std::uint32_t k = 0; k < span.count; ++k) {
                 ++covered[span.first + k];
-                ASSERT_EQ(stages.place_of(span.first + k), n * PixelSpan::kMost + k);
+                ASSERT_EQ(stages.place_of(span.first + k), n * PixelSpan::kMax + k);
             }
         }
         EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), static_cast<std::ptrdiff_t>(covered.size())) << camera;
@@ -85,7 +85,7 @@ TEST(TraceStages, AMirrorShowsWhatAnEyeBehindItWouldSee) {
     for (std::uint32_t y = 0; y < 30; ++y)
         for (std::uint32_t x = 0; x < 40; ++x) {
             const Ray ray = drawn.scene.sight().camera.ray(x, y);
-            const RayMeeting met = terrain.meet(ray);
+            const RayHit met = terrain.meet(ray);
             const std::size_t at = y * 40 + x;
             if (!met.is_met || met.point.height > 0) {
                 EXPECT_EQ(with[at], without[at]);
@@ -94,7 +94,7 @@ TEST(TraceStages, AMirrorShowsWhatAnEyeBehindItWouldSee) {
             Ray behind = ray;
             behind.origin = {met.x, met.y, 0.1};
             behind.direction.z = -ray.direction.z;
-            const RayMeeting seen = terrain.meet(behind);
+            const RayHit seen = terrain.meet(behind);
             if (!seen.is_met) {
                 ++of_sky;
                 const glm::vec3 right = 0.5f * without[at] + 0.5f * drawn.look.background;

@@ -21,14 +21,14 @@ Ray random_ray(Dice& dice, double columns, double rows, double height) {
     return ray;
 }
 
-/// Marched in a hundredth of a cell; NaN where there is no surface.
-struct Marched {
+/// Traversed in a hundredth of a cell; NaN where there is no surface.
+struct Traversed {
     double t = -1, least_clearance = 1e30;
 };
 
 template <class Height>
-Marched march(const SurfaceScene<Height>& scene, const Ray& ray) {
-    Marched found;
+Traversed march(const SurfaceScene<Height>& scene, const Ray& ray) {
+    Traversed found;
     const double steps = 100 * std::hypot(ray.direction.x, ray.direction.y) * 1.5;
     bool is_first = true, was_above = true;
     for (double n = 0; n <= steps; ++n) {
@@ -60,7 +60,7 @@ TEST(TraceSurface, IsWhereAFineMarchChangesSides) {
             Ray ray = random_ray(dice, 36, 28, 30);
             ray.to = 1.5f;
             const SurfaceHit hit = scene.trace(ray);
-            const Marched marched = march(scene, ray);
+            const Traversed marched = march(scene, ray);
             if ((hit.side != HitSide::none) != (marched.t >= 0)) {
                 ++unlike;
                 EXPECT_LT(marched.least_clearance, 2) << "only where the march may step over something";

@@ -53,7 +53,7 @@ TEST(StraightPieces, OneLineForAllOfARayIsFurtherOff) { EXPECT_GT(worst_share(46
 TEST(StraightPieces, SayWhereTheyEndWhenThereAreTooMany) {
     const earth::Ecef near_pole = earth::to_ecef({base::radians(89.9), 0, {3000}});
     const PieceEnds ends = cut_rays(near_pole, kAngle, 1, 400000);
-    EXPECT_EQ(ends.count, PieceEnds::kMost);
+    EXPECT_EQ(ends.count, PieceEnds::kMax);
     EXPECT_LT(ends.end[ends.count], 400000);
     for (int n = 0; n < ends.count; ++n) EXPECT_LT(ends.end[n], ends.end[n + 1]);
 }

@@ -129,7 +129,7 @@ TEST(TraceGround, MeetsWhatRaysOfTheWorldMeet) {
         for (const terrain::View& seen : test_support::some_views(ground.tdb, 10, 7, 4)) {
             const terrain::View view = small(seen);
             ASSERT_TRUE(can_trace(ground.space, view));
-            const Verdict one = judge(ground, view, traced(ground, view, view_kernels<float>()[0], workers), kMostOff_px);
+            const Verdict one = judge(ground, view, traced(ground, view, view_kernels<float>()[0], workers), kMaxOff_px);
             all.hits += one.hits;
             all.misses += one.misses;
             all.wrong += one.wrong;
@@ -151,7 +151,7 @@ TEST(TraceGround, ControlWithoutCurvature) {
         GroundPicture picture(view);
         test_support::trace_view(ground.field(), flat, view_kernels<float>()[0], workers, view.width, view.height,
                                  picture.hits());
-        wrong += judge(ground, view, picture, kMostOff_px).wrong;
+        wrong += judge(ground, view, picture, kMaxOff_px).wrong;
     }
     EXPECT_GT(wrong, 100u);
 }
@@ -207,8 +207,8 @@ TEST(FitCamera, IsOffByNoMoreThanItMay) {
                 }
             }
     }
-    EXPECT_LT(worst, kMostOff_px);
-    EXPECT_GT(worst, 0.5 * kMostOff_px);  // the bound is a close one
+    EXPECT_LT(worst, kMaxOff_px);
+    EXPECT_GT(worst, 0.5 * kMaxOff_px);  // the bound is a close one
 }
 
 }  // namespace

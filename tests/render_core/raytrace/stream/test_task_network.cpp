@@ -48,7 +48,7 @@ TEST(TaskNetwork, RefusesInOneSentence) {
     EXPECT_FALSE(tasks.network.replace(60, task).ok());
     EXPECT_FALSE(tasks.network.remove(60).ok());
     EXPECT_FALSE(tasks.network.set_next(tasks.add, 60).ok());
-    while (tasks.network.size() < kMostTasks) ASSERT_TRUE(tasks.network.add(task).ok());
+    while (tasks.network.size() < kMaxTasks) ASSERT_TRUE(tasks.network.add(task).ok());
     EXPECT_FALSE(tasks.network.add(task).ok());
     EXPECT_FALSE(tasks.network.insert(tasks.add, task).ok());
     EXPECT_EQ(tasks.network.task(tasks.add).most_outputs, 1u);  // as it was

@@ -1,8 +1,8 @@
-#include "render_core/raytrace/stream/pass_crew.hpp"
+#include "render_core/raytrace/stream/thread_team.hpp"
 
 #include "tests/support/rewritten_stream.hpp"
 
-namespace tedavis::raytrace::test_pass_crew {
+namespace tedavis::raytrace::test_thread_team {
 namespace {
 
 constexpr std::uint32_t kWorks = 300, kPasses = 200;
@@ -21,7 +21,7 @@ struct Passes {
         passes.values[index] = passes.values[index] * 31 + index;  // by another worker in each pass
         --passes.busy[lane];
     }
-    static void lead(void* self, PassCrew& crew) {
+    static void lead(void* self, ThreadTeam& crew) {
         Passes& passes = *static_cast<Passes*>(self);
         ++passes.leads;
         for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
@@ -31,15 +31,15 @@ struct Passes {
     }
 };
 
-TEST(PassCrew, EveryPassIsDoneOnceAndWhole) {
+TEST(ThreadTeam, EveryPassIsDoneOnceAndWhole) {
     base::SerialWorkers serial;
     Passes expected;
-    PassCrew::run(serial, 1, &Passes::lead, &expected);
+    ThreadTeam::run(serial, 1, &Passes::lead, &expected);
     for (const std::uint32_t count : test_support::kWorkerCounts) {
         const std::unique_ptr<base::Workers> workers = test_support::make_workers(count);
         for (int run = 0; run < 5; ++run) {
             Passes passes;
-            PassCrew::run(*workers, count, &Passes::lead, &passes);
+            ThreadTeam::run(*workers, count, &Passes::lead, &passes);
             EXPECT_EQ(passes.leads, 1u);
             EXPECT_EQ(passes.faults, 0u);
             EXPECT_EQ(passes.lane_faults, 0u);
@@ -48,14 +48,14 @@ TEST(PassCrew, EveryPassIsDoneOnceAndWhole) {
     }
 }
 
-TEST(PassCrew, TheLeaderNeedsNobody) {
+TEST(ThreadTeam, TheLeaderNeedsNobody) {
     base::SerialWorkers serial;  // one after the other: the others come when all is over
     Passes passes;
-    PassCrew::run(serial, 7, &Passes::lead, &passes);
+    ThreadTeam::run(serial, 7, &Passes::lead, &passes);
     EXPECT_EQ(passes.leads, 1u);
     EXPECT_EQ(passes.faults, 0u);
     EXPECT_EQ(passes.done[0], kPasses);
 }
 
 }  // namespace
-}  // namespace tedavis::raytrace::test_pass_crew
+}  // namespace tedavis::raytrace::test_thread_team

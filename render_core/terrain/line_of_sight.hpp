@@ -22,7 +22,7 @@
 
 namespace tedavis::terrain {
 
-class DrawnSight {
+class LineOfSight {
 public:
     static constexpr double kTail = 0.005;
     /// Share of its way at which a sight ends: all but kTail; of an eye that sees little of the far, but kTail of what it sees
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] static double reach(const View& view);
 
     /// Everything must stay, and the selection be of this frame, its payloads in memory.
-    DrawnSight(const Lattice& lattice, base::Span<const SelectedChunk> selected, DrawnMeshes& meshes, const View& view)
+    LineOfSight(const Lattice& lattice, base::Span<const SelectedChunk> selected, DrawnMeshes& meshes, const View& view)
         : lattice_(lattice), selected_(selected), meshes_(meshes), view_(view) {}
 
     /// `place` in ECEF, m. False for what does not lie beyond the near plane: nobody looks there; and

@@ -32,9 +32,9 @@ struct FlownPoint {
 /// Of the own ship's estimate and the signals that are valid now.
 [[nodiscard]] FlownPoint flown_point(const AircraftState& aircraft, base::Time now) noexcept;
 
-class FlownWay {
+class FlightTrail {
 public:
-    static constexpr std::size_t kMost = 128;
+    static constexpr std::size_t kMax = 128;
     static constexpr base::Duration kSpacing = base::Duration::seconds(2);
     static constexpr base::Duration kLongestGap = base::Duration::seconds(5);
     static constexpr double kFastest_mps = 700, kLeap_m = 500;  ///< farther than both together is a leap
@@ -43,7 +43,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return count_; }
     /// The oldest first.
-    [[nodiscard]] const FlownPoint& operator[](std::size_t n) const { return points_[(first_ + n) % kMost]; }
+    [[nodiscard]] const FlownPoint& operator[](std::size_t n) const { return points_[(first_ + n) % kMax]; }
     /// How many points there have been before the oldest: its number, which stays with it.
     [[nodiscard]] std::uint64_t number_of_oldest() const { return passed_; }
     /// True where the last part goes on to a point: what is drawn may join them.
@@ -54,12 +54,12 @@ private:
     void add(const FlownPoint& point);
     [[nodiscard]] const FlownPoint& last() const { return (*this)[count_ - 1]; }
 
-    std::array<FlownPoint, kMost> points_{};
+    std::array<FlownPoint, kMax> points_{};
     std::size_t first_ = 0, count_ = 0;
     std::uint64_t passed_ = 0;
     base::Time last_step_;
     bool is_broken_ = false;
 };
-static_assert(std::is_trivially_copyable_v<FlownWay>);
+static_assert(std::is_trivially_copyable_v<FlightTrail>);
 
 }  // namespace tedavis::flight

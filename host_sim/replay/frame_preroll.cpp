@@ -1,4 +1,4 @@
-#include "host_sim/replay/frame_approach.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +14,16 @@ constexpr base::Duration kLongestFade = base::Duration::from_seconds(design::kLo
 
 }  // namespace
 
-base::Time FrameApproach::grid_time(std::int64_t frame) const {
+base::Time FramePreroll::grid_time(std::int64_t frame) const {
     return player_.first() + base::Duration::from_seconds(static_cast<double>(frame) / rate_hz_);
 }
 
-void FrameApproach::approach(base::Time time) {
-    approach_frame(time);
-    reach_epoch(time);
+void FramePreroll::preroll(base::Time time) {
+    preroll_frame(time);
+    reach_interval(time);
 }
 
-void FrameApproach::approach_frame(base::Time time) {
+void FramePreroll::preroll_frame(base::Time time) {
     const auto frame = static_cast<std::int64_t>(std::llround((time - player_.first()).to_seconds() * rate_hz_));
     const base::Duration off_grid = time - grid_time(frame);
     const bool is_on_grid = std::abs(off_grid.ns) <= 1;
@@ -32,11 +32,11 @@ void FrameApproach::approach_frame(base::Time time) {
     const bool is_governed = display_.frame_budget().is_held();
     if (follows && is_governed) learn(frame);
     if (follows) return;
-    display_.forget_turns();
+    display_.cut_to_design();
     const std::int64_t needed = first_needed(frame, time);
     if (is_governed) reach(std::max<std::int64_t>(frame, 0), std::max<std::int64_t>(needed, 0));
     if (is_governed && is_on_grid) return;
-    if (is_governed) display_.forget_turns();
+    if (is_governed) display_.cut_to_design();
     const effects::FrameGovernor governor = display_.frame_budget().governor();
     for (std::int64_t planned = needed - kWindow; planned < frame; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
@@ -47,7 +47,7 @@ void FrameApproach::approach_frame(base::Time time) {
 }
 
 /// The frame itself, or the one that measured what it shows, or the last one before the phase's design began to take its place.
-std::int64_t FrameApproach::first_needed(std::int64_t frame, base::Time time) {
+std::int64_t FramePreroll::first_needed(std::int64_t frame, base::Time time) {
     const auto frames_since = [&](base::Time since) {
         return static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_ + 1e-6));
     };
@@ -58,7 +58,7 @@ std::int64_t FrameApproach::first_needed(std::int64_t frame, base::Time time) {
 }
 
 /// Plans the frames of the grid before this one, from the last one on whose governor is known, but not after the one needed.
-void FrameApproach::reach(std::int64_t frame, std::int64_t needed) {
+void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
     effects::FrameBudget& budget = display_.frame_budget();
     if (rungs_.empty()) {
         budget.restore(effects::FrameGovernor());
@@ -77,7 +77,7 @@ void FrameApproach::reach(std::int64_t frame, std::int64_t needed) {
 }
 
 /// The display has planned every frame before this one.
-void FrameApproach::learn(std::int64_t frame) {
+void FramePreroll::learn(std::int64_t frame) {
     if (frame != static_cast<std::int64_t>(rungs_.size())) return;
     const effects::FrameGovernor& governor = display_.frame_budget().governor();
     rungs_.push_back(static_cast<std::uint8_t>(governor.rung()));
@@ -85,60 +85,60 @@ void FrameApproach::learn(std::int64_t frame) {
 }
 
 /// The terrain of a frame is chosen by the rung before it; nothing else of the governor matters to it.
-void FrameApproach::restore_rung(std::int64_t frame) {
+void FramePreroll::restore_rung(std::int64_t frame) {
     const auto known = static_cast<std::size_t>(std::max<std::int64_t>(frame, 0));
     display_.frame_budget().restore(effects::FrameGovernor(rungs_[known]));
 }
 
-void FrameApproach::plan(base::Time time) {
-    reach_epoch(time);
+void FramePreroll::plan(base::Time time) {
+    reach_interval(time);
     const flight::FrameInput input = player_.at(time);
-    display_.approach(input.state, input.phase, time, input.trail);
+    display_.preroll(input.state, input.phase, time, input.trail);
     if (display_.must_be_drawn()) session_.draw();
 }
 
-/// Decides the epochs up to this time's, from the last one on whose memory is known.
-void FrameApproach::reach_epoch(base::Time time) {
-    if (!display_.has_epochs()) return;
+/// Decides the intervals up to this time's, from the last one on whose memory is known.
+void FramePreroll::reach_interval(base::Time time) {
+    if (!display_.has_intervals()) return;
     const std::int64_t first = flight::decision_interval_of(player_.first());
     const std::int64_t wanted = std::max(flight::decision_interval_of(time), first);
-    const auto after = epochs_.upper_bound(wanted);
-    const std::int64_t known = after == epochs_.begin() ? first - 1 : std::prev(after)->first;
+    const auto after = intervals_.upper_bound(wanted);
+    const std::int64_t known = after == intervals_.begin() ? first - 1 : std::prev(after)->first;
     // From one frame to the next they go on by themselves: what the frame before showed of them is in no memory.
-    if (!epoch_ || wanted < *epoch_ || *epoch_ + kKeptEpochs < known) restore_epoch(known);
-    while (*epoch_ < wanted) {
-        if (display_.epoch_is_anew()) restore_epoch(*epoch_);
-        const std::int64_t epoch = *epoch_ + 1;
-        const base::Time begins = std::max(base::Time{epoch * flight::kDecisionInterval.ns}, player_.first());
+    if (!interval_ || wanted < *interval_ || *interval_ + kKeptIntervals < known) restore_interval(known);
+    while (*interval_ < wanted) {
+        if (display_.interval_is_anew()) restore_interval(*interval_);
+        const std::int64_t interval = *interval_ + 1;
+        const base::Time begins = std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first());
         const flight::PhaseStatus phase = phase_before(begins);
-        display_.approach_epoch(player_.at(begins).state, phase, begins);
-        keep_epoch(epoch);
-        epoch_ = epoch;
+        display_.preroll_interval(player_.at(begins).state, phase, begins);
+        keep_interval(interval);
+        interval_ = interval;
     }
 }
 
-/// Before the log's first epoch there are none.
-void FrameApproach::restore_epoch(std::int64_t epoch) {
-    const auto kept = epochs_.find(epoch);
-    display_.restore(kept == epochs_.end() ? display::EpochMemory() : kept->second);
-    epoch_ = epoch;
+/// Before the log's first interval there are none.
+void FramePreroll::restore_interval(std::int64_t interval) {
+    const auto kept = intervals_.find(interval);
+    display_.restore(kept == intervals_.end() ? display::IntervalMemory() : kept->second);
+    interval_ = interval;
 }
 
 /// Of the last frame of the grid before this time: what it is told the next frame shows.
-flight::PhaseStatus FrameApproach::phase_before(base::Time time) {
+flight::PhaseStatus FramePreroll::phase_before(base::Time time) {
     const auto frame = static_cast<std::int64_t>(std::ceil((time - player_.first()).to_seconds() * rate_hz_ - 1e-6)) - 1;
     return player_.at(std::max(grid_time(frame), player_.first())).phase;
 }
 
-void FrameApproach::keep_epoch(std::int64_t epoch) {
-    epochs_[epoch] = display_.epoch();
-    if ((epoch - kKeptEpochs) % kKeepEvery != 0) epochs_.erase(epoch - kKeptEpochs);
+void FramePreroll::keep_interval(std::int64_t interval) {
+    intervals_[interval] = display_.interval_memory();
+    if ((interval - kKeptIntervals) % kKeepEvery != 0) intervals_.erase(interval - kKeptIntervals);
 }
 
-void FrameApproach::forget() {
+void FramePreroll::forget() {
     last_.reset();
-    epochs_.clear();
-    epoch_.reset();
+    intervals_.clear();
+    interval_.reset();
     rungs_.clear();
     governors_.clear();
 }

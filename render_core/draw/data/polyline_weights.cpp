@@ -1,4 +1,4 @@
-#include "render_core/draw/data/way_weights.hpp"
+#include "render_core/draw/data/polyline_weights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ struct Farthest {
     double distance_m = -1;
 };
 
-Farthest farthest_of(base::Span<const WayPoint> points, const WayStretch& stretch) {
+Farthest farthest_of(base::Span<const PolylineVertex> points, const PolylineStretch& stretch) {
     Farthest found;
     for (std::uint32_t n = stretch.first + 1; n < stretch.last; ++n) {
         const double distance_m = distance_from_way(points[n], points[stretch.first], points[stretch.last]);
@@ -24,7 +24,7 @@ Farthest farthest_of(base::Span<const WayPoint> points, const WayStretch& stretc
 
 }  // namespace
 
-double distance_from_way(const WayPoint& point, const WayPoint& from, const WayPoint& to) noexcept {
+double distance_from_way(const PolylineVertex& point, const PolylineVertex& from, const PolylineVertex& to) noexcept {
     const glm::dvec3 way = to.place - from.place, gone = point.place - from.place;
     const double squared = glm::dot(way, way);
     const double share = squared > 0 ? std::clamp(glm::dot(gone, way) / squared, 0.0, 1.0) : 0;
@@ -37,7 +37,8 @@ double distance_from_way(const WayPoint& point, const WayPoint& from, const WayP
     return distance_m;
 }
 
-void weigh_way(base::Span<const WayPoint> points, base::Span<float> weights, base::Span<WayStretch> waiting) noexcept {
+void weigh_vertices(base::Span<const PolylineVertex> points, base::Span<float> weights,
+                    base::Span<PolylineStretch> waiting) noexcept {
     if (points.empty()) return;
     constexpr float kAll = std::numeric_limits<float>::infinity();
     const auto last = static_cast<std::uint32_t>(points.size() - 1);
@@ -46,7 +47,7 @@ void weigh_way(base::Span<const WayPoint> points, base::Span<float> weights, bas
     std::size_t count = 0;
     if (last > 1) waiting[count++] = {0, last, kAll};
     while (count > 0) {
-        const WayStretch stretch = waiting[--count];
+        const PolylineStretch stretch = waiting[--count];
         const Farthest farthest = farthest_of(points, stretch);
         const float weight_m = std::min(static_cast<float>(farthest.distance_m), stretch.weight_m);
         weights[farthest.point] = weight_m;

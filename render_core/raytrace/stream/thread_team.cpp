@@ -1,10 +1,10 @@
-#include "render_core/raytrace/stream/pass_crew.hpp"
+#include "render_core/raytrace/stream/thread_team.hpp"
 
 namespace tedavis::raytrace {
 namespace {
 
 /// Some tenth of a millisecond: longer than the leader takes between two passes, shorter than a time slice.
-constexpr std::uint32_t kMostLooks = 1u << 14;
+constexpr std::uint32_t kMaxLooks = 1u << 14;
 
 void rest_shortly() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -16,19 +16,19 @@ void rest_shortly() {
 
 }  // namespace
 
-void PassCrew::run(base::Workers& workers, std::uint32_t lanes, Lead lead, void* context) {
-    PassCrew crew(lead, context, lanes);
+void ThreadTeam::run(base::Workers& workers, std::uint32_t lanes, Lead lead, void* context) {
+    ThreadTeam crew(lead, context, lanes);
     if (lanes < 2) return lead(context, crew);
-    workers.parallel_for(lanes, &PassCrew::enter, &crew);
+    workers.parallel_for(lanes, &ThreadTeam::enter, &crew);
 }
 
-void PassCrew::serve() {
+void ThreadTeam::serve() {
     const std::uint32_t lane = arrived_.fetch_add(1, std::memory_order_relaxed);
     if (lane == 0) {
         lead_(lead_context_, *this);
         return is_over_.store(true, std::memory_order_relaxed);
     }
-    for (std::uint32_t looks = 0; looks < kMostLooks; ++looks) {
+    for (std::uint32_t looks = 0; looks < kMaxLooks; ++looks) {
         if (is_over_.load(std::memory_order_relaxed)) return;
         if (take_one(lane))
             looks = 0;
@@ -38,7 +38,7 @@ void PassCrew::serve() {
     lost_.fetch_add(1, std::memory_order_relaxed);
 }
 
-bool PassCrew::take_one(std::uint32_t lane) {
+bool ThreadTeam::take_one(std::uint32_t lane) {
     std::uint64_t ticket = ticket_.load(std::memory_order_relaxed);
     if (static_cast<std::uint32_t>(ticket) >= ticket >> 32) return false;
     ticket = ticket_.fetch_add(1, std::memory_order_acquire);
@@ -49,7 +49,7 @@ bool PassCrew::take_one(std::uint32_t lane) {
     return true;
 }
 
-void PassCrew::share(std::uint32_t count, Work work, void* context) {
+void ThreadTeam::share(std::uint32_t count, Work work, void* context) {
     if (lanes_ < 2 || count < 2) {
         for (std::uint32_t n = 0; n < count; ++n) work(context, n, 0);
         return;

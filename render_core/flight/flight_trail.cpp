@@ -1,4 +1,4 @@
-#include "render_core/flight/flown_way.hpp"
+#include "render_core/flight/flight_trail.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -17,7 +17,7 @@ float valid_or_nan(const AircraftState& aircraft, Signal signal, base::Time now)
 bool leaps(const FlownPoint& from, const FlownPoint& to) {
     const glm::dvec3 a = earth::to_ecef({from.latitude_rad, from.longitude_rad, {0}}),
                      b = earth::to_ecef({to.latitude_rad, to.longitude_rad, {0}});
-    return glm::distance(a, b) > FlownWay::kLeap_m + FlownWay::kFastest_mps * (to.at - from.at).to_seconds();
+    return glm::distance(a, b) > FlightTrail::kLeap_m + FlightTrail::kFastest_mps * (to.at - from.at).to_seconds();
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ FlownPoint flown_point(const AircraftState& aircraft, base::Time now) noexcept {
     return point;
 }
 
-void FlownWay::step(const AircraftState& aircraft, base::Time now) {
+void FlightTrail::step(const AircraftState& aircraft, base::Time now) {
     if (count_ > 0 && now < last_step_) clear();
     FlownPoint point = flown_point(aircraft, now);
     const bool has_place =
@@ -55,23 +55,23 @@ void FlownWay::step(const AircraftState& aircraft, base::Time now) {
     is_broken_ = false;
 }
 
-bool FlownWay::goes_on_to(const FlownPoint& next) const {
+bool FlightTrail::goes_on_to(const FlownPoint& next) const {
     return count_ > 0 && !is_broken_ && next.at >= last_step_ && next.at - last_step_ <= kLongestGap &&
            next.is_geometric == last().is_geometric && !leaps(last(), next);
 }
 
-void FlownWay::clear() {
+void FlightTrail::clear() {
     passed_ += count_;
     first_ = count_ = 0;
 }
 
-void FlownWay::add(const FlownPoint& point) {
-    if (count_ == kMost) {
-        first_ = (first_ + 1) % kMost;
+void FlightTrail::add(const FlownPoint& point) {
+    if (count_ == kMax) {
+        first_ = (first_ + 1) % kMax;
         ++passed_;
         --count_;
     }
-    points_[(first_ + count_++) % kMost] = point;
+    points_[(first_ + count_++) % kMax] = point;
 }
 
 }  // namespace tedavis::flight

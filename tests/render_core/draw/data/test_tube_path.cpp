@@ -1,4 +1,4 @@
-#include "render_core/draw/data/tube_way.hpp"
+#include "render_core/draw/data/tube_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/built_element.hpp"
 
-namespace tedavis::draw::test_tube_way {
+namespace tedavis::draw::test_tube_path {
 namespace {
 
 using test_support::ElementOfTest;
@@ -36,7 +36,7 @@ host_sim::LayerDraft circling(std::size_t count) {
 
 class TubeWayOfTest : public ::testing::Test {
 protected:
-    TubeWayOfTest() : memory_(TubeWay::bytes_needed() + TubeLine::bytes_needed(kRoom)) {
+    TubeWayOfTest() : memory_(TubePath::bytes_needed() + TubeLine::bytes_needed(kRoom)) {
         base::Arena arena(memory_.data(), memory_.size());
         EXPECT_TRUE(way.start(arena) && line.start(arena, kRoom));
     }
@@ -49,7 +49,7 @@ protected:
     }
 
     static constexpr std::uint32_t kRoom = 4096;
-    TubeWay way;
+    TubePath way;
     TubeLine line;
 
 private:
@@ -186,4 +186,4 @@ TEST_F(TubeWayOfTest, InSpaceTimeHeightIsTime) {
 }
 
 }  // namespace
-}  // namespace tedavis::draw::test_tube_way
+}  // namespace tedavis::draw::test_tube_path

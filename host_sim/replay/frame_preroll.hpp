@@ -13,10 +13,10 @@
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
 /// every kKeepEvery frames.
 ///
-/// Which labels stand, and how much hazards raise the weights of aspects, follows from all epochs of half a second since the
+/// Which labels stand, and how much hazards raise the weights of aspects, follows from all intervals of half a second since the
 /// log's start (display/element_labels.hpp, policy/priority_boost.hpp): each is decided once, by the instant at which it begins
-/// and the design of the frame before, without the frames between; their memory is kept every kKeepEvery epochs, and of the last
-/// kKeptEpochs.
+/// and the design of the frame before, without the frames between; their memory is kept every kKeepEvery intervals, and of the
+/// last kKeptIntervals.
 #pragma once
 
 #include <cstdint>
@@ -29,29 +29,29 @@
 
 namespace tedavis::host_sim {
 
-class FrameApproach {
+class FramePreroll {
 public:
-    FrameApproach(FlightPlayer& player, DisplaySession& session, double rate_hz)
+    FramePreroll(FlightPlayer& player, DisplaySession& session, double rate_hz)
         : player_(player), session_(session), display_(session.display()), rate_hz_(rate_hz) {}
 
     /// Call before the frame of this instant is drawn.
-    void approach(base::Time time);
+    void preroll(base::Time time);
     /// What was decided holds no more: design, switches or camera are others.
     void forget();
 
 private:
-    static constexpr std::int64_t kKeepEvery = 16, kKeptEpochs = 4;
+    static constexpr std::int64_t kKeepEvery = 16, kKeptIntervals = 4;
     [[nodiscard]] base::Time grid_time(std::int64_t frame) const;
     [[nodiscard]] std::int64_t first_needed(std::int64_t frame, base::Time time);
-    void approach_frame(base::Time time);
+    void preroll_frame(base::Time time);
     void plan(base::Time time);
     void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
     void restore_rung(std::int64_t frame);
-    void reach_epoch(base::Time time);
-    void restore_epoch(std::int64_t epoch);
+    void reach_interval(base::Time time);
+    void restore_interval(std::int64_t interval);
     [[nodiscard]] flight::PhaseStatus phase_before(base::Time time);
-    void keep_epoch(std::int64_t epoch);
+    void keep_interval(std::int64_t interval);
 
     FlightPlayer& player_;
     DisplaySession& session_;
@@ -61,8 +61,8 @@ private:
     // Before the frames of the grid, from the log's first on.
     std::vector<std::uint8_t> rungs_;
     std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
-    std::optional<std::int64_t> epoch_;              ///< that the display's weights and labels are of
-    std::map<std::int64_t, display::EpochMemory> epochs_;
+    std::optional<std::int64_t> interval_;           ///< that the display's weights and labels are of
+    std::map<std::int64_t, display::IntervalMemory> intervals_;
 };
 
 }  // namespace tedavis::host_sim

@@ -22,7 +22,7 @@ struct DataGrid {
     double step_x = 1, step_y = 1;    ///< from post to post, in posts of the terrain; not 0
 };
 
-struct DataColour {
+struct DataColor {
     glm::vec3 colour{0};
     float cover = 0;  ///< 0: the terrain alone; 1: the data alone
 };
@@ -53,11 +53,11 @@ struct DataLegend {
     return share >= static_cast<float>(classes) ? classes - 1 : static_cast<std::size_t>(share);
 }
 
-[[nodiscard]] inline DataColour data_colour(const DataGrid& values, const DataGrid& uncertainties, const DataLegend& legend,
-                                            double x, double y) {
+[[nodiscard]] inline DataColor data_color(const DataGrid& values, const DataGrid& uncertainties, const DataLegend& legend,
+                                          double x, double y) {
     const float value = value_at(values, x, y), uncertainty = value_at(uncertainties, x, y);
     if (std::isnan(value) || std::isnan(uncertainty) || legend.palette.empty()) return {};
-    DataColour found;
+    DataColor found;
     found.colour = legend.palette[class_of(value, legend.lowest, legend.highest, legend.palette.size())];
     const float doubt = (uncertainty - legend.certain) / (legend.uncertain - legend.certain);
     found.cover = legend.cover * (1 - std::clamp(doubt, 0.0f, 1.0f));

@@ -1,5 +1,5 @@
 // What a frame shows must not depend on how a run came to it.
-#include "host_sim/replay/frame_approach.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/scene_drafts.hpp"
 
-namespace tedavis::host_sim::test_frame_approach {
+namespace tedavis::host_sim::test_frame_preroll {
 namespace {
 
 const test_support::FlownFiles& files() {
@@ -48,14 +48,14 @@ struct Frame {
 };
 
 /// Frames by their time, in the order of the run.
-std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool approached) {
+std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool has_preroll) {
     DisplaySession session(asked.picture, false);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
-    FrameApproach approach(player, session, session.device().frame_rate_hz);
+    FramePreroll preroll(player, session, session.device().frame_rate_hz);
     std::map<std::int64_t, Frame> frames;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
-        if (approached) approach.approach(times.at(n));
+        if (has_preroll) preroll.preroll(times.at(n));
         const flight::FrameInput instant = player.at(times.at(n));
         session.display().update(instant.state, instant.phase, times.at(n));
         session.draw();
@@ -86,7 +86,7 @@ const std::map<std::int64_t, Frame>& whole() {
 }
 
 /// The bus has not said enough for terrain at the log's start; soon after it has.
-TEST(FrameApproach, TerrainAppearsAndArrivesWithinTheWholeRun) {
+TEST(FramePreroll, TerrainAppearsAndArrivesWithinTheWholeRun) {
     ASSERT_EQ(whole().size(), 61u);
     int without = 0, pending = 0, complete = 0;
     for (const auto& [time, frame] : whole()) {
@@ -99,24 +99,24 @@ TEST(FrameApproach, TerrainAppearsAndArrivesWithinTheWholeRun) {
     EXPECT_GT(complete, 10);
 }
 
-TEST(FrameApproach, APartOfARunHasTheFramesOfTheWhole) {
+TEST(FramePreroll, APartOfARunHasTheFramesOfTheWhole) {
     for (const double frames : {1.0, 5.0, 8.0, 9.0, 20.0, 33.0, 45.0})
         EXPECT_EQ(differences(whole(), run(options(frames * kStep_s, 2, kStep_s), true)), 0u) << "from frame " << frames;
     EXPECT_GT(differences(whole(), run(options(45 * kStep_s, 2, kStep_s), false)), 0u) << "control";
 }
 
-TEST(FrameApproach, BackwardsHasTheFramesOfForwards) {
+TEST(FramePreroll, BackwardsHasTheFramesOfForwards) {
     EXPECT_EQ(differences(whole(), run(options(0, 2, -kStep_s), true)), 0u);
     EXPECT_GT(differences(whole(), run(options(0, 2, -kStep_s), false)), 0u) << "control";
 }
 
-TEST(FrameApproach, OtherStepsMeetTheSameFrames) {
+TEST(FramePreroll, OtherStepsMeetTheSameFrames) {
     for (const double frames : {2.0, 7.0, -15.0})
         EXPECT_EQ(differences(whole(), run(options(0, 2, frames * kStep_s), true)), 0u) << "every " << frames << "th";
 }
 
 /// Between the frames of the device too.
-TEST(FrameApproach, AnInstantIsTheSameHoweverItIsReached) {
+TEST(FramePreroll, AnInstantIsTheSameHoweverItIsReached) {
     const auto forth = run(options(0.011, 1.811, 0.15), true);
     EXPECT_EQ(differences(forth, run(options(0.011, 1.811, -0.15), true)), 0u);
 }
@@ -129,18 +129,18 @@ effects::CostTable costs_of_triangles() {
     return costs;
 }
 
-std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool approached, std::size_t* most_rungs = nullptr) {
+std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_preroll, std::size_t* most_rungs = nullptr) {
     DisplaySession session(asked.picture, false);
     effects::GovernorSettings settings;
     settings.dwell = base::Duration::milliseconds(200);
     session.display().frame_budget().hold(kScarce_ms, costs_of_triangles(), settings);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
-    FrameApproach approach(player, session, session.device().frame_rate_hz);
+    FramePreroll preroll(player, session, session.device().frame_rate_hz);
     std::map<std::int64_t, Frame> frames;
     std::set<std::uint32_t> rungs;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
-        if (approached) approach.approach(times.at(n));
+        if (has_preroll) preroll.preroll(times.at(n));
         const flight::FrameInput instant = player.at(times.at(n));
         session.display().update(instant.state, instant.phase, times.at(n));
         session.draw();
@@ -156,7 +156,7 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool approach
     return frames;
 }
 
-TEST(FrameApproach, WhatTheGovernorDecidesIsTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, WhatTheGovernorDecidesIsTheSameHoweverAFrameIsReached) {
     std::size_t rungs = 0;
     const auto all = governed(options(0, 4, kStep_s), true, &rungs);
     ASSERT_GT(rungs, 1u) << "it has something to decide";
@@ -198,7 +198,7 @@ ReplayOptions of_two_designs(double from_s, double to_s, double step_s) {
     return o;
 }
 
-TEST(FrameApproach, AFadeOfTwoDesignsIsTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, AFadeOfTwoDesignsIsTheSameHoweverAFrameIsReached) {
     const auto all = run(of_two_designs(1.4, 2.4, kStep_s), true);
     for (const double frames : {47.0, 48.0, 49.0, 55.0, 60.0, 66.0})
         EXPECT_EQ(differences(all, run(of_two_designs(frames * kStep_s, 2.4, kStep_s), true)), 0u) << "from frame " << frames;
@@ -215,7 +215,7 @@ ReplayOptions with_saliency(double from_s, double to_s, double step_s) {
     return o;
 }
 
-TEST(FrameApproach, ASaliencyMapIsTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, ASaliencyMapIsTheSameHoweverAFrameIsReached) {
     const auto all = run(with_saliency(0, 1.4, kStep_s), true);
     for (const double frames : {3.0, 14.0, 15.0, 16.0, 31.0})
         EXPECT_EQ(differences(all, run(with_saliency(frames * kStep_s, 1.4, kStep_s), true)), 0u) << "from frame " << frames;
@@ -254,7 +254,7 @@ ReplayOptions crowded(double from_s, double to_s, double step_s) {
     return o;
 }
 
-TEST(FrameApproach, LabelsAreTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, LabelsAreTheSameHoweverAFrameIsReached) {
     const auto all = run(crowded(0, 5, kStep_s), true);
     std::uint32_t placed = 0, changes = 0, suppressed = 0;
     for (const auto& [time, frame] : all) {
@@ -273,7 +273,7 @@ TEST(FrameApproach, LabelsAreTheSameHoweverAFrameIsReached) {
 }
 
 /// Each of the two designs has labels of its own.
-TEST(FrameApproach, LabelsOfTwoDesignsAreTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, LabelsOfTwoDesignsAreTheSameHoweverAFrameIsReached) {
     const auto crowd = [](double from_s, double step_s) {
         ReplayOptions o = of_two_designs(from_s, 3, step_s);
         o.picture.scene = crowded_scene();
@@ -304,7 +304,7 @@ ReplayOptions weighed(double from_s, double step_s) {
     return o;
 }
 
-TEST(FrameApproach, RaisedWeightsAreTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, RaisedWeightsAreTheSameHoweverAFrameIsReached) {
     const auto all = run(weighed(0, kStep_s), true);
     std::set<double> weights;
     for (const auto& [time, frame] : all) weights.insert(frame.terrain_weight);
@@ -316,7 +316,7 @@ TEST(FrameApproach, RaisedWeightsAreTheSameHoweverAFrameIsReached) {
     EXPECT_GT(differences(all, run(weighed(90 * kStep_s, kStep_s), false)), 0u) << "control";
 }
 
-/// Names give way where there are many; on the small lane for two epochs of a second, else for four of half a second.
+/// Names give way where there are many; on the small lane for two intervals of a second, else for four of half a second.
 ReplayOptions budgeted(double from_s, double step_s, const char* device) {
     const std::string priority = "[priority]\nterrain = 1\ndata = 0.6\nclutter_budget = 0.05\n" + kPlaces;
     static const std::string kClimb = files().folder.write(
@@ -331,7 +331,7 @@ ReplayOptions budgeted(double from_s, double step_s, const char* device) {
     return o;
 }
 
-TEST(FrameApproach, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
+TEST(FramePreroll, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
     for (const char* const device : {"es3-mid", "es2-small"}) {
         const auto all = run(budgeted(0, kStep_s, device), true);
         std::size_t giving_way = 0;
@@ -351,4 +351,4 @@ TEST(FrameApproach, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim::test_frame_approach
+}  // namespace tedavis::host_sim::test_frame_preroll

@@ -1,4 +1,4 @@
-#include "render_core/flight/flown_way.hpp"
+#include "render_core/flight/flight_trail.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::flight::test_flown_way {
+namespace tedavis::flight::test_flight_trail {
 namespace {
 
 using base::Duration;
@@ -47,10 +47,10 @@ struct Flight {
         for (std::size_t n = 0; n < way.size(); ++n) count += way[n].begins ? 1 : 0;
         return count;
     }
-    FlownWay way;
+    FlightTrail way;
 };
 
-TEST(FlownWay, HasAPointEveryTwoSeconds) {
+TEST(FlightTrail, HasAPointEveryTwoSeconds) {
     Flight flight;
     flight.fly(0, 60);
     ASSERT_EQ(flight.way.size(), 30u);
@@ -68,16 +68,16 @@ TEST(FlownWay, HasAPointEveryTwoSeconds) {
     EXPECT_EQ(point.height_accuracy_m, 5);
 }
 
-TEST(FlownWay, KeepsTheLatestAndTheirNumbers) {
+TEST(FlightTrail, KeepsTheLatestAndTheirNumbers) {
     Flight flight;
     flight.fly(0, 600);
-    ASSERT_EQ(flight.way.size(), FlownWay::kMost);
-    EXPECT_EQ(flight.way.number_of_oldest(), 300 - FlownWay::kMost);
-    EXPECT_EQ((flight.way[FlownWay::kMost - 1].at - kStart).ns, Duration::seconds(598).ns);
-    EXPECT_EQ((flight.way[0].at - kStart).ns, Duration::seconds(2 * (300 - FlownWay::kMost)).ns);
+    ASSERT_EQ(flight.way.size(), FlightTrail::kMax);
+    EXPECT_EQ(flight.way.number_of_oldest(), 300 - FlightTrail::kMax);
+    EXPECT_EQ((flight.way[FlightTrail::kMax - 1].at - kStart).ns, Duration::seconds(598).ns);
+    EXPECT_EQ((flight.way[0].at - kStart).ns, Duration::seconds(2 * (300 - FlightTrail::kMax)).ns);
 }
 
-TEST(FlownWay, AGapEndsAPart) {
+TEST(FlightTrail, AGapEndsAPart) {
     Flight flight;
     flight.fly(0, 20);
     AircraftState stale = aircraft(20);
@@ -95,7 +95,7 @@ TEST(FlownWay, AGapEndsAPart) {
     EXPECT_FALSE(flight.way.goes_on_to(flown_point(by_pressure, at(50)))) << "heights of two kinds are not joined";
 }
 
-TEST(FlownWay, LeapsAndTimeThatRunsBackClearIt) {
+TEST(FlightTrail, LeapsAndTimeThatRunsBackClearIt) {
     Flight flight;
     flight.fly(0, 20);
     AircraftState elsewhere = aircraft(20);
@@ -115,7 +115,7 @@ TEST(FlownWay, LeapsAndTimeThatRunsBackClearIt) {
     EXPECT_FALSE(flight.way.goes_on_to(flown_point(aircraft(18.02), at(18.02))));
 }
 
-TEST(FlownWay, WhatIsNotValidIsNotMeasured) {
+TEST(FlightTrail, WhatIsNotValidIsNotMeasured) {
     AircraftState state = aircraft(0);
     state[Signal::wind_direction] = {1.5, at(0), base::Quality::bad};
     state[Signal::outside_temperature] = {271, at(-11)};
@@ -130,7 +130,7 @@ TEST(FlownWay, WhatIsNotValidIsNotMeasured) {
     EXPECT_TRUE(std::isnan(flown_point(state, at(0)).wind_from_rad));
 }
 
-TEST(FlownWay, ACopyGoesOnBitForBit) {
+TEST(FlightTrail, ACopyGoesOnBitForBit) {
     Flight whole, first;
     whole.fly(0, 90);
     first.fly(0, 41);
@@ -145,4 +145,4 @@ TEST(FlownWay, ACopyGoesOnBitForBit) {
 }
 
 }  // namespace
-}  // namespace tedavis::flight::test_flown_way
+}  // namespace tedavis::flight::test_flight_trail

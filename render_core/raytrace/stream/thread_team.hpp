@@ -11,9 +11,9 @@
 
 namespace tedavis::raytrace {
 
-class PassCrew {
+class ThreadTeam {
 public:
-    using Lead = void (*)(void* context, PassCrew& crew);
+    using Lead = void (*)(void* context, ThreadTeam& crew);
     /// `lane` below that of run(), another for each thread that works at the same time.
     using Work = void (*)(void* context, std::uint32_t index, std::uint32_t lane);
 
@@ -26,9 +26,9 @@ public:
     [[nodiscard]] bool has_lost() const { return lost_.load(std::memory_order_relaxed) > 0; }
 
 private:
-    PassCrew(Lead lead, void* context, std::uint32_t lanes) : lead_(lead), lead_context_(context), lanes_(lanes) {}
+    ThreadTeam(Lead lead, void* context, std::uint32_t lanes) : lead_(lead), lead_context_(context), lanes_(lanes) {}
 
-    static void enter(void* crew, std::uint32_t) { static_cast<PassCrew*>(crew)->serve(); }
+    static void enter(void* crew, std::uint32_t) { static_cast<ThreadTeam*>(crew)->serve(); }
     void serve();
     [[nodiscard]] bool take_one(std::uint32_t lane);
 

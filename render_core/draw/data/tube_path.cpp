@@ -1,4 +1,4 @@
-#include "render_core/draw/data/tube_way.hpp"
+#include "render_core/draw/data/tube_path.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,20 +48,20 @@ bool TubeLine::add(const scene::TubePoint& point, std::uint32_t number) {
 
 bool TubeLine::ends_in_gap() const { return count_ > 0 && std::isnan(points_[count_ - 1].position.x); }
 
-std::uint64_t TubeWay::bytes_needed() {
-    return kTubeWindow * (sizeof(WayPoint) + sizeof(float) + sizeof(WayStretch)) + kWayPadding_bytes;
+std::uint64_t TubePath::bytes_needed() {
+    return kTubeWindow * (sizeof(PolylineVertex) + sizeof(float) + sizeof(PolylineStretch)) + kWayPadding_bytes;
 }
 
-bool TubeWay::start(base::Arena& arena) {
-    window_ = arena.allocate_array<WayPoint>(kTubeWindow);
+bool TubePath::start(base::Arena& arena) {
+    window_ = arena.allocate_array<PolylineVertex>(kTubeWindow);
     weights_ = arena.allocate_array<float>(kTubeWindow);
-    waiting_ = arena.allocate_array<WayStretch>(kTubeWindow);
+    waiting_ = arena.allocate_array<PolylineStretch>(kTubeWindow);
     return !window_.empty() && !weights_.empty() && !waiting_.empty();
 }
 
-bool TubeWay::is_space_time() const { return input_->element.technique == design::DataTechnique::space_time; }
+bool TubePath::is_space_time() const { return input_->element.technique == design::DataTechnique::space_time; }
 
-void TubeWay::plan(const ElementInput& input, std::uint32_t most_points) {
+void TubePath::plan(const ElementInput& input, std::uint32_t most_points) {
     input_ = &input;
     const design::DataElement& element = input.element;
     const std::string_view names[3] = {element.by_color.attribute.view(), element.by_second_color.attribute.view(),
@@ -83,7 +83,7 @@ void TubeWay::plan(const ElementInput& input, std::uint32_t most_points) {
     tolerance_m_ = tolerances[finest];
 }
 
-void TubeWay::read(std::uint32_t feature, TubeLine& line) {
+void TubePath::read(std::uint32_t feature, TubeLine& line) {
     line.clear();
     visit(feature, [&](const TubePlace& at) {
         const bool is_kept = static_cast<double>(at.weight_m) > tolerance_m_;
@@ -96,7 +96,7 @@ void TubeWay::read(std::uint32_t feature, TubeLine& line) {
 
 /// Calls the visitor with every point; those without a place weigh infinitely much.
 template <class Visitor>
-void TubeWay::visit(std::uint32_t feature, Visitor visitor) {
+void TubePath::visit(std::uint32_t feature, Visitor visitor) {
     const scene::Run run = input_->layer.points_of(feature);
     constexpr float kAll = std::numeric_limits<float>::infinity();
     const std::uint32_t end = run.first + run.count;
@@ -107,7 +107,7 @@ void TubeWay::visit(std::uint32_t feature, Visitor visitor) {
             visitor(TubePlace{glm::dvec3(kNone), time_ns, kAll, first++});
             continue;
         }
-        weigh_way({window_.data(), count}, weights_, waiting_);
+        weigh_vertices({window_.data(), count}, weights_, waiting_);
         // A full window's last point begins the next one.
         const std::uint32_t visited = count == kTubeWindow && first + count < end ? count - 1 : count;
         for (std::uint32_t n = 0; n < visited; ++n) {
@@ -118,12 +118,12 @@ void TubeWay::visit(std::uint32_t feature, Visitor visitor) {
     }
 }
 
-std::uint32_t TubeWay::fill(std::uint32_t feature, std::uint32_t first, std::uint32_t end) {
+std::uint32_t TubePath::fill(std::uint32_t feature, std::uint32_t first, std::uint32_t end) {
     std::uint32_t count = 0;
     for (std::uint32_t n = first; n < end && count < kTubeWindow; ++n, ++count) {
         const scene::ScenePoint& point = input_->layer.points[n];
         if (n > first && point.time_ns < input_->layer.points[n - 1].time_ns) break;
-        WayPoint& at = window_[count];
+        PolylineVertex& at = window_[count];
         at.place = place_of(point);
         if (!std::isfinite(at.place.x)) break;
         for (std::size_t k = 0; k < 3; ++k) at.values[k] = value_in_metres(shown_[k], feature, n);
@@ -131,7 +131,7 @@ std::uint32_t TubeWay::fill(std::uint32_t feature, std::uint32_t first, std::uin
     return count;
 }
 
-glm::dvec3 TubeWay::place_of(const scene::ScenePoint& point) const {
+glm::dvec3 TubePath::place_of(const scene::ScenePoint& point) const {
     const bool comes_by = input_->has_date && input_->layer.entry->role == scene::LayerRole::traffic;
     if (comes_by && point.time_ns > input_->time_ns) return glm::dvec3(kNone);
     if (!is_space_time()) {
@@ -144,7 +144,7 @@ glm::dvec3 TubeWay::place_of(const scene::ScenePoint& point) const {
 }
 
 /// A missing value is half a range below the least, so that its border is kept.
-double TubeWay::value_in_metres(const scene::Attribute* attribute, std::uint32_t feature, std::uint32_t point) const {
+double TubePath::value_in_metres(const scene::Attribute* attribute, std::uint32_t feature, std::uint32_t point) const {
     if (attribute == nullptr) return 0;
     const std::size_t n = attribute->entry->of == scene::AttributeOf::point ? point : feature;
     const double least = static_cast<double>(attribute->entry->minimum),
@@ -154,7 +154,7 @@ double TubeWay::value_in_metres(const scene::Attribute* attribute, std::uint32_t
     return range > 0 ? whole_m * (static_cast<double>(attribute->values[n]) - least) / range : 0;
 }
 
-double TubeWay::radius_of(std::uint32_t feature, std::uint32_t point) const {
+double TubePath::radius_of(std::uint32_t feature, std::uint32_t point) const {
     if (shown_[2] == nullptr) return radius_m_;
     const double largest = static_cast<double>(shown_[2]->entry->maximum);
     const double value =
@@ -163,7 +163,7 @@ double TubeWay::radius_of(std::uint32_t feature, std::uint32_t point) const {
     return radius_m_ * std::clamp(share, kThinnestTube, 1.0);
 }
 
-void TubeWay::take_reference() {
+void TubePath::take_reference() {
     const base::Span<const scene::ScenePoint> points = input_->layer.points;
     const double hour_m = input_->element.size_m > 0 ? input_->element.size_m : kDefaultTimeHeight_m;
     metres_per_ns_ = hour_m / kHour_ns;

@@ -2,8 +2,8 @@
 ///
 /// Of a line as many points are kept as detail and room ask for: tolerances begin at a tenth of the tube's radius at full detail
 /// and at ten radii at none, and grow by 2^(1/4) until all lines together fit. A point that is left out is no farther from the
-/// tube's middle than the tolerance (way_weights.hpp), and neither are its values, where the range of an attribute counts like
-/// kRadiiOfRange radii. Lines are looked at in windows of kTubeWindow points, the ends of which are kept, as are those of
+/// tube's middle than the tolerance (polyline_weights.hpp), and neither are its values, where the range of an attribute counts
+/// like kRadiiOfRange radii. Lines are looked at in windows of kTubeWindow points, the ends of which are kept, as are those of
 /// stretches beside points without a place and where time runs back.
 ///
 /// In space-time the height is the time since the layer's first point instead: `size_m` (1000 m) an hour over the highest ground
@@ -11,12 +11,13 @@
 ///
 /// Other aircraft (role `traffic`) have come as far as the frame's time says: later points have no place yet.
 ///
-/// Memory  from an arena, once. Thread  the ground's. Bounded: two visits of a point, each as way_weights.hpp says of a window.
+/// Memory  from an arena, once. Thread  the ground's. Bounded: two visits of a point, each as polyline_weights.hpp says of a
+/// window.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/draw/data/element_input.hpp"
-#include "render_core/draw/data/way_weights.hpp"
+#include "render_core/draw/data/polyline_weights.hpp"
 #include "render_core/scene/trajectory_tube.hpp"
 
 namespace tedavis::draw {
@@ -61,7 +62,7 @@ private:
     std::uint32_t count_ = 0;
 };
 
-class TubeWay {
+class TubePath {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed();
     [[nodiscard]] bool start(base::Arena& arena);
@@ -85,9 +86,9 @@ private:
     [[nodiscard]] double radius_of(std::uint32_t feature, std::uint32_t point) const;
     void take_reference();
 
-    base::Span<WayPoint> window_;
+    base::Span<PolylineVertex> window_;
     base::Span<float> weights_;
-    base::Span<WayStretch> waiting_;
+    base::Span<PolylineStretch> waiting_;
     const ElementInput* input_ = nullptr;
     const scene::Attribute* shown_[3] = {};
     double tolerance_m_ = 0, radius_m_ = 0;

@@ -1,4 +1,4 @@
-#include "render_core/terrain/drawn_sight.hpp"
+#include "render_core/terrain/line_of_sight.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "tests/support/selection.hpp"
 #include "tests/support/terrain_views.hpp"
 
-namespace tedavis::terrain::test_drawn_sight {
+namespace tedavis::terrain::test_line_of_sight {
 namespace {
 
 using test_support::MeshesOfTest;
@@ -74,7 +74,7 @@ public:
             const long double u = -glm::dot(a, across) / determinant, v = -glm::dot(way, glm::cross(a, ab)) / determinant,
                               at = -glm::dot(ac, glm::cross(a, ab)) / determinant;
             constexpr long double kClose = 1e-3L;
-            const long double inside = std::min({u, v, 1 - u - v}), within = std::min(at - near, DrawnSight::reach(view) - at);
+            const long double inside = std::min({u, v, 1 - u - v}), within = std::min(at - near, LineOfSight::reach(view) - at);
             if (inside > kClose && within > 1e-6L) return Answer::hidden;
             if (inside > -kClose && within > -1e-6L) answer = Answer::close;
         }
@@ -115,7 +115,7 @@ struct Scene {
     }
     [[nodiscard]] bool is_hidden(const glm::dvec3& place) {
         const base::Span<const SelectedChunk> selected(selection.chunks.data(), selection.chunks.size());
-        return DrawnSight(meshes.tdb().lattice(), selected, meshes, view).is_hidden(place);
+        return LineOfSight(meshes.tdb().lattice(), selected, meshes, view).is_hidden(place);
     }
 
     View view;
@@ -129,7 +129,7 @@ struct Tally {
 };
 
 void compare(Scene& scene, const glm::dvec3& place, Tally& tally) {
-    if (glm::dot(place - scene.view.eye, scene.view.forward) * DrawnSight::reach(scene.view) <= scene.view.near_m) return;
+    if (glm::dot(place - scene.view.eye, scene.view.forward) * LineOfSight::reach(scene.view) <= scene.view.near_m) return;
     const Answer expected = scene.drawn.ask(scene.view, place);
     ++(expected == Answer::hidden ? tally.hidden : expected == Answer::seen ? tally.seen : tally.close);
     if (expected == Answer::close) return;
@@ -138,7 +138,7 @@ void compare(Scene& scene, const glm::dvec3& place, Tally& tally) {
     tally.other_when_stored += stored != Answer::close && stored != expected ? 1 : 0;
 }
 
-TEST(DrawnSight, AgreesWithEveryTriangle) {
+TEST(LineOfSight, AgreesWithEveryTriangle) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
     for (const WrittenTdb* tdb : {&region(), &world()})
@@ -161,7 +161,7 @@ TEST(DrawnSight, AgreesWithEveryTriangle) {
 }
 
 /// Sights that end between the border that is stored and the one that is drawn beside a coarser neighbour.
-TEST(DrawnSight, SeesTheBordersThatAreDrawn) {
+TEST(LineOfSight, SeesTheBordersThatAreDrawn) {
     Tally tally;
     for (const View& view : test_support::some_views(region(), 5, 5)) {
         Scene scene(region(), view, false);
@@ -180,7 +180,7 @@ TEST(DrawnSight, SeesTheBordersThatAreDrawn) {
     EXPECT_GT(tally.other_when_stored, 5) << "what is stored would not do";
 }
 
-TEST(DrawnSight, WhatStandsOnTheGroundIsNotHiddenByIt) {
+TEST(LineOfSight, WhatStandsOnTheGroundIsNotHiddenByIt) {
     int seen = 0;
     // 3 km south of the wall, 100 m over the plain.
     const View view = test_support::view_from(wall(), 64, 100, 100, 0, 0);
@@ -193,7 +193,7 @@ TEST(DrawnSight, WhatStandsOnTheGroundIsNotHiddenByIt) {
     EXPECT_GT(seen, 100);
 }
 
-TEST(DrawnSight, AWallHidesWhatIsBehindAndBelowItsTop) {
+TEST(LineOfSight, AWallHidesWhatIsBehindAndBelowItsTop) {
     const View view = test_support::view_from(wall(), 64, 100, 100, 0, 0);
     Scene scene(wall(), view, false);
     const auto over = [&](std::uint32_t j, double metres) {
@@ -211,11 +211,11 @@ TEST(DrawnSight, AWallHidesWhatIsBehindAndBelowItsTop) {
     EXPECT_FALSE(scene.is_hidden(over(40, 0))) << "the wall lies before the near plane and is not drawn";
 }
 
-TEST(DrawnSight, WithoutChunksNothingIsHidden) {
+TEST(LineOfSight, WithoutChunksNothingIsHidden) {
     Scene scene(wall(), test_support::view_from(wall(), 64, 100, 100, 0, 0), false);
     scene.selection.chunks.clear();
     EXPECT_FALSE(scene.is_hidden(wall().position(64, 40)));
 }
 
 }  // namespace
-}  // namespace tedavis::terrain::test_drawn_sight
+}  // namespace tedavis::terrain::test_line_of_sight

@@ -16,21 +16,23 @@
 
 namespace tedavis::draw {
 
-struct WayPoint {
+struct PolylineVertex {
     glm::dvec3 place{0};               ///< m
     std::array<double, 3> values{{}};  ///< in metres that count like those of the place; NaN: none, which weighs nothing
 };
 
 /// A stretch that waits: between two points that are kept.
-struct WayStretch {
+struct PolylineStretch {
     std::uint32_t first, last;
     float weight_m;
 };
 
 /// Weights in metres; both ends weigh infinitely much. `weights` and `waiting` have room for as many as there are points.
-void weigh_way(base::Span<const WayPoint> points, base::Span<float> weights, base::Span<WayStretch> waiting) noexcept;
+void weigh_vertices(base::Span<const PolylineVertex> points, base::Span<float> weights,
+                    base::Span<PolylineStretch> waiting) noexcept;
 
 /// Distance of a point from the way between two others, or of its values from those on the line between theirs if that is more.
-[[nodiscard]] double distance_from_way(const WayPoint& point, const WayPoint& from, const WayPoint& to) noexcept;
+[[nodiscard]] double distance_from_way(const PolylineVertex& point, const PolylineVertex& from,
+                                       const PolylineVertex& to) noexcept;
 
 }  // namespace tedavis::draw

@@ -1,4 +1,4 @@
-#include "render_core/draw/data/way_weights.hpp"
+#include "render_core/draw/data/polyline_weights.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,24 +9,24 @@
 #include <random>
 #include <vector>
 
-namespace tedavis::draw::test_way_weights {
+namespace tedavis::draw::test_polyline_weights {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<float> weights_of(const std::vector<WayPoint>& way) {
+std::vector<float> weights_of(const std::vector<PolylineVertex>& way) {
     std::vector<float> weights(way.size());
-    std::vector<WayStretch> waiting(way.size());
-    weigh_way({way.data(), way.size()}, {weights.data(), weights.size()}, {waiting.data(), waiting.size()});
+    std::vector<PolylineStretch> waiting(way.size());
+    weigh_vertices({way.data(), way.size()}, {weights.data(), weights.size()}, {waiting.data(), waiting.size()});
     return weights;
 }
 
-std::vector<WayPoint> wandering(unsigned seed, std::size_t count) {
+std::vector<PolylineVertex> wandering(unsigned seed, std::size_t count) {
     std::mt19937 random(seed);
     std::normal_distribution<double> step(0, 30);
-    std::vector<WayPoint> way(count);
+    std::vector<PolylineVertex> way(count);
     glm::dvec3 place(0);
-    for (WayPoint& point : way) {
+    for (PolylineVertex& point : way) {
         place += glm::dvec3(80 + step(random), step(random), 0.3 * step(random));
         point.place = place;
         point.values = {{step(random), kNone, 0}};
@@ -35,7 +35,8 @@ std::vector<WayPoint> wandering(unsigned seed, std::size_t count) {
 }
 
 /// The method as it was published.
-void split(const std::vector<WayPoint>& way, std::size_t first, std::size_t last, double tolerance_m, std::vector<bool>& kept) {
+void split(const std::vector<PolylineVertex>& way, std::size_t first, std::size_t last, double tolerance_m,
+           std::vector<bool>& kept) {
     kept[first] = kept[last] = true;
     std::size_t farthest = first;
     double distance_m = tolerance_m;
@@ -51,7 +52,7 @@ void split(const std::vector<WayPoint>& way, std::size_t first, std::size_t last
 
 TEST(WayWeights, KeepsWhatTheMethodKeepsAtEveryTolerance) {
     for (unsigned seed = 1; seed < 20; ++seed) {
-        const std::vector<WayPoint> way = wandering(seed, 200);
+        const std::vector<PolylineVertex> way = wandering(seed, 200);
         const std::vector<float> weights = weights_of(way);
         for (const double tolerance_m : {1.5, 12.25, 40.0, 130.0}) {
             std::vector<bool> expected(way.size()), kept(way.size());
@@ -64,7 +65,7 @@ TEST(WayWeights, KeepsWhatTheMethodKeepsAtEveryTolerance) {
 }
 
 TEST(WayWeights, NothingLeftOutIsFartherThanTheTolerance) {
-    const std::vector<WayPoint> way = wandering(7, 512);
+    const std::vector<PolylineVertex> way = wandering(7, 512);
     const std::vector<float> weights = weights_of(way);
     constexpr double kTolerance_m = 25;
     std::size_t from = 0;
@@ -77,7 +78,7 @@ TEST(WayWeights, NothingLeftOutIsFartherThanTheTolerance) {
 }
 
 TEST(WayWeights, DistancesAreFromTheStretchNotFromItsLine) {
-    const WayPoint from{{0, 0, 0}, {{0, 0, 0}}}, to{{100, 0, 0}, {{10, 0, kNone}}};
+    const PolylineVertex from{{0, 0, 0}, {{0, 0, 0}}}, to{{100, 0, 0}, {{10, 0, kNone}}};
     EXPECT_DOUBLE_EQ(distance_from_way({{50, 3, 4}, {{5, 0, 0}}}, from, to), 5);
     EXPECT_DOUBLE_EQ(distance_from_way({{160, 0, 0}, {{10, 0, 0}}}, from, to), 60) << "beyond its end";
     EXPECT_DOUBLE_EQ(distance_from_way({{50, 1, 0}, {{5, 7, 0}}}, from, to), 7) << "a value off its line";
@@ -89,10 +90,10 @@ TEST(WayWeights, ShortWaysAreTheirEnds) {
     EXPECT_TRUE(weights_of({}).empty());
     for (std::size_t count = 1; count < 3; ++count)
         for (const float weight : weights_of(wandering(3, count))) EXPECT_TRUE(std::isinf(weight));
-    const std::vector<WayPoint> still(20);
+    const std::vector<PolylineVertex> still(20);
     const std::vector<float> weights = weights_of(still);
     EXPECT_EQ(std::count(weights.begin(), weights.end(), 0.0f), 18) << "of equal points none matters";
 }
 
 }  // namespace
-}  // namespace tedavis::draw::test_way_weights
+}  // namespace tedavis::draw::test_polyline_weights

@@ -1,4 +1,4 @@
-#include "render_core/terrain/drawn_sight.hpp"
+#include "render_core/terrain/line_of_sight.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -23,8 +23,8 @@ struct Sight {
 glm::dvec3 normal_to(const glm::dvec3& way, const glm::dvec3& up) {
     const glm::dvec3 normal = glm::cross(way, up);
     const double length = glm::length(normal);
-    constexpr double kLeastSine = 1e-6;
-    if (length > kLeastSine * glm::length(way)) return normal / length;
+    constexpr double kMinSine = 1e-6;
+    if (length > kMinSine * glm::length(way)) return normal / length;
     // Along the vertical any plane serves: the axis that the way follows least gives one.
     const glm::dvec3 size = glm::abs(way);
     const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
@@ -173,15 +173,15 @@ private:
 
 }  // namespace
 
-base::Span<const std::uint16_t> DrawnSight::drawn_indices(const SelectedChunk& chunk) {
+base::Span<const std::uint16_t> LineOfSight::drawn_indices(const SelectedChunk& chunk) {
     if (built_ != &chunk) built_indices_ = meshes_.drawn_indices(chunk);
     built_ = &chunk;
     return built_indices_;
 }
 
-double DrawnSight::reach(const View& view) { return 1 - kTail * std::fmin(2 * view.half_width_tangent(), 1.0); }
+double LineOfSight::reach(const View& view) { return 1 - kTail * std::fmin(2 * view.half_width_tangent(), 1.0); }
 
-bool DrawnSight::is_hidden(const glm::dvec3& place) {
+bool LineOfSight::is_hidden(const glm::dvec3& place) {
     const glm::dvec3 way = view_.magnifiers.moved(place) - view_.eye;
     const double depth_m = glm::dot(way, view_.forward);
     if (view_.is_flat() || !(depth_m * reach(view_) > view_.near_m)) return false;
@@ -191,7 +191,7 @@ bool DrawnSight::is_hidden(const glm::dvec3& place) {
                                [&](const earth::TrueWay& part) { return is_blocked(part.begin, part.end - part.begin, 0, 1); });
 }
 
-bool DrawnSight::is_blocked(const glm::dvec3& eye, const glm::dvec3& way, double from, double to) {
+bool LineOfSight::is_blocked(const glm::dvec3& eye, const glm::dvec3& way, double from, double to) {
     const Sight sight = sight_of(eye, way, from, to);
     for (const SelectedChunk& chunk : selected_) {
         if (!meets_box(chunk, eye, sight)) continue;
