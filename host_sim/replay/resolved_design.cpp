@@ -15,11 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A path that a base in another folder states, from the folder of the design.
-std::string path_from_design(const base::StatedFile& stated, std::string_view design) {
+base::FixedString<1023> path_from_design(const base::StatedFile& stated, std::string_view design) {
     const std::string name(stated.name);
-    if (design::is_short_name(name) || fs::path(name).is_absolute()) return name;
+    if (design::is_short_name(name) || fs::path(name).is_absolute()) return base::FixedString<1023>(name);
     const fs::path folder = fs::absolute(design).lexically_normal().parent_path();
-    return fs::absolute(path_from(std::string(stated.stated_in), name)).lexically_normal().lexically_relative(folder).string();
+    const fs::path path = fs::absolute(path_from(std::string(stated.stated_in), name)).lexically_normal();
+    return base::FixedString<1023>(path.lexically_relative(folder).string());
 }
 
 }  // namespace

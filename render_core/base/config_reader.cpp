@@ -25,6 +25,7 @@ struct ConfigReader::Document {
     toml::table root;
     std::set<const toml::node*> read;
     std::set<toml::node*> files;  ///< values that name a file
+    std::string json;             ///< printed last
     base::Error error;
     bool failed = false;
 
@@ -157,14 +158,16 @@ bool ConfigReader::finish() {
 bool ConfigReader::ok() const { return !document_->failed; }
 const base::Error& ConfigReader::error() const { return document_->error; }
 
-std::string ConfigReader::json(PathFrom path_from) {
+std::string_view ConfigReader::json(PathFrom path_from) {
     for (toml::node* const node : document_->files) {
         toml::value<std::string>& path = *node->as_string();
-        if (file_of(path) != document_->name) path = path_from({*path, file_of(path)}, document_->name);
+        if (file_of(path) != document_->name) path = std::string(path_from({*path, file_of(path)}, document_->name).view());
     }
+    document_->files.clear();
     std::ostringstream text;
     text << toml::json_formatter(document_->root);
-    return text.str();
+    document_->json = std::move(text).str();
+    return document_->json;
 }
 
 void ConfigReader::report(const void* node, std::string_view sentence) {

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -103,10 +102,10 @@ public:
     [[nodiscard]] const base::Error& error() const;
 
     /// What an inherited relative path is called in this reader's own file.
-    using PathFrom = std::string (*)(const StatedFile& stated, std::string_view own_file);
+    using PathFrom = FixedString<1023> (*)(const StatedFile& stated, std::string_view own_file);
     /// All that the file says and inherits, as JSON; of inherited values those that were read by file() as `path_from` calls
     /// them.
-    [[nodiscard]] std::string json(PathFrom path_from);
+    [[nodiscard]] std::string_view json(PathFrom path_from);
 
 private:
     friend class ConfigSection;

@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 Json read_again(const std::string& text) {
     base::ConfigReader reader(text, "x.toml");
     EXPECT_TRUE(reader.ok()) << reader.error().message.view() << "\n" << text;
-    return Json::parse(reader.json([](const base::StatedFile& stated, std::string_view) { return std::string(stated.name); }));
+    return Json::parse(
+        reader.json([](const base::StatedFile& stated, std::string_view) { return base::FixedString<1023>(stated.name); }));
 }
 
 TEST(TomlText, TablesStandBehindTheValuesOfTheirTable) {

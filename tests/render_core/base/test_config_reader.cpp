@@ -240,9 +240,10 @@ struct Inheriting {
         reader.inherit(base, "base.toml", own);
     }
     std::string json() {
-        return reader.json([](const StatedFile& stated, std::string_view own_file) {
-            return std::string(own_file) + " from " + std::string(stated.stated_in) + ": " + std::string(stated.name);
-        });
+        return std::string(reader.json([](const StatedFile& stated, std::string_view own_file) {
+            return FixedString<1023>(std::string(own_file) + " from " + std::string(stated.stated_in) + ": " +
+                                     std::string(stated.name));
+        }));
     }
 };
 
