@@ -186,6 +186,14 @@ void take_out_image(Design& design) {
 
 /// States a row; what a row does not state is EffectRow's own.
 class Row {
+    EffectRow row_;
+    template <class Value>
+    constexpr Row with(Value EffectRow::*member, Value value) const {
+        Row row = *this;
+        row.row_.*member = value;
+        return row;
+    }
+
 public:
     constexpr Row(Effect effect, std::string_view name) {
         row_.effect = effect;
@@ -215,15 +223,6 @@ public:
     }
     constexpr Row applies(EffectRequest (*request)(const EffectFacts&)) const { return with(&EffectRow::request, request); }
     constexpr operator EffectRow() const { return row_; }
-
-private:
-    template <class Value>
-    constexpr Row with(Value EffectRow::*member, Value value) const {
-        Row row = *this;
-        row.row_.*member = value;
-        return row;
-    }
-    EffectRow row_;
 };
 
 constexpr std::array<EffectRow, kEffectCount> kTable{{
@@ -492,12 +491,18 @@ Effect effect_of(std::string_view name) noexcept {
 }
 
 bool has(const DeviceCapability& device, Need need) noexcept {
-    if (need == Need::depth24_target) return device.depth24_targets;
-    if (need == Need::second_picture) return device.gl.calls == CallClass::es3 && device.off_screen_pictures >= 2;
-    if (need == Need::shadow_map_and_picture) return has(device, Need::shadow_map) && has(device, Need::second_picture);
-    if (need == Need::shadow_map) return device.gl.calls == CallClass::es3 && device.shadow_map_px > 0;
-    if (need == Need::picture_copy) return device.gl.calls != CallClass::sc2;
-    return need == Need::nothing || device.gl.calls == CallClass::es3;
+    const bool is_es3 = device.gl.calls == CallClass::es3;
+    const bool has_picture = is_es3 && device.off_screen_pictures >= 2, has_shadows = is_es3 && device.shadow_map_px > 0;
+    switch (need) {
+        case Need::nothing: return true;
+        case Need::depth24_target: return device.depth24_targets;
+        case Need::half_float_texture: return is_es3;
+        case Need::second_picture: return has_picture;
+        case Need::shadow_map: return has_shadows;
+        case Need::shadow_map_and_picture: return has_shadows && has_picture;
+        case Need::picture_copy: return device.gl.calls != CallClass::sc2;
+    }
+    return false;
 }
 
 std::string_view lack_of(Need need) noexcept {
