@@ -37,7 +37,7 @@ SweptPlace place_from(const std::string& text) {
     constexpr double kLimits[] = {90, 360, 100'000};
     const std::vector<double> n = parse_number_list(text, ',');
     bool sane = n.size() == 2 || n.size() == 3;
-    for (std::size_t i = 0; sane && i < n.size(); ++i) sane = std::abs(n[i]) <= kLimits[i];
+    for (std::size_t i = 0; sane && i < std::min<std::size_t>(n.size(), 3); ++i) sane = std::abs(n[i]) <= kLimits[i];
     if (!sane)
         throw UserError("--around " + text +
                         ": not lat,lon or lat,lon,alt_m in degrees and metres above sea level; write for instance 36.6,-84.25");
@@ -47,7 +47,7 @@ SweptPlace place_from(const std::string& text) {
 }
 
 std::vector<double> metres_from(const std::string& option, const std::string& text, double least_m, double most_m) {
-    const std::vector<double> n = parse_number_list(text, ',');
+    std::vector<double> n = parse_number_list(text, ',');
     const bool is_sane = !n.empty() && n.size() <= SweepRings::kMaxSteps &&
                          std::all_of(n.begin(), n.end(), [&](double metres) { return metres >= least_m && metres <= most_m; });
     if (!is_sane)

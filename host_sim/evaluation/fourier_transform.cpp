@@ -55,11 +55,11 @@ void FourierTransform::transform(const Complex* in, int stride, int length, Comp
 
 void FourierTransform::combine(Complex* out, int stride, int parts, int part_length) const {
     std::array<Complex, kMaxParts> turned{}, corner{};
-    for (int n = 0; n < parts; ++n) corner[static_cast<std::size_t>(n)] = turns_[static_cast<std::size_t>(length_ / parts * n)];
+    const auto turn = [&](int n) { return turns_[static_cast<std::size_t>(n)]; };
+    for (int n = 0; n < parts; ++n) corner[static_cast<std::size_t>(n)] = turn(length_ / parts * n);
     for (int k = 0; k < part_length; ++k) {
         for (int n = 0; n < parts; ++n)
-            turned[static_cast<std::size_t>(n)] =
-                product(out[n * part_length + k], turns_[static_cast<std::size_t>(n * k * stride)]);
+            turned[static_cast<std::size_t>(n)] = product(out[n * part_length + k], turn(n * k * stride));
         for (int m = 0; m < parts; ++m) {
             Complex sum = turned[0];
             for (int n = 1; n < parts; ++n)
