@@ -37,7 +37,7 @@ SweptPlace place_from(const std::string& text) {
     constexpr double kLimits[] = {90, 360, 100'000};
     const std::vector<double> n = parse_number_list(text, ',');
     bool sane = n.size() == 2 || n.size() == 3;
-    for (std::size_t i = 0; sane && i < std::min<std::size_t>(n.size(), 3); ++i) sane = std::abs(n[i]) <= kLimits[i];
+    for (std::size_t i = 0; sane && i < n.size() && i < std::size(kLimits); ++i) sane = std::abs(n[i]) <= kLimits[i];
     if (!sane)
         throw UserError("--around " + text +
                         ": not lat,lon or lat,lon,alt_m in degrees and metres above sea level; write for instance 36.6,-84.25");

@@ -6,6 +6,8 @@
 namespace tedavis::design {
 namespace {
 
+static_assert(kMaxBases == 8, "as the sentence says");
+constexpr const char* kTooMany = "is one base too many; at most 8 stand behind a design";
 constexpr std::string_view kOwnKeys[] = {"name", "phases"};
 
 /// The design itself and its bases.
@@ -31,8 +33,7 @@ void inherit_bases(base::ConfigReader& reader, DesignSource& files) {
         const DesignText& base = found.value();
         if (has(read, base.file_name))
             return fault_of(root, "based_on", "names a design that is itself based on this one; name another, or leave it out");
-        if (!read.try_push_back(base.file_name))
-            return fault_of(root, "based_on", "is one base too many; at most 8 stand behind a design");
+        if (!read.try_push_back(base.file_name)) return fault_of(root, "based_on", kTooMany);
         root.remove("based_on");
         reader.inherit(base.text, base.file_name, kOwnKeys);
     }

@@ -119,16 +119,16 @@ void Display::keep_scene() {
 }
 
 void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                     const flight::FlightTrail* way) {
-    planner_.plan({state, phase, now, way}, memory_, frame_);
+                     const flight::FlightTrail* trail) {
+    planner_.plan({state, phase, now, trail}, memory_, frame_);
     record_ = {};
     static_cast<FrameStatement&>(record_) = frame_;
 }
 
 void Display::preroll(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                      const flight::FlightTrail* way) {
+                      const flight::FlightTrail* trail) {
     const std::uint64_t frames = memory_.frames;
-    update(state, phase, now, way);
+    update(state, phase, now, trail);
     memory_.frames = frames;
 }
 

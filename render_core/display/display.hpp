@@ -39,13 +39,13 @@ public:
     /// Whether a design asks for traced terrain: workers make it faster (TerrainInput).
     [[nodiscard]] static bool asks_for_rays(const DisplaySettings& settings);
 
-    /// Plans the frame for `now`. Pure planning: no GL. `way`: null where nobody keeps it.
-    /// It must stay until the frame is drawn.
+    /// Plans the frame for `now`, without GL. `trail`: the flown trail, which must stay until the frame is drawn; null where
+    /// nobody keeps one.
     void update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                const flight::FlightTrail* way = nullptr);
+                const flight::FlightTrail* trail = nullptr);
     /// Plans like update(), but counts no frame and need not be drawn: what lies before the first frame that is shown.
     void preroll(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                 const flight::FlightTrail* way = nullptr);
+                 const flight::FlightTrail* trail = nullptr);
     /// Decides the weights and labels of an interval (policy/priority_boost.hpp, element_labels.hpp) that begins at `now`, and
     /// plans nothing else: what a replay does for every interval from the log's start on, so that they are the same however a
     /// frame is reached. `phase`: of the frame before that instant, whose design the next frame shows.
@@ -54,8 +54,8 @@ public:
     [[nodiscard]] bool has_intervals() const { return planner_.has_intervals(); }
     [[nodiscard]] IntervalMemory interval_memory() const;
     void restore(const IntervalMemory& memory);
-    /// What was decided for the interval has been decided anew, for another design or elsewhere: the next one follows from the
-    /// former.
+    /// Whether the interval was decided a second time, because another design took its turn or the view lies elsewhere. The next
+    /// interval then follows from the first decision: whoever kept that one restores it before.
     [[nodiscard]] bool interval_is_anew() const { return memory_.boost.is_anew() || memory_.labels.is_anew; }
     /// Approaches one instant until everything it needs has arrived; gives up after a bounded number of times.
     void settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now);
@@ -103,7 +103,7 @@ public:
         return planner_.height_above_terrain(own_ship, now);
     }
 
-    /// Of this display; costs measured for another subject say nothing of it.
+    /// What measured costs must be of to hold for this display: device, renderer and size of the picture.
     [[nodiscard]] effects::CalibrationSubject calibration_subject() const {
         const DisplaySettings& settings = planner_.settings();
         return {settings.device.name, painter_.gl().driver().renderer, settings.width_px, settings.height_px};

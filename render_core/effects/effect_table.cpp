@@ -4,100 +4,15 @@
 #include <cmath>
 
 #include "render_core/effects/design_effects.hpp"
-#include "render_core/effects/effect_facts.hpp"
+#include "render_core/effects/effect_conditions.hpp"
+#include "render_core/effects/effect_row_builder.hpp"
 
 namespace tedavis::effects {
 namespace {
 
 using Design = design::DesignSettings;
 using Kind = EffectRequest::Kind;
-
-constexpr EffectRequest kApplicable{Kind::applicable, ""};
-constexpr EffectRequest kFromFarAway{Kind::not_applicable, "the view is from far away"};
-
-// ---- When it is applicable -------------------------------------------------------------------------------------------
-
-EffectRequest always(const EffectFacts&) { return kApplicable; }
-
-EffectRequest where(const InputState& input) { return {input.is_there ? Kind::applicable : Kind::no_input, input.why}; }
-
-/// `is_forbidden`: then nothing of it was built, and the planner says so.
-EffectRequest cue_request(const CueState& state, bool is_forbidden) {
-    if (is_forbidden) return kApplicable;
-    if (!state.is_shown) return {Kind::not_applicable, "no element that asks for it is shown"};
-    if (state.drawn > 0) return {Kind::applicable, state.hidden > 0 ? "for want of room only a part of it" : ""};
-    if (state.hidden > 0) return {Kind::no_input, "the device has no room left for it"};
-    return {Kind::not_applicable, "nothing floats over ground that is known"};
-}
-
-EffectRequest sun_request(const EffectFacts& facts) {
-    if (!facts.light_has_date) return {Kind::no_input, "the time of the flight is no date; name sun_utc in the design"};
-    if (facts.sun_is_too_low) return {Kind::no_input, "the sun stands below 3 degrees"};
-    return kApplicable;
-}
-
-EffectRequest beside_request(const EffectFacts& facts) {
-    if (!facts.has_symbology) return {Kind::not_applicable, "a free view has no symbology"};
-    if (facts.maps_beside.is_there && facts.maps_drawn == 0)
-        return {Kind::no_input, "there is no room beside the symbology and the legends"};
-    return where(facts.maps_beside);
-}
-
-EffectRequest focus_request(const EffectFacts& facts) {
-    if (!facts.is_near) return kFromFarAway;
-    if (facts.focus_blur_px <= 0) return kApplicable;  // not on this device
-    if (!facts.focus_is_known) return {Kind::no_input, "nothing of the role that is in focus is shown"};
-    return {Kind::applicable, "", facts.widest_blur_px};
-}
-
-EffectRequest context_request(const EffectFacts& facts) {
-    if (!facts.has_foci) return {Kind::not_applicable, "no focus is anywhere"};
-    return kApplicable;
-}
-
-EffectRequest context_blur_request(const EffectFacts& facts) {
-    const EffectRequest request = context_request(facts);
-    if (request.kind != Kind::applicable) return request;
-    if (facts.reads_distances) return {Kind::no_input, "silhouettes, depth of field or light shafts need the distances instead"};
-    return {Kind::applicable, "", facts.context_blur_px};
-}
-
-EffectRequest clutter_request(const EffectFacts& facts) {
-    if (facts.shows_clutter) return kApplicable;
-    if (facts.is_stereo) return {Kind::no_input, "regions of a picture for each eye are not those of the view"};
-    if (!facts.has_what_gives_way) return {Kind::not_applicable, "nothing is shown that gives way"};
-    return kApplicable;
-}
-
-EffectRequest panel_request(const EffectFacts& facts) {
-    if (!facts.panel_has_date) return {Kind::no_input, "the time of the flight is no date"};
-    if (facts.panel_dimming <= 0) return {Kind::not_applicable, "it is day"};
-    return {Kind::applicable, "", facts.panel_dimming};
-}
-
-EffectRequest soft_shadow_request(const EffectFacts& facts) {
-    if (!facts.is_near) return kFromFarAway;
-    switch (facts.shadows) {
-        case ShadowState::not_asked_for: return kApplicable;  // not on this device
-        case ShadowState::sun_too_low: return {Kind::not_applicable, "the sun stands below 3 degrees"};
-        case ShadowState::values_on_ground: return {Kind::not_applicable, "the colours of the ground are values"};
-        case ShadowState::nothing_casts: return {Kind::not_applicable, "nothing over the ground casts a shadow into the view"};
-        case ShadowState::cast: break;
-    }
-    return {Kind::applicable, "", facts.widest_shadow_px};
-}
-
-EffectRequest light_shaft_request(const EffectFacts& facts) {
-    EffectRequest request = soft_shadow_request(facts);
-    if (request.kind != Kind::applicable || facts.shadows != ShadowState::cast) return request;
-    const bool has_air = facts.asked.has(Effect::aerial_perspective) && facts.has_air;
-    const double bound = has_air ? facts.air_bound : facts.has_haze ? facts.haze_bound : 0;
-    if (!(bound > 0)) return {Kind::not_applicable, "there is neither air nor haze that scatters light"};
-    request.bound = facts.shadow_in_air * bound;
-    return request;
-}
-
-// ---- What a design says of it ---------------------------------------------------------------------------------------
+using Row = EffectRowBuilder;
 
 template <double design::ElementCues::*Cue>
 bool asks_for_cue(const Design& design) {
@@ -181,49 +96,6 @@ void take_out_image(Design& design) {
     design::TerrainTexture& texture = design.terrain.style.texture;
     if (texture == design::TerrainTexture::image) texture = design::TerrainTexture::plain;
 }
-
-// ---- The table ------------------------------------------------------------------------------------------------------
-
-/// States a row; what a row does not state is EffectRow's own.
-class Row {
-    EffectRow row_;
-    template <class Value>
-    constexpr Row with(Value EffectRow::*member, Value value) const {
-        Row row = *this;
-        row.row_.*member = value;
-        return row;
-    }
-
-public:
-    constexpr Row(Effect effect, std::string_view name) {
-        row_.effect = effect;
-        row_.name = name;
-    }
-    constexpr Row costs(std::string_view cost) const { return with(&EffectRow::cost, cost); }
-    constexpr Row needs(Need need) const { return with(&EffectRow::need, need); }
-    constexpr Row may_be_forbidden() const { return with(&EffectRow::may_be_forbidden, true); }
-    constexpr Row distracts() const { return with(&EffectRow::distracts, true); }
-    constexpr Row without_terrain() const { return with(&EffectRow::needs_terrain, false); }
-    constexpr Row given_up_from(std::uint8_t rung) const { return with(&EffectRow::given_up_from, rung); }
-    constexpr Row changes(Contribution contribution, std::string_view bound) const {
-        return with(&EffectRow::contribution, contribution).with(&EffectRow::bound, bound);
-    }
-    constexpr Row replaced_by(Effect first, Effect second = Effect::count_) const {
-        Row row = *this;
-        row.row_.replacements = {first, second};
-        return row;
-    }
-    constexpr Row asked_by(std::string_view key, bool (*is_asked)(const Design&)) const {
-        return with(&EffectRow::design_key, key).with(&EffectRow::is_asked, is_asked);
-    }
-    constexpr Row on_asking(void (*ask)(Design&)) const { return with(&EffectRow::ask, ask); }
-    constexpr Row on_taking_out(void (*take_out)(Design&)) const { return with(&EffectRow::take_out, take_out); }
-    constexpr Row on_replacing(void (*replace)(const Design&, Effect, Design&)) const {
-        return with(&EffectRow::replace, replace);
-    }
-    constexpr Row applies(EffectRequest (*request)(const EffectFacts&)) const { return with(&EffectRow::request, request); }
-    constexpr operator EffectRow() const { return row_; }
-};
 
 constexpr std::array<EffectRow, kEffectCount> kTable{{
     Row(Effect::terrain, "terrain")
@@ -488,30 +360,6 @@ Effect effect_of(std::string_view name) noexcept {
     for (const EffectRow& row : kTable)
         if (row.name == name) return row.effect;
     return Effect::count_;
-}
-
-bool has(const DeviceCapability& device, Need need) noexcept {
-    const bool is_es3 = device.gl.calls == CallClass::es3;
-    const bool has_picture = is_es3 && device.off_screen_pictures >= 2, has_shadows = is_es3 && device.shadow_map_px > 0;
-    switch (need) {
-        case Need::nothing: return true;
-        case Need::depth24_target: return device.depth24_targets;
-        case Need::half_float_texture: return is_es3;
-        case Need::second_picture: return has_picture;
-        case Need::shadow_map: return has_shadows;
-        case Need::shadow_map_and_picture: return has_shadows && has_picture;
-        case Need::picture_copy: return device.gl.calls != CallClass::sc2;
-    }
-    return false;
-}
-
-std::string_view lack_of(Need need) noexcept {
-    if (need == Need::depth24_target) return "the device has no 24-bit depth off screen";
-    if (need == Need::second_picture) return "the device has no second picture off screen that is read by texels";
-    if (need == Need::shadow_map_and_picture) return "the device has no map of shadows, or no second picture off screen";
-    if (need == Need::shadow_map) return "the device has no map of shadows";
-    if (need == Need::picture_copy) return "the device cannot copy what it has drawn";
-    return need == Need::half_float_texture ? "the device has no textures of half floats" : "";
 }
 
 }  // namespace tedavis::effects

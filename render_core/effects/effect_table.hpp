@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "render_core/design/design_settings.hpp"
-#include "render_core/effects/device_capability.hpp"
+#include "render_core/effects/device_needs.hpp"
 
 namespace tedavis::effects {
 
@@ -61,17 +61,6 @@ inline constexpr double kUnseenColor = 1.0 / 255;
 /// Bound of an effect on geometry that may be left out.
 inline constexpr double kUnseenPixels = 0.5;
 
-/// What the device must be able to do.
-enum class Need : std::uint8_t {
-    nothing,
-    depth24_target,
-    half_float_texture,
-    second_picture,
-    shadow_map,
-    shadow_map_and_picture,
-    picture_copy
-};
-
 struct EffectRequest;
 struct EffectFacts;
 
@@ -109,9 +98,5 @@ struct EffectRow {
 [[nodiscard]] const EffectRow& row_of(Effect effect) noexcept;
 /// count_ for no such name.
 [[nodiscard]] Effect effect_of(std::string_view name) noexcept;
-
-[[nodiscard]] bool has(const DeviceCapability& device, Need need) noexcept;
-/// A clause: "the device has no ...".
-[[nodiscard]] std::string_view lack_of(Need need) noexcept;
 
 }  // namespace tedavis::effects

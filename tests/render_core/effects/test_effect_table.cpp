@@ -90,36 +90,25 @@ TEST(EffectTable, RowsAreWhole) {
     }
 }
 
+/// As "[table] key", or "[table]" where all its keys ask for it; a test of designs holds their page to what is read.
+TEST(EffectTable, KeysAreThoseOfDesigns) {
+    const std::string page = test_support::source_file("configs/designs/README.md");
+    std::size_t keys = 0;
+    for (std::size_t n = 0; n < kEffectCount; ++n) {
+        std::istringstream words(std::string(row_of(static_cast<Effect>(n)).design_key));
+        for (std::string word; words >> word; ++keys) {
+            if (word.back() == ',') word.pop_back();
+            EXPECT_NE(page.find("`" + word + "`"), std::string::npos) << word;
+        }
+    }
+    EXPECT_GT(keys, 2 * 18u);
+}
+
 TEST(EffectTable, OnlyEffectsOnColourOrPlacesHaveABound) {
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectRow& row = row_of(static_cast<Effect>(n));
         EXPECT_EQ(row.bound.empty(), row.contribution == Contribution::content) << row.name;
     }
-}
-
-TEST(EffectTable, ADeviceHasWhatItsFileSays) {
-    DeviceCapability device;
-    EXPECT_TRUE(has(device, Need::depth24_target));
-    device.depth24_targets = false;
-    EXPECT_FALSE(has(device, Need::depth24_target));
-    EXPECT_TRUE(has(device, Need::nothing));
-    EXPECT_TRUE(has(device, Need::picture_copy));
-    device.gl.calls = CallClass::es3;
-    EXPECT_TRUE(has(device, Need::half_float_texture));
-    EXPECT_FALSE(has(device, Need::second_picture));
-    device.off_screen_pictures = 2;
-    EXPECT_TRUE(has(device, Need::second_picture));
-    EXPECT_FALSE(has(device, Need::shadow_map));
-    device.shadow_map_px = 1024;
-    EXPECT_TRUE(has(device, Need::shadow_map));
-    EXPECT_TRUE(has(device, Need::shadow_map_and_picture));
-    device.gl.calls = CallClass::sc2;
-    EXPECT_FALSE(has(device, Need::shadow_map));
-    EXPECT_FALSE(has(device, Need::half_float_texture));
-    EXPECT_FALSE(has(device, Need::second_picture));
-    EXPECT_FALSE(has(device, Need::picture_copy));
-    EXPECT_EQ(lack_of(Need::half_float_texture), "the device has no textures of half floats");
-    EXPECT_EQ(lack_of(Need::depth24_target), "the device has no 24-bit depth off screen");
 }
 
 }  // namespace
