@@ -19,7 +19,7 @@ struct SelfCheck {
 class SelfTestReport {
 public:
     void add(std::string_view name, bool holds, std::string_view finding);
-    /// Adds a check of a number, with the finding "found 1.25 deg, expected 1.2 +- 0.1"; NaN always fails.
+    /// Adds a check of a number; where it fails the finding is "1.25 deg, expected 1.2 +- 0.1". NaN always fails.
     void add_number(std::string_view name, double found, double expected, double tolerance, std::string_view unit);
     /// Adds a check that `found` lies in low .. high.
     void add_count(std::string_view name, std::uint64_t found, std::uint64_t low, std::uint64_t high);
