@@ -1,4 +1,4 @@
-/// Converts between the kernel's CAN records and CanFrame. Only this module knows the layout of <linux/can.h>.
+/// Converts between the kernel's CAN records and CanFrame. The layout of these records is known only here.
 #pragma once
 
 #include <cstddef>

@@ -35,8 +35,7 @@ struct TrafficCounts {
 class TrafficTable {
 public:
     static constexpr base::Duration kWindow = base::Duration::milliseconds(500);
-    static constexpr base::Duration kCutIsSaid =
-        base::Duration::seconds(10);  ///< `is_cut` holds this long after a report had no room
+    static constexpr base::Duration kCutIsSaid = base::Duration::seconds(10);  ///< Traffic::is_cut stays set this long
 
     explicit TrafficTable(const BusSettings& settings)
         : is_carried_(settings.traffic.is_carried()), sender_timeout_(settings.dialect.sender_timeout) {}

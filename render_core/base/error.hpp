@@ -1,4 +1,4 @@
-/// The reason of a failure: one message that says what is wrong, where, and what to do. An empty message means success.
+/// The reason for a failure: one message that says what is wrong, where, and what to do. An empty message means success.
 ///
 /// Memory  inside the error, no heap: a part that does not fit is cut. Thread  any.
 #pragma once

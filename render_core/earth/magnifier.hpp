@@ -13,9 +13,9 @@
 ///
 ///        The map is linear in each triangle, with slopes that are powers of two, continuous, and one to one. Its Jacobian
 ///        determinant is 4^power in the focus, 2^(power - compression) or 2^-compression round it and 1 beyond.
-/// Heights above the plane are kept, so that in each part straight lines stay straight, objects on the ground stay on it, and
-/// slopes in the focus look flatter by the factor. Ground that moves by d at a distance D from the middle rises above the
-/// ellipsoid by d (2 D + d) / 2 R at most: one metre where a focus of 2 km is doubled.
+/// Height the height above the plane is kept, so that in each part straight lines stay straight, objects on the ground stay on
+///        it, and slopes in the focus look flatter by the factor. Ground that moves by d at a distance D from the middle rises
+///        above the ellipsoid by d (2 D + d) / 2 R at most: one metre where a focus of 2 km is doubled.
 ///
 /// Pure functions of double; any thread.
 #pragma once

@@ -2,8 +2,8 @@
 ///
 /// Corner n lies at (n & 1, n >> 1 & 1, n >> 2 & 1). Each tetrahedron contains a path from corner 0 to corner 7 along the axes
 /// in one of their six orders. So every edge runs from a corner to one with no lower coordinate, and neighbouring cells divide
-/// their common face equally. H. W. Kuhn, Some combinatorial lemmas in topology, IBM Journal of Research and Development 4
-/// (1960).
+/// their common face in the same way. H. W. Kuhn, Some combinatorial lemmas in topology, IBM Journal of Research and Development
+/// 4 (1960).
 #pragma once
 
 #include <array>

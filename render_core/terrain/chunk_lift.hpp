@@ -1,5 +1,5 @@
 /// Lifts: how far the vertices of a chunk are raised so that the drawn surface is nowhere below the true one. Chunks that share
-/// a vertex raise it equally.
+/// a vertex raise it by the same amount.
 ///
 /// A chunk's own lift is below_m, and strip_below_m where that is more and a neighbour is coarser. A border's lift is the
 /// largest of all leaves along the longer of the edges that meet there, a corner's the largest of the leaves round it, a pole's

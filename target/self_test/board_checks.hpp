@@ -4,7 +4,7 @@
 /// on the board's own surface, without bus and panel. Each of these is one check, with one sentence for a fault:
 ///
 ///     board_terrain   every checksum, entry and vertex       board_scene     every checksum, and room for it on the device
-///     board_surface as the board file requests it          board_display   the device's budgets with design and terrain
+///     board_surface   as the board file requests it          board_display   the device's budgets with design and terrain
 ///     board_costs     are this board's                       board_programs  the folder is there
 ///
 /// Files that the board file does not name have no check, nor has what needs a surface or a display where that failed.
