@@ -1,4 +1,4 @@
-/// Makes a surface by the name that the command line and the configs use.
+/// Creates a surface by the backend name of the command line and the configuration files.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace tedavis::platform {
 
-/// `backend` is "egl" or "osmesa". The surface is not current yet; one surface at a time is current on a thread. An unknown
-/// name, an impossible size and a machine without the backend are refused in one sentence. Start-up only (allocates).
+/// `backend` is "egl" or "osmesa". The surface is not current yet; at most one surface is current on a thread. Fails with one
+/// sentence for an unknown name, an impossible size and a machine without the backend. Start-up only (allocates).
 [[nodiscard]] base::Result<std::unique_ptr<base::Surface>, base::Error> make_surface(std::string_view backend,
                                                                                      const SurfaceSettings& settings);
 

@@ -1,11 +1,11 @@
-/// What every surface backend is asked for.
+/// The settings that every surface backend receives.
 #pragma once
 
 #include <cstdint>
 
 namespace tedavis::platform {
 
-/// The GL ES version of the context: as the device's lane.
+/// The GL ES version of the context, that of the device's lane.
 enum class ContextLane : std::uint8_t { es2, es3 };
 
 struct SurfaceSettings {

@@ -1,4 +1,4 @@
-/// The clocks of the board: what the live sources stamp with, and what paces the frames.
+/// The board's clocks: they stamp the live sources' data and pace the frames.
 #pragma once
 
 #include "bus/socketcan/socketcan_source.hpp"
@@ -8,11 +8,11 @@ namespace tedavis::target {
 
 struct BoardClocks {
     bus::LiveClocks live;
-    /// Returns at `time` of the monotonic clock, or earlier when a signal comes.
+    /// Returns at `time` of the monotonic clock, or earlier when a signal arrives.
     void (*sleep_until)(base::Time time) = nullptr;
 };
 
-/// The machine's own. Never allocates.
+/// Returns the machine's clocks. Never allocates.
 [[nodiscard]] BoardClocks machine_clocks() noexcept;
 
 }  // namespace tedavis::target

@@ -1,4 +1,4 @@
-/// The board file of `tedavis-display --config`: which device, design, bus, switches and terrain one board flies with.
+/// The board file of `tedavis-display --config`: the device, design, bus, switches and databases of one board.
 ///
 ///     title = "..."              shown at start
 ///     device = "es3-mid.toml"    files that the board file names are found from the board file's own folder
@@ -70,14 +70,15 @@ struct BoardSettings {
 };
 static_assert(std::is_trivially_copyable_v<BoardSettings>);
 
-/// Reads the board file and all files that it names, except the terrain and scene databases, of which it keeps the paths.
+/// Reads the board file and all files that it names; of the terrain and scene databases it only keeps the paths.
 [[nodiscard]] base::Result<BoardSettings, base::Error> load_board_settings(const char* path);
 
-/// `name` found from the folder of `board_file`; an absolute name stays as it is. Longer than a Path can be: cut() says so.
+/// Returns the path of `name` relative to the folder of `board_file`; an absolute name is returned unchanged. cut() is true
+/// where the path exceeds the capacity of Path.
 [[nodiscard]] Path path_beside(std::string_view board_file, std::string_view name);
 
-/// Filters that pass what the decoder knows on this bus: its identifiers, the phase messages and identification requests.
-/// Left without filters, which passes everything, when they do not fit.
+/// Adds filters that pass the identifiers that the decoder knows, the phase messages and identification requests. When they do
+/// not fit, no filters are set and all frames pass.
 void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus);
 
 }  // namespace tedavis::target

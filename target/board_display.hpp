@@ -1,12 +1,12 @@
-/// The drawing half of a board from its settings: surface, reservation, terrain, core, costs. The program and its self-test start
-/// the same one.
+/// The drawing half of a board: surface, memory reservation, terrain, display and costs, made from the board's settings. The
+/// program and its self-test use the same class.
 ///
 ///   open_surface() · start() · hold_deadline()
 ///
-/// Terrain that cannot be had (no file, not readable, damaged) does not keep a board from flying: the display starts without
-/// it, says TERRAIN FAIL, and terrain_fault() says why.
+/// Terrain that cannot be opened (no file, not readable, damaged) does not prevent the start: the display runs without it and
+/// shows TERRAIN FAIL, and terrain_fault() gives the reason.
 ///
-/// Thread  one. Failure  one sentence a step; an empty one means success. After a failure it may only be destroyed.
+/// Thread  one. Failure  each step returns an error, empty on success. After a failure the object may only be destroyed.
 #pragma once
 
 #include <memory>
@@ -21,19 +21,19 @@ namespace tedavis::target {
 
 class BoardDisplay {
 public:
-    /// The settings must outlive it.
+    /// The settings must outlive the object.
     explicit BoardDisplay(const BoardSettings& settings);
     ~BoardDisplay();
     BoardDisplay(const BoardDisplay&) = delete;
     BoardDisplay& operator=(const BoardDisplay&) = delete;
 
     [[nodiscard]] base::Error open_surface();
-    /// Takes the memory, and everything that the device's budgets are cut into.
+    /// Reserves the memory and starts everything that the device's budgets are divided among.
     [[nodiscard]] base::Error start();
-    /// With the costs that the board file names, if any.
+    /// Applies the costs that the board file names, if any, so that the device's deadline is held.
     [[nodiscard]] base::Error hold_deadline();
 
-    /// Why there is no terrain though the board file names one; empty where there is.
+    /// The reason why the terrain that the board file names could not be opened; empty otherwise.
     [[nodiscard]] const base::Error& terrain_fault() const { return terrain_fault_; }
     [[nodiscard]] display::Display& core() { return *display_; }
     [[nodiscard]] const base::Surface& surface() const { return *surface_; }
@@ -50,7 +50,7 @@ private:
     platform::MemoryReservation reservation_;
     platform::FileByteSource terrain_file_;
     std::unique_ptr<base::AsyncReader> terrain_reader_;
-    std::unique_ptr<base::Workers> workers_;  ///< where terrain is traced
+    std::unique_ptr<base::Workers> workers_;  ///< for terrain that is drawn by ray tracing
     std::unique_ptr<display::Display> display_;
     bool is_started_ = false;
     base::Error terrain_fault_;

@@ -1,4 +1,4 @@
-/// What `tedavis-display` was asked to do.
+/// The parsed command line of `tedavis-display`.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,12 @@ enum class Request : std::uint8_t { run, self_test, help, version };
 struct CommandLine {
     Request request = Request::run;
     const char* config = nullptr;  ///< board file; null only for requests that need none
-    std::uint64_t frames = 0;      ///< 0: until a signal stops it
+    std::uint64_t frames = 0;      ///< 0: run until a signal
     bool json = false;
 };
 
-/// The arguments behind the program's name. `--help` and `--version` win over everything that stands before a fault.
+/// Parses the arguments after the program's name. `--help` and `--version` take precedence over everything before the first
+/// fault.
 [[nodiscard]] base::Result<CommandLine, base::Error> parse_command_line(int count, const char* const* arguments);
 
 /// The text of `--help`.

@@ -1,10 +1,9 @@
 /// The display of one board from start to stop: the drawing half, bus and panel, and the frame loop.
 ///
-/// start() takes everything; afterwards nothing allocates outside drivers. A bus or a panel that is missing never ends
-/// the program, nor do terrain or a scene: the core shows what it does not know. A drawing surface that is lost does, and the
-/// service is restarted.
+/// start() acquires all resources; afterwards nothing allocates outside drivers. A missing bus, panel, terrain or scene never
+/// ends the program: the display flags what is missing. A lost drawing surface ends it, and the service manager restarts it.
 ///
-/// Thread  one. Failure  start() gives one sentence; run() says how it ended.
+/// Thread  one. Failure  start() returns one sentence; run() returns how it ended.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +20,7 @@
 
 namespace tedavis::target {
 
-/// What the application needs of the machine besides files and the surface; tests give their own.
+/// The machine's interfaces that the application uses besides files and the surface; tests substitute their own.
 struct BoardPorts {
     bus::CanSocketPort* can = nullptr;
     std::unique_ptr<bus::GpioLines> gpio;  ///< null: built without a GPIO library
@@ -34,7 +33,7 @@ enum class RunEnd : std::uint8_t { stopped, surface_lost };
 struct RunReport {
     RunEnd end = RunEnd::stopped;
     std::uint64_t frames = 0;
-    std::uint64_t missed = 0;  ///< turns of the frame rate that passed without a frame
+    std::uint64_t missed = 0;  ///< periods of the frame rate that passed without a frame
     std::uint64_t gl_calls_outside_device = 0;
     bus::BusCounters bus;
 };
@@ -46,11 +45,11 @@ public:
     DisplayApplication(const DisplayApplication&) = delete;
     DisplayApplication& operator=(const DisplayApplication&) = delete;
 
-    /// An empty sentence means success. Once.
+    /// Returns an empty error on success. May be called once.
     [[nodiscard]] base::Error start();
     /// Draws until `frames` are drawn (0: no limit) or `stop` is requested.
     [[nodiscard]] RunReport run(std::uint64_t frames, const StopSignal& stop);
-    /// One frame of the state at `now`; after start().
+    /// Draws one frame of the state at `now`; to be called after start().
     [[nodiscard]] base::SurfaceState draw_frame(base::Time now);
 
     [[nodiscard]] display::Display& display() { return board_.core(); }

@@ -1,4 +1,4 @@
-/// What happens on the board, one line an event, to stderr (which systemd's journal keeps and stamps).
+/// Writes events on the board, one line each, to stderr (systemd's journal stores and stamps them).
 ///
 /// Thread  one. Memory  none; never allocates. Lines longer than the buffer are cut.
 #pragma once

@@ -1,6 +1,6 @@
-/// A whole small file in memory: configuration at start.
+/// The content of a small file in memory, for configuration at start.
 ///
-/// Memory  a block of its own from the system, as long as the object lives. Failure  one sentence that names the file.
+/// Memory  a block mapped from the system, released with the object. Failure  one sentence that names the file.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace tedavis::target {
 
-/// Larger files are no configuration.
+/// Larger files are refused.
 inline constexpr std::size_t kMaxFileTextBytes = 1 << 20;
 
 class FileText {

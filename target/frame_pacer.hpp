@@ -1,6 +1,7 @@
-/// When the next frame is due: an even grid from the start, on which a late frame does not make the following ones late.
+/// Tells when the next frame is due. Due times form an even grid from the start, so a late frame does not delay the following
+/// ones.
 ///
-/// Plain arithmetic; time is an argument. Frames whose turn passed are missed, counted, and not made up for.
+/// Time is an argument; no clock is read. Due times that passed without a frame are counted and not made up for.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ public:
     /// `rate_hz` 1 to 1000.
     FramePacer(double rate_hz, base::Time start);
 
-    /// The first instant of the grid after the last one given out that still lies ahead of `now`.
+    /// Returns the first due time after the last one returned that still lies ahead of `now`.
     [[nodiscard]] base::Time next(base::Time now);
     [[nodiscard]] std::uint64_t missed() const { return missed_; }
 
@@ -23,7 +24,7 @@ private:
 
     double period_s_;
     base::Time start_;
-    std::int64_t turn_ = 0;  // last one given out
+    std::int64_t turn_ = 0;  // index of the due time returned last
     std::uint64_t missed_ = 0;
 };
 

@@ -1,6 +1,6 @@
 /// Builds one line of JSON in a fixed buffer, for scripts that read the program's results.
 ///
-/// Memory  inside. Failure  what does not fit is cut, and cut() says so. Nesting is the caller's to balance.
+/// Memory  inside. Failure  text that does not fit is cut, and cut() returns true. The caller must balance the nesting.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ public:
     JsonLine& number(std::string_view key, double value);
     JsonLine& boolean(std::string_view key, bool value);
 
-    /// With a newline at its end.
+    /// Returns the line with a newline at its end.
     [[nodiscard]] std::string_view line();
     [[nodiscard]] bool cut() const { return text_.cut(); }
 
@@ -32,7 +32,7 @@ private:
     void quote(std::string_view value);
 
     base::FixedString<16383> text_;
-    bool first_ = true;  // no comma before what comes next
+    bool first_ = true;  // no comma precedes the next element
 };
 
 }  // namespace tedavis::target

@@ -1,10 +1,10 @@
-/// The aircraft as the live bus and the live panel state it: the counterpart of a replay's player.
+/// Tracks the aircraft from the live bus and the live switch panel; the counterpart of a replay's flight player.
 ///
-/// The tracker reads both, so the phase passes through the same steps as in a replay. What is missing is never fatal: a bus or a
-/// panel that is not there is reported once to the event log, and the display shows its flags. A panel that fails stays so until
-/// the next start. Requests for identification are answered where the bus file says so.
+/// A FlightTracker reads both, so the phase passes through the same steps as in a replay. A missing bus or panel is not fatal:
+/// it is reported once to the event log, and the display shows its flags. A panel that fails stays failed until the next start.
+/// Identification requests are answered where the bus file enables it.
 ///
-/// Thread  one. Memory  inside; nothing after start(). Time  monotonic, from the caller.
+/// Thread  one. Memory  inside; nothing after start(). Time  the monotonic clock's, passed by the caller.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,15 @@ namespace tedavis::target {
 
 class LiveFlight final : private bus::FrameListener {
 public:
-    /// `can`, `clocks` and `log` must outlive it. `gpio` may be null: then a panel that the board file asks for is missing.
+    /// `can`, `clocks` and `log` must outlive the object. `gpio` may be null; a panel that the board file names then counts as
+    /// missing.
     LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, std::unique_ptr<bus::GpioLines> gpio,
                bus::LiveClocks clocks, const EventLog& log);
 
     /// Opens the panel; `now` is the first step of the grid.
     void start(base::Time now);
 
-    /// All that was received up to `now`; `now` never goes back.
+    /// Returns the input of a frame at `now`, from everything received up to `now`, which must not decrease.
     [[nodiscard]] flight::FrameInput at(base::Time now, flight::TerrainHeights& heights);
 
     [[nodiscard]] bus::SourceHealth bus_health() const { return can_.health(); }

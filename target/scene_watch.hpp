@@ -1,11 +1,12 @@
-/// Watches a scene database and loads a newer one beside the one that is shown, on a thread of its own.
+/// Watches a scene database and loads a newer revision beside the scene in use, on its own thread.
 ///
-/// A file counts when it is another one than was looked at before (inode, size or time of change), whole, and of a larger
-/// revision. Whoever writes it must rename a finished file into place, as `tedavis scene build` does. While a loaded scene waits
-/// to be taken over the thread looks at nothing. A file that is not sound is said once, and the scene that is shown stays; so is
-/// one that is not there at the start.
+/// A file is loaded when it differs from the last one examined (inode, size or time of change), is complete, and has a larger
+/// revision. The writer must rename a finished file into place, as `tedavis scene build` does. The thread examines no file
+/// while a loaded scene has not been taken over. A damaged file, or a missing one at start, is reported once, and the scene in
+/// use stays.
 ///
-/// Memory    the arena that it is lent; nothing else after start(). Thread  all calls from one; its own does the reading.
+/// Memory    the arena that the caller lends; nothing else after start(). Thread  all calls from one thread; the object's own
+/// thread reads the file.
 #pragma once
 
 #include <pthread.h>
@@ -27,20 +28,20 @@ public:
     SceneWatch(const SceneWatch&) = delete;
     SceneWatch& operator=(const SceneWatch&) = delete;
 
-    /// `path` and `room` must stay until stop(). `shown`: the revision that is shown, 0 for none. False where the machine gives
-    /// no thread. Looks every `period_ms`.
+    /// Examines the file every `period_ms`. `path` and `room` must stay valid until stop(). `shown` is the revision in use, 0
+    /// for none. Returns false where the thread cannot be created.
     [[nodiscard]] bool start(const char* path, base::Arena& room, std::uint64_t shown, std::uint32_t period_ms = 1000);
     void stop();
 
-    /// A newer scene in the room, or null. It stays until go_on().
+    /// Returns a newer scene, which lies in `room`, or null. It stays valid until go_on().
     [[nodiscard]] const scene::Scene* loaded();
-    /// After loaded() has given one: the next scene is loaded into `room`.
+    /// To be called after loaded() has returned a scene: the next one is loaded into `room`.
     void go_on(base::Arena& room, std::uint64_t shown);
-    /// What was wrong with a file, once; empty for nothing new.
+    /// Returns a fault of a file once; empty where there is no new one.
     [[nodiscard]] base::FixedString<383> take_fault();
 
 private:
-    /// What tells files apart.
+    /// Identifies a version of the file.
     struct Stamp {
         ino_t inode = 0;
         off_t bytes = 0;
@@ -58,7 +59,7 @@ private:
     pthread_t thread_{};
     std::uint32_t period_ms_ = 0;
     bool is_running_ = false, is_stopping_ = false;
-    // Of the thread alone while there is no loaded scene, of the owner else.
+    // Accessed by the thread only while no scene is loaded, otherwise by the owner only.
     base::Arena* room_ = nullptr;
     std::uint64_t shown_ = 0;
     scene::Scene scene_;

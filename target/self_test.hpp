@@ -1,10 +1,10 @@
-/// `tedavis-display --self-test`: whether this build works on this machine, without any file.
+/// `tedavis-display --self-test`: checks that this build works on this machine, without any file.
 ///
 /// Decodes a known bus log with the standard bus settings, compares the state with known values, draws one 640 x 480
 /// picture of it over a known terrain database through headless EGL, and compares its content. Everything it needs is
 /// embedded in the program.
 ///
-/// Thread  one; makes and releases a surface. Memory  its own reservation. Failure  a check that does not hold.
+/// Thread  one; makes and releases a surface. Memory  its own reservation. Failure  a failed check in the report.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace tedavis::target {
 
-/// A file of configs/palettes by its name there.
+/// The text of a file of configs/palettes with its name.
 struct NamedPalette {
     std::string_view name, text;
 };
@@ -26,16 +26,17 @@ struct SelfTestInputs {
     base::Span<const char> log;
     base::Span<const unsigned char> terrain;
     std::string_view bus, device, design;      ///< texts of configuration files
-    NamedPalette palettes[kSelfTestPalettes];  ///< all that the design names
+    NamedPalette palettes[kSelfTestPalettes];  ///< all palettes that the design names
 };
 
-/// What the build has embedded; lives as long as the program.
+/// Returns the inputs that are embedded in the program; they live as long as it.
 [[nodiscard]] SelfTestInputs embedded_inputs() noexcept;
 
-/// Adds its checks to `report`; stops at the first that leaves nothing to go on with.
+/// Adds its checks to `report`; stops at a failure that makes the remaining checks impossible.
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report);
 
-/// One line a check and a last one, or one line of JSON {"self_test", "version", "checks": [{"name", "holds", "finding"}]}.
+/// Prints one line per check and a summary line, or one line of JSON {"self_test", "version", "checks": [{"name", "holds",
+/// "finding"}]}.
 void print_self_test(const SelfTestReport& report, bool json, std::FILE* out);
 
 }  // namespace tedavis::target

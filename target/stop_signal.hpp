@@ -1,7 +1,7 @@
-/// SIGINT and SIGTERM as a question that the run loop asks.
+/// SIGINT and SIGTERM as a flag that the run loop reads.
 ///
-/// While one lives, the first signal only sets the flag and wakes a sleep; the second one ends the program at once. One
-/// at a time. Memory  none.
+/// While an object exists, the first signal sets the flag and interrupts a sleep; the second one ends the program at once. Only
+/// one object may exist at a time. Memory  none.
 #pragma once
 
 #include <signal.h>

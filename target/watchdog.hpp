@@ -1,4 +1,4 @@
-/// Signs of life for the service manager: "ready", "alive" and "stopping", as systemd's sd_notify(3) defines them.
+/// Sends signs of life to the service manager: "ready", "alive" and "stopping", as systemd's sd_notify(3) defines them.
 ///
 /// Without a manager (NOTIFY_SOCKET is not set) it does nothing. Every drawn frame is a sign of life, so a display that
 /// hangs is restarted. Thread  one. Memory  none; never allocates. Failure  silent: the manager then restarts.
@@ -10,9 +10,9 @@ namespace tedavis::target {
 
 class Watchdog {
 public:
-    /// The manager's socket from the environment.
+    /// Takes the manager's socket from the environment.
     Watchdog();
-    /// An abstract name begins with '@'; an empty or impossible one makes it do nothing.
+    /// A name that begins with '@' is in the abstract namespace; with an empty or impossible name the object does nothing.
     explicit Watchdog(std::string_view socket_path);
     ~Watchdog();
     Watchdog(const Watchdog&) = delete;

@@ -1,7 +1,7 @@
 /// What a bus file states (configs/buses/*.toml): which dialect of CANaerospace is spoken where the standard leaves room
 /// or real devices differ, how old values may get, and how the own ship is filtered.
 ///
-/// Defaults are the standard's reading. Loading is start-up only and allocates.
+/// The defaults follow the standard. Loading is start-up only and allocates.
 #pragma once
 
 #include <array>
@@ -28,16 +28,16 @@ enum class ServiceCodeMeaning : std::uint8_t { invalid, ignored };
 
 struct BusDialect {
     bool accept_long_position = true;                         ///< LONG on 1036/1037 is 1e-7 degrees
-    AccelerationUnit acceleration = AccelerationUnit::g;      ///< 300..302
-    PressureUnit pressure = PressureUnit::hpa;                ///< 319, 325, 326
-    HeadingReference heading = HeadingReference::true_north;  ///< of 321
-    WindDirection wind = WindDirection::from;                 ///< 334
-    VariationSign variation = VariationSign::east_positive;   ///< 1121
+    AccelerationUnit acceleration = AccelerationUnit::g;      ///< messages 300..302
+    PressureUnit pressure = PressureUnit::hpa;                ///< messages 319, 325, 326
+    HeadingReference heading = HeadingReference::true_north;  ///< message 321
+    WindDirection wind = WindDirection::from;                 ///< message 334
+    VariationSign variation = VariationSign::east_positive;   ///< message 1121
     ServiceCodeMeaning service_code = ServiceCodeMeaning::invalid;
-    bool month_from_zero = false;          ///< 1206: January is 0
-    bool glider_identifiers = false;       ///< know 340..350, 354, 1134, ... of a common glider profile
+    bool month_from_zero = false;          ///< message 1206 counts January as 0
+    bool glider_identifiers = false;       ///< also decode 340..350, 354, 1134, ... of a common glider profile
     std::uint8_t redundancy_channels = 2;  ///< 1..kMaxRedundancyChannels; higher channels are other traffic
-    base::Duration pair_window = base::Duration::milliseconds(20);  ///< between the halves of a DOUBLE
+    base::Duration pair_window = base::Duration::milliseconds(20);  ///< longest time between the halves of a DOUBLE
     base::Duration sender_timeout = base::Duration::seconds(2);     ///< after this silence any message code is accepted
 };
 
@@ -47,10 +47,10 @@ struct PhaseMessageSettings {
     base::Duration timeout = base::Duration::seconds(3);
 };
 
-/// Other aircraft (traffic_profile.hpp): so many identifiers from the first one on.
+/// Reports of other aircraft (traffic_profile.hpp) use this many consecutive identifiers.
 inline constexpr std::uint16_t kTrafficIdentifiers = 12;
 struct TrafficSettings {
-    std::uint16_t first_identifier = 0;  ///< 0: the bus carries none
+    std::uint16_t first_identifier = 0;  ///< 0: the bus carries no traffic
 
     [[nodiscard]] bool is_carried() const { return first_identifier != 0; }
     [[nodiscard]] bool has(std::uint16_t identifier) const {
@@ -69,10 +69,10 @@ struct NodeSettings {
 struct OwnShipSettings {
     base::Duration extrapolation_limit = base::Duration::milliseconds(250);
     base::Duration lost_after = base::Duration::seconds(2);
-    double position_noise_m = 1.0;  ///< standard deviation, where no figure of merit is received
+    double position_noise_m = 1.0;  ///< standard deviation, used where no figure of merit is received
     double height_noise_m = 2.0;
     double velocity_noise_mps = 0.1;
-    double acceleration_mps2 = 8.0;  ///< standard deviation of what the constant-velocity model leaves out
+    double acceleration_mps2 = 8.0;  ///< standard deviation of the acceleration that the constant-velocity model neglects
 };
 
 struct BusSettings {
@@ -81,18 +81,18 @@ struct BusSettings {
     TrafficSettings traffic;
     NodeSettings node;
     OwnShipSettings own_ship;
-    base::Duration utc_timeout = base::Duration::seconds(10);  ///< without 1200 for so long, UTC is lost
+    base::Duration utc_timeout = base::Duration::seconds(10);  ///< without message 1200 for this long, UTC is lost
     std::array<base::FreshnessLimits, flight::kSignalCount> limits{};
 
     BusSettings();  ///< every limit at its default (see default_limits)
 };
 static_assert(std::is_trivially_copyable_v<BusSettings>);
 
-/// What the standard sends every 12.5 ms (section 6.2) is stale after 0.3 s and lost after 1 s, what it sends every 100 ms
-/// after 1 s and 3 s; longer for what changes slowly or by hand.
+/// Limits for signals that the standard sends every 12.5 ms (section 6.2): stale after 0.3 s, lost after 1 s. For those sent
+/// every 100 ms: 1 s and 3 s. Signals that change slowly or are set by hand have longer limits.
 [[nodiscard]] base::FreshnessLimits default_limits(flight::Signal signal) noexcept;
 
-/// `name` is how the file is called in messages.
+/// `name` is the file's name in error messages.
 [[nodiscard]] base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, std::string_view name);
 
 }  // namespace tedavis::bus

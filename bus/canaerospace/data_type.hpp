@@ -60,18 +60,18 @@ struct TypeLayout {
     bool is_signed = false;
     bool known = false;
 };
-/// `known` is false for reserved and user-defined codes.
+/// Returns the layout of a type; `known` is false for reserved and user-defined codes.
 [[nodiscard]] TypeLayout type_layout(std::uint8_t code) noexcept;
 
-/// False when the code is unknown or fewer bytes are there than the type needs; more are ignored.
+/// Returns false when the code is unknown or `available` is less than the type needs; extra bytes are ignored.
 [[nodiscard]] bool decode_value(std::uint8_t code, const std::uint8_t* bytes, std::size_t available, TypedValue& out) noexcept;
 /// Writes the payload and returns its length; each part must lie in its element's range (higher bits are cut off).
 std::size_t encode_value(const TypedValue& value, std::uint8_t* out) noexcept;
 
-/// The number that an analogue value stands for: FLOAT itself; SHORT2 = first * second / 32767 (section 5); of integers
-/// the first element. NaN for types that are no number.
+/// Returns the number that an analogue value stands for: a FLOAT's value, first * second / 32767 for SHORT2 (section 5), the
+/// first element of integer types, NaN for types that are not numbers.
 [[nodiscard]] double number_of(const TypedValue& value) noexcept;
-/// SHORT2 of a value with a full scale of 1..32767 in the value's unit; beyond the scale it saturates.
+/// Encodes a value as SHORT2 with a full scale of 1..32767 in the value's unit; values beyond the scale saturate.
 [[nodiscard]] TypedValue short2_of(double value, std::int16_t full_scale) noexcept;
 
 [[nodiscard]] double double_from_halves(std::uint32_t high, std::uint32_t low) noexcept;

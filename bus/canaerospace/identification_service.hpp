@@ -11,9 +11,9 @@ struct IdentificationAnswer {
     bool due = false;  ///< false: not a request, not for this node, or this node is a passive listener
 };
 
-/// A pure function of the request: identifier 128 on channel 0, NODATA, service code 0, addressed to this node or to all,
-/// is answered on 129 with UCHAR4 {hardware revision, software revision, 0 standard distribution, 0 standard header}.
-/// The standard wants it sent within 100 ms. The answer carries the request's time.
+/// Pure function. A request (identifier 128 on channel 0, NODATA, service code 0, addressed to this node or to all) is answered
+/// on 129 with UCHAR4 {hardware revision, software revision, 0 standard distribution, 0 standard header}. The standard requires
+/// the answer within 100 ms. The answer carries the request's time.
 [[nodiscard]] IdentificationAnswer answer_identification(const CanFrame& request, const NodeSettings& node) noexcept;
 
 }  // namespace tedavis::bus

@@ -1,5 +1,5 @@
-/// The default identifier distribution of CANaerospace 1.7 (section 5) as far as a display needs it: name, unit, sign,
-/// accepted data types, plausible range, and the signal of the core that a value becomes.
+/// The part of the default identifier distribution of CANaerospace 1.7 (section 5) that a display needs: name, unit, sign,
+/// accepted data types, plausible range, and the signal of the core that receives the value.
 ///
 /// Numbers are decimal because the standard's hexadecimal column is off by one from 1095 on. The standard's rate table
 /// prints 1030 for the GPS height; 1038 (section 5.7) is meant. Signs follow ISO 1151-1/-2.
@@ -29,7 +29,7 @@ enum class BusUnit : std::uint8_t {
     time_of_day,
     date,
 };
-/// "deg", "m/s", ...; as the standard states it, whatever the dialect says.
+/// Returns "deg", "m/s", ...: the unit of the standard, also where the bus file selects another dialect.
 [[nodiscard]] const char* to_string(BusUnit unit) noexcept;
 
 /// Where several identifiers state one signal, rank 0 is preferred.
@@ -40,22 +40,22 @@ struct IdentifierEntry {
     const char* name;
     BusUnit unit;
     std::uint32_t types;    ///< bit n: data type n is accepted
-    flight::Signal signal;  ///< count_: known, but no signal of the core
+    flight::Signal signal;  ///< count_: decoded, but not a signal of the core
     std::uint8_t rank;
     bool service_code_is_index;  ///< waypoints: the service code is their number, not a status
     bool glider_profile;         ///< not in the standard; known only if the bus file says so
-    double low, high;            ///< plausible values in SI as decoded; outside a value is refused
+    double low, high;            ///< plausible range in SI, after decoding; values outside are refused
 };
 
 [[nodiscard]] base::Span<const IdentifierEntry> identifier_table() noexcept;
 inline constexpr std::uint16_t kNotInTable = 0xFFFF;
-/// Index into the table, kNotInTable for others.
+/// Returns the identifier's index in the table, or kNotInTable.
 [[nodiscard]] std::uint16_t identifier_index(std::uint16_t identifier) noexcept;
 [[nodiscard]] constexpr std::uint32_t type_bit(DataType type) { return std::uint32_t{1} << static_cast<unsigned>(type); }
 
 enum class AngleRange : std::uint8_t { as_is, heading, longitude };
 
-/// Latitudes and longitudes: they may come as a pair of DOUBLE halves, and in one dialect as LONG in 1e-7 degrees.
+/// True for latitudes and longitudes, which may arrive as a pair of DOUBLE halves, and in one dialect as LONG in 1e-7 degrees.
 [[nodiscard]] constexpr bool is_position(const IdentifierEntry& entry) {
     return (entry.types & type_bit(DataType::double_high)) != 0;
 }
@@ -73,7 +73,7 @@ static_assert(std::is_trivially_copyable_v<SignalBinding>);
 
 [[nodiscard]] SignalBinding bind(const IdentifierEntry& entry, const BusDialect& dialect) noexcept;
 [[nodiscard]] double to_si(const SignalBinding& binding, double number) noexcept;
-/// Headings and directions come out in +-180 degrees, as the standard wants them.
+/// Returns headings and directions in +-180 degrees, as the standard requires.
 [[nodiscard]] double from_si(const SignalBinding& binding, double si) noexcept;
 
 }  // namespace tedavis::bus

@@ -1,11 +1,11 @@
-/// CANaerospace messages as SI values: headers, types, pairs of DOUBLE halves, message codes, plausibility.
+/// Decodes CANaerospace messages into SI values: headers, types, pairs of DOUBLE halves, message codes, plausibility.
 ///
-/// Foreign traffic changes nothing but counters: only identifiers of the table with a data type that the table allows are
-/// taken. Longer frames than their type needs (senders that pad to eight bytes) are taken and counted.
+/// Only identifiers of the table with a data type that the table allows are decoded; all other frames only change counters.
+/// Frames longer than their type needs (from senders that pad to eight bytes) are decoded and counted.
 ///
-/// Message codes: a repeated or older code of one identifier and channel is a duplicate and dropped; gaps are counted as
-/// lost; after `sender_timeout` of silence, from another node, or at the third older code in a row the sender counts as
-/// restarted; a code that never changes is a sender that does not number its messages.
+/// Message codes: a repeated or older code of one identifier and channel marks a duplicate, which is dropped. Gaps are counted
+/// as lost messages. The sender counts as restarted after `sender_timeout` of silence, when the node changes, or at the third
+/// older code in a row. A code that never changes means that the sender does not number its messages.
 ///
 /// Thread  one. Memory  fixed, inside; trivially copyable, so that a copy is a checkpoint. Failure  counted by kind.
 #pragma once
@@ -23,14 +23,14 @@
 namespace tedavis::bus {
 
 enum class MessageKind : std::uint8_t {
-    alien,     ///< not CANaerospace, or nothing this display knows
+    alien,     ///< not CANaerospace, or not an identifier of the table
     repeated,  ///< duplicate or older message
     half,      ///< first half of a DOUBLE
-    known,     ///< in the table, without a signal of the core; value decoded
+    known,     ///< in the table but not a signal of the core; the value is decoded
     signal,
     phase,
     phase_request,
-    traffic,  ///< a part of a report on another aircraft; value as decode_traffic_part() gives it
+    traffic,  ///< one part of a report on another aircraft; `value` is that of decode_traffic_part()
     utc,
     date,
     identification_request,
@@ -42,8 +42,8 @@ struct DecodedMessage {
     std::uint16_t identifier = 0;
     std::uint8_t channel = 0;
     bool restarted = false;  ///< first message of a sender after start, silence or restart
-    bool numbered = true;    ///< false: the message code says nothing
-    bool healthy = true;     ///< false: the sender says invalid, or the value is implausible (then `value` is not set)
+    bool numbered = true;    ///< false: the sender does not number its messages
+    bool healthy = true;     ///< false: the sender states invalid, or the value is implausible (`value` is then not set)
     flight::Signal signal = flight::Signal::count_;
     std::uint8_t rank = 0;
     double value = 0;  ///< SI
@@ -64,7 +64,7 @@ struct DecoderCounts {
     std::uint64_t halves_dropped = 0;
     std::uint64_t out_of_range = 0;  ///< refused values: implausible, not a number, or an impossible code
     std::uint64_t stated_invalid = 0;
-    std::uint64_t impossible_phases = 0;      ///< phase messages whose code is not in the table; out of range as well
+    std::uint64_t impossible_phases = 0;      ///< phase messages with an unknown code; also counted in out_of_range
     std::uint8_t first_impossible_phase = 0;  ///< the code of the first
 };
 
@@ -80,7 +80,7 @@ private:
         base::Time last;
         base::Time half_time;
         std::uint32_t half_bits = 0;
-        std::uint8_t half_type = 0;  // 0: no half is waiting
+        std::uint8_t half_type = 0;  // 0: no half is pending
         std::uint8_t half_code = 0;
         std::uint8_t node = 0;
         std::uint8_t code = 0;

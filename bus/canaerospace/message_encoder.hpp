@@ -1,4 +1,4 @@
-/// SI values as CANaerospace messages: for recordings made from other flights, scenarios and tests.
+/// Encodes SI values as CANaerospace messages, for converted flights, scenarios and tests.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace tedavis::bus {
 enum class PhaseOrigin : std::uint8_t { unknown, fms, pilot, computed, simulator };
 inline constexpr std::uint8_t kConfidenceNotStated = 255;
 
-/// Thread  one. Memory  fixed, inside. Failure  nothing is written and 0 comes back: an identifier that is not in the
-/// table, a type that the table does not allow for it, a value that is not finite, a span that is too short.
+/// Thread  one. Memory  fixed, inside. Failure  nothing is written and 0 is returned for an identifier that is not in the
+/// table, a type that the table does not allow for it, a value that is not finite, and a span that is too short.
 class MessageEncoder {
 public:
     /// `node` is the sender's number, 1..199.
@@ -27,7 +27,7 @@ public:
     /// the decoder gives it. SHORT2 chooses the smallest full scale 1, 2, 4, .. 16384, 32767 that holds the value.
     std::size_t encode(std::uint16_t identifier, double si, DataType type, base::Time time, base::Span<CanFrame> out,
                        std::uint8_t channel = 0, std::uint8_t service_code = 0);
-    /// `valid` false sends service code 1.
+    /// Writes a phase message; `valid` false sends service code 1.
     std::size_t encode_phase(flight::FlightPhase phase, PhaseOrigin origin, std::uint8_t confidence, bool valid, base::Time time,
                              base::Span<CanFrame> out);
     std::size_t encode_phase_request(flight::FlightPhase phase, base::Time time, base::Span<CanFrame> out);

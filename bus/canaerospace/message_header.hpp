@@ -18,7 +18,7 @@ struct MessageHeader {
 };
 static_assert(std::is_trivially_copyable_v<MessageHeader>);
 
-/// How many messages a code is after another: -128 .. 127, for codes go round.
+/// Returns how many messages `code` is after `before`, -128 .. 127, modulo 256.
 [[nodiscard]] constexpr int code_step(std::uint8_t code, std::uint8_t before) noexcept {
     const int step = static_cast<std::uint8_t>(code - before);
     return step < 128 ? step : step - 256;
@@ -32,7 +32,7 @@ struct MessageId {
 };
 
 [[nodiscard]] MessageId message_id(std::uint32_t can_id, bool extended) noexcept;
-/// The identifier as it goes out: channel 0 with 11 bits, others with 29.
+/// Sets the frame's identifier: 11 bits for channel 0, 29 bits for the others.
 void set_message_id(CanFrame& frame, std::uint16_t identifier, std::uint8_t channel) noexcept;
 
 /// The frame must hold at least four bytes.

@@ -8,9 +8,9 @@
 
 namespace tedavis::bus {
 
-/// Index of the candidate to believe at `now`: healthy and fresh before degraded, before stale, before one whose sender
-/// says invalid, before lost, before never received. Among equals the first wins, so candidates are passed in order of
-/// preference. 0 for an empty span.
+/// Returns the index of the best candidate at `now`, in the order healthy and fresh, degraded, stale, stated invalid by its
+/// sender, lost, never received. Among equals the first wins: pass candidates in order of preference. Returns 0 for an empty
+/// span.
 [[nodiscard]] std::size_t vote(base::Span<const base::Stamped<double>> candidates, base::Time now,
                                const base::FreshnessLimits& limits) noexcept;
 

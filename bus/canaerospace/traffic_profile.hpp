@@ -1,9 +1,9 @@
-/// Other aircraft on CANaerospace: a profile of our own in the user-defined identifiers, from a receiver (ADS-B, for example).
-/// configs/buses/README.md describes it for who builds the sender.
+/// Reports of other aircraft on CANaerospace: this project's own profile in the user-defined identifiers, sent by a receiver
+/// (ADS-B, for example). configs/buses/README.md specifies it for the sender.
 ///
-/// A report is twelve messages, one of each identifier from the bus file's first one on, in the order of TrafficPart. Their
-/// service code is the sender's number of the aircraft, as that of waypoints is; their message code counts the reports with this
-/// number, so that the parts of one report have equal codes. Pure functions; any thread.
+/// A report is twelve messages with consecutive identifiers from the bus file's first one on, in the order of TrafficPart. The
+/// service code is the sender's number of the aircraft (the standard numbers waypoints in the same way). The message code
+/// counts the reports with this number, so that all parts of one report have the same code. Pure functions; any thread.
 #pragma once
 
 #include <array>
@@ -44,10 +44,11 @@ struct TrafficPartEntry {
 };
 [[nodiscard]] const TrafficPartEntry& traffic_part_entry(TrafficPart part) noexcept;
 
-/// A part as a number: SI and radians, seconds; four letters of a callsign as their bits. False: implausible, or not a number.
+/// Decodes a part into SI units, radians or seconds; four letters of a callsign are returned as their bits. Returns false where
+/// the value is implausible or not a number.
 [[nodiscard]] bool decode_traffic_part(TrafficPart part, const TypedValue& value, double& number) noexcept;
 
-/// What decode_traffic_part() made of each part, as a report. `received`: when the first of them came.
+/// Builds a report from the decoded parts. `received` is the receive time of the first part.
 using TrafficNumbers = std::array<double, kTrafficParts>;
 [[nodiscard]] flight::TrafficReport traffic_report(const TrafficNumbers& numbers, base::Time received) noexcept;
 
@@ -58,8 +59,8 @@ struct TrafficSender {
     std::uint8_t number = 0;  ///< of the aircraft, 0 .. kTrafficNumbers - 1
     std::uint8_t code = 0;    ///< of the report
 };
-/// Writes kTrafficParts frames, stamped `time`, of which the report's age counts; returns how many: 0 where the span is too short
-/// or a part would not be accepted.
+/// Writes kTrafficParts frames stamped `time`; the report's age is relative to `time`. Returns the number of frames, 0 where
+/// the span is too short or a part would not be accepted.
 std::size_t encode_traffic(const flight::TrafficReport& report, const TrafficSender& sender, base::Time time,
                            base::Span<CanFrame> out) noexcept;
 

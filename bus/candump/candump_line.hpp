@@ -1,4 +1,4 @@
-/// One line of a candump log (`candump -l`, `-L`) as a frame, and back.
+/// Parses and formats one line of a candump log (`candump -l`, `-L`).
 ///
 /// Forms (can-utils lib.h): `(seconds.fraction) interface frame[ R| T]` with 6 or 9 fractional digits and any number of
 /// blanks before the interface; frame is `123#data`, `12345678#data`, `123#R[length]`, `..._D` with a raw length code 9..F
@@ -22,7 +22,7 @@ enum class LineKind : std::uint8_t {
     blank,
     drop_report,  ///< `DROPCOUNT: dropped N CAN frames on 'IF' socket ...`
     other,        ///< does not start with '(': text that candump's own player ignores as well
-    malformed,    ///< starts like a frame and is none
+    malformed,    ///< starts like a frame but is not a valid one
 };
 
 enum class LineFault : std::uint8_t {
@@ -38,17 +38,17 @@ enum class LineFault : std::uint8_t {
     trailing_text,
     too_long,
 };
-/// What is wrong, as the end of a sentence: "the time stamp is not (seconds.6 or 9 digits)".
+/// Returns the fault as the end of a sentence: "the time stamp is not (seconds.6 or 9 digits)".
 [[nodiscard]] const char* describe(LineFault fault) noexcept;
 
-/// Later stamps are refused (year 2255): sums of times and durations then never leave int64.
+/// Later stamps (after the year 2255) are refused, so that sums of times and durations never overflow int64.
 inline constexpr base::Time kLatestStamp{9'000'000'000'000'000'000};
 
 struct CandumpLine {
     LineKind kind = LineKind::malformed;
     LineFault fault = LineFault::none;
-    std::uint32_t dropped = 0;        ///< of a drop report: frames lost since the previous one
-    std::string_view interface_name;  ///< of a frame; points into the line
+    std::uint32_t dropped = 0;        ///< drop reports: frames lost since the previous report
+    std::string_view interface_name;  ///< frames: points into the line
 };
 
 /// `line` without its newline; a carriage return and blanks at its end are allowed. `frame` is complete when the kind

@@ -1,14 +1,14 @@
 /// A recorded candump log as a source of frames.
 ///
-/// Frames come in the order of the file. Lines that are not frames are counted by kind; of the broken ones the first
-/// kMaxLineReports are kept with line number and reason. Stamps may be out of order: a frame is handed out once no
-/// earlier line is still in the future, so what has been read up to T depends on T alone. A clock that steps back by more
-/// than a second (set by hand or by NTP while recording) is re-anchored: from there on all stamps are shifted so that
-/// time stands still for that one frame and goes on. One single stamp that leaps ahead and back again is set to that of
-/// the line before. Both are counted.
+/// Frames come in the order of the file. Lines that are not frames are counted by kind; the first kMaxLineReports malformed
+/// ones are kept with line number and reason. Stamps may be out of order: a frame is returned once no earlier line lies in the
+/// future, so that what has been read up to T depends on T alone. A clock that steps back by more than a second (set by hand or
+/// by NTP while recording) is re-anchored: all later stamps are shifted so that the frame after the step has the time of the
+/// frame before it. A single stamp that jumps ahead, with the next one back in order, is replaced by that of the line before.
+/// Both cases are counted.
 ///
-/// Thread  one. Memory  only what is inside and the caller's text or window. Failure  counted; health() says `failed`
-/// when the medium cannot be read.
+/// Thread  one. Memory  inside the object, and the caller's text or window. Failure  counted; health() says `failed` when the
+/// medium cannot be read.
 #pragma once
 
 #include <cstdint>
@@ -36,19 +36,19 @@ struct LogLineCounts {
     std::uint64_t other = 0;
     std::uint64_t drop_reports = 0;
     std::uint64_t out_of_order = 0;  ///< frames stamped before an earlier line
-    std::uint64_t clock_steps = 0;   ///< steps back that were re-anchored
+    std::uint64_t clock_steps = 0;   ///< backward clock steps that were re-anchored
     std::uint64_t leaping_stamps = 0;
-    std::uint64_t runs_back = 0;              ///< frames stamped before the frame before them, by whatever time
-    std::uint64_t first_back_line = 0;        ///< of them; 0: none
-    base::Duration first_back, longest_back;  ///< by how much
+    std::uint64_t runs_back = 0;              ///< frames stamped before their predecessor, by any amount
+    std::uint64_t first_back_line = 0;        ///< line of the first of them; 0: none
+    base::Duration first_back, longest_back;  ///< amount of the first and of the largest
 };
 
-/// A place in the log together with all that reading up to it has counted: going on from here gives the same frames and
-/// the same counts as reading everything before it.
+/// A position in the log with all counts up to it. Reading on from here gives the same frames and counts as reading the log
+/// from its start.
 struct LogPosition {
     std::uint64_t offset = 0;
-    base::Time newest;      ///< newest stamp handed out so far, after re-anchoring
-    base::Time last_stamp;  ///< of the frame before, as the file has it
+    base::Time newest;      ///< newest stamp returned so far, after re-anchoring
+    base::Time last_stamp;  ///< the previous frame's, as in the file
     base::Duration shift;   ///< added to the stamps that follow
     bool any_frame = false;
     SourceStatistics statistics;
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] const SourceStatistics& statistics() const override { return position_.statistics; }
     [[nodiscard]] const LogLineCounts& line_counts() const { return position_.lines; }
     [[nodiscard]] base::Span<const LineReport> reports() const { return {reports_.data(), reports_.size()}; }
-    /// Names by channel index.
+    /// Interface names by channel index.
     [[nodiscard]] base::Span<const base::FixedString<15>> interface_names() const { return {names_.data(), names_.size()}; }
 
     [[nodiscard]] const LogPosition& position() const { return position_; }

@@ -10,18 +10,18 @@
 
 namespace tedavis::bus {
 
-/// Where the text goes: a file, a buffer. Implemented by the composition root.
+/// Port: receives the text, for example a file or a buffer. Implemented by the composition root.
 class TextSink {
 public:
     virtual ~TextSink() = default;
-    /// False when not everything could be written.
+    /// Returns false when not all bytes could be written.
     [[nodiscard]] virtual bool write(const char* text, std::size_t count) = 0;
 };
 
-/// Thread  one. Memory  none. Failure  a frame that is no candump line, or a sink that is full, gives false and is counted.
+/// Thread  one. Memory  none. Failure  returns false and counts a frame that candump cannot express or a sink that is full.
 class CandumpLogWriter {
 public:
-    /// Channel n is written as the n-th name; frames of a channel without a name are refused.
+    /// Frames of channel n are written with the n-th name; frames of a channel without a name are refused.
     CandumpLogWriter(TextSink& sink, base::Span<const std::string_view> interface_names, StampDigits digits, bool direction);
 
     [[nodiscard]] bool write(const CanFrame& frame);

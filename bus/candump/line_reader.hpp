@@ -1,7 +1,7 @@
-/// Lines of a text that lies in memory or is read through a window, alike.
+/// Reads a text line by line, either from memory or through a window of fixed size.
 ///
-/// Memory  in memory mode none (the text, perhaps a mapped file, must outlive the reader); in window mode the caller's
-/// window, so that a log of any size needs no more. Failure  a line longer than kMaxLogLine is skipped and named.
+/// Memory  in memory mode none (the text, perhaps a mapped file, must outlive the reader); in window mode the caller's window,
+/// whatever the size of the log. Failure  a line longer than kMaxLogLine is skipped and reported by its status.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ public:
     enum class Status : std::uint8_t { line, too_long, end, failed };
 
     explicit LineReader(base::Span<const char> text);
-    /// `window` of at least kMinLogWindow bytes; 64 KiB and more read well.
+    /// `window` has at least kMinLogWindow bytes; 64 KiB or more read fast.
     LineReader(base::ByteSource& source, base::Span<char> window);
 
-    /// The next line without its newline, valid until the next call; the last line needs no newline.
+    /// Returns the next line without its newline; it stays valid until the next call. The last line needs no newline.
     [[nodiscard]] Status next(std::string_view& line);
-    /// Bytes before the next line.
+    /// Offset of the next line, bytes.
     [[nodiscard]] std::uint64_t offset() const { return window_start_ + at_; }
-    /// Goes on at this byte; beyond the end the text is at its end.
+    /// Continues at this byte offset; an offset beyond the end means the end.
     void seek(std::uint64_t offset);
 
 private:

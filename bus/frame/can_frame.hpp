@@ -17,8 +17,8 @@ struct CanFrame {
     bool extended = false;  ///< 29-bit identifier
     FrameKind kind = FrameKind::data;
     std::uint8_t fd_flags = 0;  ///< 1 BRS, 2 ESI, 4 FDF
-    std::uint8_t raw_dlc = 0;   ///< 9..15 where a classic frame states more than 8, else 0
-    std::uint8_t length = 0;    ///< valid bytes of data; for a remote frame the length asked for
+    std::uint8_t raw_dlc = 0;   ///< DLC 9..15 of a classic frame, else 0
+    std::uint8_t length = 0;    ///< valid bytes of data; for a remote frame the requested length
     std::uint8_t channel = 0;   ///< index of the interface, in order of appearance
     bool transmitted = false;   ///< sent by the recording host (log suffix T)
     std::array<std::uint8_t, 64> data{};

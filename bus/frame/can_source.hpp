@@ -1,4 +1,4 @@
-/// Where frames come from: a socket, a log, a test. All alike to the rest of the bus.
+/// Port: a source of CAN frames, such as a socket, a log or a test.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ struct SourceStatistics {
     std::uint64_t frames = 0;
     std::uint64_t malformed = 0;  ///< lines or records that are not frames
     std::uint64_t error_frames = 0;
-    std::uint64_t dropped = 0;  ///< frames that kernel or recorder reports as lost
+    std::uint64_t dropped = 0;  ///< frames that the kernel or the recorder reports as lost
     std::uint64_t reopened = 0;
 };
 
 class CanSource {
 public:
     virtual ~CanSource() = default;
-    /// Fills `out` from the front with frames received at or before `until`, in order of reception; returns how many.
-    /// 0 means none are waiting. Never blocks, never allocates.
+    /// Fills `out` from the front with frames received at or before `until`, in order of reception; returns how many. 0 means
+    /// that none are pending. Never blocks, never allocates.
     [[nodiscard]] virtual std::size_t read(base::Time until, base::Span<CanFrame> out) = 0;
     [[nodiscard]] virtual SourceHealth health() const = 0;
     [[nodiscard]] virtual const SourceStatistics& statistics() const = 0;

@@ -1,4 +1,4 @@
-/// Which payload lengths CAN FD has (ISO 11898-1: 0..8, 12, 16, 20, 24, 32, 48, 64).
+/// The payload lengths of CAN FD (ISO 11898-1): 0..8, 12, 16, 20, 24, 32, 48, 64 bytes.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Who opens the socket: the kernel's raw CAN in the product, a socket pair in tests.
+/// Port: opens the CAN socket. The product opens the kernel's raw CAN socket, tests a socket pair.
 #pragma once
 
 #include <cstdint>
@@ -18,25 +18,25 @@ struct CanFilter {
 
 struct SocketCanSettings {
     base::FixedString<15> interface_name;       ///< "can0"
-    base::FixedVector<CanFilter, 512> filters;  ///< none: everything; 512 is the kernel's limit
+    base::FixedVector<CanFilter, 512> filters;  ///< empty: all frames pass; 512 is the kernel's limit
     bool can_fd = false;
     std::uint32_t receive_buffer_bytes = 1u << 20;
     base::Duration reopen_interval = base::Duration::seconds(1);  ///< at most one attempt in this time
 };
 
-/// Adds the two filters that pass one CANaerospace identifier on all redundancy channels: the exact 11-bit identifier, and
-/// the 29-bit ones whose low 16 bits equal it. False when they do not fit.
+/// Adds the two filters that pass one CANaerospace identifier on all redundancy channels: the exact 11-bit identifier, and the
+/// 29-bit ones whose low 16 bits equal it. Returns false when they do not fit.
 [[nodiscard]] bool add_identifier_filters(SocketCanSettings& settings, std::uint16_t identifier);
 
 struct OpenedSocket {
     int descriptor = -1;            ///< non-blocking; -1 when it could not be opened
-    base::FixedString<191> reason;  ///< then what is wrong and what to do
+    base::FixedString<191> reason;  ///< where it could not be opened: what is wrong and what to do
 };
 
 class CanSocketPort {
 public:
     virtual ~CanSocketPort() = default;
-    /// Never blocks. The caller owns and closes the descriptor.
+    /// Opens the socket; never blocks. The caller owns and closes the descriptor.
     [[nodiscard]] virtual OpenedSocket open(const SocketCanSettings& settings) = 0;
 };
 

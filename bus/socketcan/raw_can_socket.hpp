@@ -6,7 +6,7 @@
 namespace tedavis::bus {
 
 /// Binds to the interface with the settings' filters, all error classes, kernel time stamps, the overflow counter and the
-/// receive buffer asked for. The bit rate and `restart-ms` are the system's business (`ip link set can0 ...`).
+/// requested receive buffer. The bit rate and `restart-ms` are set by the system (`ip link set can0 ...`).
 class RawCanSocket final : public CanSocketPort {
 public:
     [[nodiscard]] OpenedSocket open(const SocketCanSettings& settings) override;

@@ -1,9 +1,9 @@
 /// Frames from a live bus.
 ///
-/// Reading never blocks. Kernel stamps are wall-clock time and are converted once, at reading, to the monotonic clock; a
-/// stamp that the conversion puts into the future or more than two seconds into the past (someone set the clock) is
-/// replaced by the time of reading. Frames that the kernel drops are counted by its own counter. Bus-off and link-down
-/// are reported by health(); a socket that fails is closed and opened again, at most once in `reopen_interval`.
+/// Reading never blocks. Kernel stamps are wall-clock time and are converted once, at reading, to the monotonic clock; a stamp
+/// that the conversion puts into the future or more than two seconds into the past (the clock was set) is replaced by the time
+/// of reading. Frames that the kernel drops are counted by its own counter. Bus-off and link-down are reported by health(); a
+/// socket that fails is closed and opened again, at most once in `reopen_interval`.
 ///
 /// Thread  one. Memory  fixed. Failure  health() and last_fault().
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace tedavis::bus {
 
-/// The two clocks of the machine, given by the composition root.
+/// The machine's two clocks, provided by the composition root.
 struct LiveClocks {
     base::Time (*monotonic)() = nullptr;
     base::Time (*wall)() = nullptr;
@@ -27,16 +27,17 @@ public:
     SocketCanSource(const SocketCanSource&) = delete;
     SocketCanSource& operator=(const SocketCanSource&) = delete;
 
-    /// Times are monotonic; `until` is normally the monotonic now.
+    /// Times are those of the monotonic clock; `until` is normally its current time.
     [[nodiscard]] std::size_t read(base::Time until, base::Span<CanFrame> out) override;
     [[nodiscard]] SourceHealth health() const override { return health_; }
     [[nodiscard]] const SourceStatistics& statistics() const override { return statistics_; }
-    /// Why the socket is not open, one sentence; empty while it is.
+    /// One sentence why the socket is not open; empty while it is open.
     [[nodiscard]] std::string_view last_fault() const { return fault_.view(); }
 
-    /// Hands one frame to the kernel; false when its queue is full or there is no bus: it is not sent later.
+    /// Hands one frame to the kernel. Returns false, and the frame is dropped, when the kernel's queue is full or there is no
+    /// bus.
     [[nodiscard]] bool send(const CanFrame& frame);
-    /// To wait on in the composition root's poll; -1 while closed.
+    /// The descriptor for the composition root's poll; -1 while closed.
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
 private:

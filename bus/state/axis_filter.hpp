@@ -1,9 +1,9 @@
 /// One axis of the own ship: a Kalman filter of position and velocity over measurements that may come out of order.
 ///
 /// The last kRing measurements are kept sorted by source time; one that comes late but within the ring is inserted and the
-/// filter is run again from the state before the ring, so that the order of arrival does not matter. Model: constant
-/// velocity, white acceleration. A position far from the prediction is not believed until kOutliersToRestart in a row agree
-/// that the track is elsewhere; after a gap longer than `restart_gap` the filter starts anew.
+/// filter is run again from the state before the ring, so that the order of arrival does not matter. Model: constant velocity,
+/// white acceleration. A position far from the prediction is rejected. At the kOutliersToRestart-th rejection in a row, and
+/// after a gap longer than `restart_gap`, the filter restarts.
 ///
 /// Positions may be angles (radians, with metres per radian given per measurement) or metres (scale 1); all noise and the
 /// velocity are in metres. Thread  one. Memory  fixed, trivially copyable. Cost  at most kRing + 1 steps a measurement.
@@ -35,7 +35,7 @@ struct AxisEstimate {
     double position = 0;
     double velocity_mps = 0;
     base::Duration age;    ///< since the last accepted position
-    bool started = false;  ///< false: no position yet, the rest means nothing
+    bool started = false;  ///< false: no position yet, and the other members are meaningless
 };
 
 class AxisFilter {
@@ -45,9 +45,9 @@ public:
 
     explicit AxisFilter(AxisModel model = AxisModel()) : model_(model) {}
 
-    /// False when it was dropped: a duplicate, older than the ring, or not finite.
+    /// Returns false when the measurement was dropped: a duplicate, older than the ring, or not finite.
     bool add(const AxisMeasurement& measurement);
-    /// At `now`, or at the last position plus `limit` where that is earlier.
+    /// Returns the estimate at `now`, or at the last position's time plus `limit` where that is earlier.
     [[nodiscard]] AxisEstimate estimate(base::Time now, base::Duration limit) const;
     [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 

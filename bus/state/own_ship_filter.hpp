@@ -1,12 +1,13 @@
-/// The own ship's position and velocity at any instant, from messages that come one by one on their own source times.
+/// Estimates the own ship's position and velocity at any instant from messages that arrive one by one, each with its own source
+/// time.
 ///
-/// Latitude, longitude and height are filtered each by itself (axis_filter.hpp), because each is a message of its own.
-/// Metres per radian follow the WGS84 radii at the current place, so nothing is tied to a fixed origin: poles, the
-/// antimeridian and long flights need no re-basing. Up to the extrapolation limit the estimate moves on with its
-/// velocity, then it stands still and is stale, later lost.
+/// Latitude, longitude and height are filtered separately (axis_filter.hpp), because each is a separate message. Metres per
+/// radian follow the WGS84 radii at the current place, so nothing is tied to a fixed origin: poles, the antimeridian and long
+/// flights need no re-basing. Up to the extrapolation limit the estimate is extrapolated with its velocity; after that it is
+/// held and is stale, later lost.
 ///
-/// Heights: GNSS above the ellipsoid; without a usable one the altimeter's, else standard altitude, and then
-/// `height_is_geometric` is false. Thread  one. Memory  fixed, trivially copyable.
+/// Height: that of GNSS above the ellipsoid; where that is unusable the altimeter's altitude, else the standard altitude, and
+/// then `height_is_geometric` is false. Thread  one. Memory  fixed, trivially copyable.
 #pragma once
 
 #include <array>

@@ -1,13 +1,13 @@
 /// Reconstructs when a periodic message was sent, although CANaerospace messages carry no time.
 ///
-/// A sender counts its messages (message code) and sends them at a steady period, so sending time is a line over the
-/// count. The line is fitted to the receive stamps by a growing-memory least-squares filter (alpha = 2(2n-1)/(n(n+1)),
-/// beta = 6/(n(n+1)); E. Brookner, Tracking and Kalman Filtering Made Easy, 1998, chapter 1) whose memory stops growing at
+/// A sender counts its messages (message code) and sends them at a steady period, so the sending time is a linear function of
+/// the count. The line is fitted to the receive stamps by a growing-memory least-squares filter (alpha = 2(2n-1)/(n(n+1)), beta
+/// = 6/(n(n+1)); E. Brookner, Tracking and Kalman Filtering Made Easy, 1998, chapter 1) whose memory stops growing at
 /// kMaxMemory messages. What remains is the mean transport delay, which no receiver can see.
 ///
 /// The fit is locked once kMessagesToLock messages lie close to the line; without a lock the receive stamp is the answer.
-/// Stamps far off the line (a burst after a busy bus) do not move it. Only differences of times enter: the same messages
-/// at another epoch give the same bits.
+/// Stamps far off the line (a burst after a busy bus) do not move it. Only differences of times enter, so the same messages
+/// with another time origin give the same bits.
 /// Thread  one. Memory  fixed, trivially copyable.
 #pragma once
 
@@ -28,7 +28,7 @@ public:
     static constexpr std::uint16_t kMaxMemory = 512;
     static constexpr std::uint16_t kMessagesToLock = 8;
 
-    /// `code` differs from the previous one: the caller has dropped duplicates and older messages.
+    /// `code` must differ from the previous one: the caller drops duplicates and older messages.
     [[nodiscard]] SourceTime add(std::uint8_t code, base::Time received);
     void reset() { *this = SourceTimeFit(); }
 
@@ -43,7 +43,7 @@ private:
     void advance(double by_ns);
 
     base::Time line_;         // the line at the last message, whole nanoseconds
-    double fraction_ns_ = 0;  // and the rest
+    double fraction_ns_ = 0;  // and its fraction
     double period_ns_ = 0;
     double variance_ns2_ = 0;  // of the stamps about the line
     std::uint16_t messages_ = 0;

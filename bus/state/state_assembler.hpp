@@ -1,11 +1,11 @@
-/// What the bus says about the aircraft: frames in, the core's state out.
+/// Assembles the aircraft state from the frames of the bus.
 ///
-/// Frames are fed in the order of their source; snapshot(now) is a pure reading of what was fed and changes nothing. With
-/// a source that is read up to `now` before each snapshot (CanSource::read), the snapshot at T depends on the frames up
-/// to T alone, however often snapshots were taken; a copy of the object is a checkpoint to go on from.
+/// Frames are fed in the order of their source; snapshot(now) changes nothing. Where the source is read up to `now` before each
+/// snapshot (CanSource::read), the snapshot at T depends only on the frames up to T, not on earlier snapshots. A copy of the
+/// object is a checkpoint.
 ///
-/// Each value keeps the source time that source_time_fit.hpp reconstructs; without a lock its receive stamp, and then its
-/// quality is degraded. Thread  one. Memory  fixed, inside. Failure  none; foreign and broken traffic is counted.
+/// Each value has the source time that source_time_fit.hpp reconstructs; without a lock it has its receive stamp and degraded
+/// quality. Thread  one. Memory  fixed, inside. Failure  none; foreign and broken traffic is counted.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@
 
 namespace tedavis::bus {
 
-/// A flight phase as the bus states it. Quality is bad while the sender says invalid or the code is impossible.
+/// A flight phase that the bus states. Its quality is bad while the sender states invalid or the code is impossible.
 struct PhaseMessage {
     base::Stamped<flight::FlightPhase> phase;
-    base::FreshnessLimits limits;   ///< both at the bus file's timeout
+    base::FreshnessLimits limits;   ///< both equal the bus file's timeout
     std::uint8_t origin = 0;        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
     std::uint8_t confidence = 255;  ///< percent, 255 not stated
 };
@@ -52,7 +52,7 @@ public:
     explicit StateAssembler(const BusSettings& settings = BusSettings());
 
     void feed(base::Span<const CanFrame> frames);
-    /// The source's own total of lost frames.
+    /// Takes over the source's total of lost frames.
     void note_dropped(std::uint64_t total) { dropped_ = total; }
     [[nodiscard]] BusSnapshot snapshot(base::Time now) const;
 

@@ -1,15 +1,16 @@
-/// Other aircraft out of the messages that report them (canaerospace/traffic_profile.hpp): a fixed number of the newest reports.
+/// Assembles reports of other aircraft from their messages (canaerospace/traffic_profile.hpp) and keeps the newest report of
+/// each of up to kMaxTraffic aircraft.
 ///
-/// A report is taken when all its parts have come: with one number, node and message code, within kWindow of the first. A part
-/// with the next code begins another report, and what was there of the one before is dropped; a part that was there, or with an
-/// older code, is a repetition; after `sender_timeout` of silence, or from another node, any code begins anew. One implausible
-/// part refuses the whole report. Its time is that of its first part less the age that it states. A report that is older than the
-/// aircraft's last one is refused.
+/// A report is complete when all its parts have arrived within kWindow of the first, with the same number, node and message
+/// code. A part with a later code begins another report and drops an incomplete one; a part that is already there, or has an
+/// older code, counts as repeated. After `sender_timeout` of silence, or from another node, any code begins a new report. One
+/// implausible part invalidates the whole report. The time of a report is the receive time of its first part minus the age that
+/// it states. A report older than the aircraft's last one is refused.
 ///
-/// With kMaxTraffic aircraft the table is full, and the farthest from the own ship, the new one among them, has no room. While
-/// nobody knows where the own ship is, the new one has none. Places of those without a report for kTrafficKept are free.
+/// When the table is full, the aircraft farthest from the own ship, which may be the new one, is left out; while the own ship's
+/// position is unknown, the new one is left out. An entry without a report for kTrafficKept is free.
 ///
-/// Thread  one. Memory  fixed, trivially copyable. Failure  none; what is not taken is counted.
+/// Thread  one. Memory  fixed, trivially copyable. Failure  none; reports that are not kept are counted.
 #pragma once
 
 #include <array>
@@ -23,23 +24,24 @@
 namespace tedavis::bus {
 
 struct TrafficCounts {
-    std::uint64_t reports = 0;     ///< taken
-    std::uint64_t incomplete = 0;  ///< reports of which parts are missing
+    std::uint64_t reports = 0;     ///< kept
+    std::uint64_t incomplete = 0;  ///< reports with missing parts
     std::uint64_t repeated = 0;    ///< messages
     std::uint64_t refused = 0;     ///< reports with an implausible part, and messages with an impossible number
     std::uint64_t outdated = 0;    ///< reports older than the aircraft's last one
-    std::uint64_t no_room = 0;     ///< reports that the full table refused, or gave up for a nearer aircraft
+    std::uint64_t no_room = 0;     ///< reports that the full table refused, or replaced by a nearer aircraft's
 };
 
 class TrafficTable {
 public:
     static constexpr base::Duration kWindow = base::Duration::milliseconds(500);
-    static constexpr base::Duration kCutIsSaid = base::Duration::seconds(10);  ///< after the last report without room
+    static constexpr base::Duration kCutIsSaid =
+        base::Duration::seconds(10);  ///< `is_cut` holds this long after a report had no room
 
     explicit TrafficTable(const BusSettings& settings)
         : is_carried_(settings.traffic.is_carried()), sender_timeout_(settings.dialect.sender_timeout) {}
 
-    /// A message of the kind traffic. `own_ship` is needed where there is no room.
+    /// Takes a message of the kind `traffic`. `own_ship` decides which aircraft is left out of a full table.
     void take(const DecodedMessage& message, TrafficPart part, base::Time received, const flight::OwnShipEstimate& own_ship);
     [[nodiscard]] bool has_room(base::Time now) const;
     [[nodiscard]] flight::Traffic estimate(base::Time now) const;
@@ -49,7 +51,7 @@ private:
     struct Assembly {
         TrafficNumbers numbers{};
         base::Time begun;
-        std::uint16_t parts = 0;  ///< bit n: part n is there; 0: never begun
+        std::uint16_t parts = 0;  ///< bit n: part n has arrived; 0: never begun
         std::uint8_t node = 0, code = 0;
         bool is_refused = false;
     };

@@ -1,14 +1,13 @@
-/// UTC out of the messages 1200 (time of day, whole seconds) and 1206 (date), which come one by one and one of which may be
-/// wrong.
+/// Derives UTC from the messages 1200 (time of day, whole seconds) and 1206 (date), which arrive separately and may be wrong.
 ///
-/// UTC is the source's time plus an offset. It begins when a time of day and a date belong together beyond doubt: not within
-/// kMidnight of midnight, where one of the two may still be of the day before. From then on the day follows the clock. Senders
-/// cut seconds off, so that the largest offset seen is the nearest, with kTransport for a message's way; it is late by what is
-/// left, at most a second. A time of day that is off by more than kSlack, or another date, is doubted and does not confirm the
-/// clock; kDoubts in a row that agree with each other are a clock that was set: a step of up to kSmallStep is followed, after a
-/// larger one or another date the clock begins anew. A leap second (23:59:60) is the next day's first second, as in POSIX time.
+/// UTC is the source's time plus an offset. The clock starts when a time of day and a date surely belong to the same day, that
+/// is, not within kMidnight of midnight. From then on the date follows from the clock. Senders truncate to whole seconds, so
+/// the largest offset seen is the best estimate, with kTransport as the transport delay; UTC is late by at most one second. A
+/// time of day that differs by more than kSlack, or another date, is rejected and does not confirm the clock. When kDoubts
+/// rejected values in a row agree with each other, the sender's clock was set: a step of up to kSmallStep is followed; after a
+/// larger step or another date the clock restarts. A leap second (23:59:60) is the next day's first second, as in POSIX time.
 ///
-/// Thread  one. Memory  fixed, trivially copyable. Failure  dates that the calendar has not, or before 2000 or after 2099, are
+/// Thread  one. Memory  fixed, trivially copyable. Failure  dates that do not exist, or lie before 2000 or after 2099, are
 /// ignored: receivers without a fix send them.
 #pragma once
 
@@ -22,13 +21,13 @@ namespace tedavis::bus {
 
 class UtcClock {
 public:
-    static constexpr base::Duration kTransport = base::Duration::milliseconds(1);  ///< waiting for the bus, and on it
+    static constexpr base::Duration kTransport = base::Duration::milliseconds(1);  ///< delay before and on the bus
     static constexpr base::Duration kSlack = base::Duration::milliseconds(1500);
     static constexpr base::Duration kMidnight = base::Duration::seconds(5);
     static constexpr base::Duration kSmallStep = base::Duration::seconds(60);
     static constexpr std::uint8_t kDoubts = 3;
 
-    /// Unconfirmed for longer than `timeout`, it is lost.
+    /// UTC is lost when it has not been confirmed for longer than `timeout`.
     explicit UtcClock(base::Duration timeout) : timeout_(timeout) {}
 
     /// Hour 0..23, minute 0..59, second 0..60; others are ignored.

@@ -1,11 +1,11 @@
 /// Phase switches on GPIO lines, live.
 ///
-/// Levels are read when it is opened and handed out as the first edges; after every burst of edges they are read again,
-/// and a level that no edge explains is handed out as an edge at the time of reading and counted as an overrun (the
-/// kernel keeps 16 edges a line). Stamps are the kernel's: its monotonic clock plus the offset given.
+/// Levels are read at open() and returned as the first edges. After every burst of edges they are read again; a level that no
+/// edge explains is returned as an edge at the time of reading and counted as an overrun (the kernel buffers 16 edges a line).
+/// Stamps are the kernel's: its monotonic clock plus the offset passed to open().
 ///
-/// Thread  one. Memory  inside the object and in libgpiod, all taken by open(); none afterwards. Failure  open() says why in one
-/// sentence; later the health turns `failed`, the lines are given back, and open() may be called again.
+/// Thread  one. Memory  inside the object and in libgpiod, all taken by open(); none afterwards. Failure  open() returns one
+/// sentence; later the health becomes `failed`, the lines are released, and open() may be called again.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxWaitingEdges = 256;
 
 class GpiodSource final : public SwitchSource {
 public:
-    /// `lines` null means that there is no GPIO library: open() then fails and says so.
+    /// `lines` null means that there is no GPIO library; open() then fails with that message.
     explicit GpiodSource(std::unique_ptr<GpioLines> lines = make_gpiod_lines());
     ~GpiodSource() override;
 
@@ -44,7 +44,7 @@ private:
     std::unique_ptr<GpioLines> lines_;
     std::size_t line_count_ = 0;
     base::Duration offset_;
-    SwitchLevels seen_;  // level of each line's newest edge; unknown when an edge had to be dropped
+    SwitchLevels seen_;                                        // level of each line's newest edge; unknown after a dropped edge
     base::FixedVector<SwitchEdge, kMaxWaitingEdges> waiting_;  // in order of time
     SwitchStatistics statistics_;
     SourceHealth health_ = SourceHealth::idle;

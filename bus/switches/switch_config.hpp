@@ -55,14 +55,14 @@ struct SwitchConfig {
 
     /// Bits of all lines.
     [[nodiscard]] std::uint32_t all_lines() const { return (std::uint32_t{1} << lines.size()) - 1; }
-    /// The line written "chip.name", or lines.size().
+    /// Returns the index of the line named "chip.name", or lines.size().
     [[nodiscard]] std::size_t find_line(std::string_view full_name) const;
-    /// The pattern with exactly these lines high, or null.
+    /// Returns the pattern with exactly these lines high, or null.
     [[nodiscard]] const SwitchPattern* find_pattern(std::uint32_t high) const;
 };
 static_assert(std::is_trivially_copyable_v<SwitchConfig>);
 
-/// `name` is how the file is called in messages.
+/// `name` is the file's name in error messages.
 [[nodiscard]] base::Result<SwitchConfig, base::Error> load_switch_config(std::string_view text, std::string_view name);
 
 }  // namespace tedavis::bus

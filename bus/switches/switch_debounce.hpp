@@ -1,8 +1,8 @@
-/// Software debounce: a new level counts once the line has kept it for the stable time. GPIO lines of the old kernel
-/// interface have no debounce, so this one is always on.
+/// Software debounce: a new level becomes effective once the line has kept it for the stable time. It is always on, because
+/// GPIO lines of the old kernel interface have no debounce.
 ///
-/// The levels at `now` are a function of the edges at or before `now` and nothing else: how often anybody asks, and in
-/// what portions the edges are added, makes no difference. The first level ever seen of a line counts at once.
+/// The levels at `now` depend only on the edges at or before `now`, not on how often levels() is called or in what portions
+/// edges are added. The first level of a line is effective at once.
 ///
 /// Thread  one. Memory  inside the object; trivially copyable, so it can be saved. Failure  none.
 #pragma once
@@ -23,21 +23,22 @@ public:
     /// Edges in the order of the source. An edge earlier than its line's previous one counts as simultaneous with it; a
     /// level that is already there is ignored; a line beyond kMaxSwitchLines is ignored.
     void add(const SwitchEdge& edge);
-    /// For a `now` not before the newest edge added.
+    /// Returns the debounced levels; `now` must not lie before the newest edge added.
     [[nodiscard]] SwitchLevels levels(base::Time now) const;
 
     struct Change {
         base::Time at;
         bool waiting = false;
     };
-    /// When the next level will count if no edge comes before; not waiting: never. `after` excludes what counted by then.
+    /// Returns when the next level becomes effective if no edge arrives before; `waiting` is false where none is pending.
+    /// Levels that were effective at `after` are excluded.
     [[nodiscard]] Change next_change(base::Time after) const;
 
 private:
     struct Line {
         base::Time since;  // of the raw level
         bool raw = false;
-        bool stable = false;  // what counted before the raw level does
+        bool stable = false;  // the level in effect until the raw level is
         bool known = false;
     };
     std::array<Line, kMaxSwitchLines> lines_{};

@@ -1,4 +1,4 @@
-/// The recorded switch log: a text of edges, beside a candump log as the panel is beside the bus.
+/// Parses and formats the recorded switch log, a text of edges that accompanies a candump log.
 ///
 ///     # tedavis switch log 1
 ///     (1700000000.000000) panel.GROUND 1
@@ -25,18 +25,18 @@
 namespace tedavis::bus {
 
 inline constexpr std::string_view kSwitchLogHeader = "# tedavis switch log 1\n";
-/// A text without this header is no switch log (of this version): refuse it before reading edges.
+/// True where the text begins with the header of this version; a text without it must be refused before edges are read.
 [[nodiscard]] bool has_switch_log_header(std::string_view text) noexcept;
 
 enum class SwitchLineKind : std::uint8_t { edge, comment, unknown_line, malformed };
 enum class SwitchLineFault : std::uint8_t { none, time_stamp, line_name, level, time_runs_back };
-/// What is wrong, as the end of a sentence: "the level is not 0 or 1".
+/// Returns the fault as the end of a sentence: "the level is not 0 or 1".
 [[nodiscard]] const char* describe(SwitchLineFault fault) noexcept;
 
 struct SwitchLogLine {
     SwitchLineKind kind = SwitchLineKind::malformed;
     SwitchLineFault fault = SwitchLineFault::none;
-    SwitchEdge edge;  ///< of kind `edge`
+    SwitchEdge edge;  ///< valid when the kind is `edge`
 };
 
 /// `line` without its newline; a carriage return and blanks at its end are allowed.

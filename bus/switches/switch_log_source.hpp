@@ -28,11 +28,11 @@ public:
     [[nodiscard]] SourceHealth health() const override;
     [[nodiscard]] const SwitchStatistics& statistics() const override { return statistics_; }
     [[nodiscard]] base::Span<const SwitchLineReport> reports() const { return {reports_.data(), reports_.size()}; }
-    /// Back to the start of the text, all counts at zero.
+    /// Restarts at the beginning of the text with all counts at zero.
     void restart() { *this = SwitchLogSource(text_, config_); }
 
 private:
-    /// Makes sure that the next edge waits in `next_`; false at the end of the text.
+    /// Reads the next edge into `next_` unless one is there; returns false at the end of the text.
     [[nodiscard]] bool fetch();
     void count(const SwitchLogLine& line);
 

@@ -1,11 +1,11 @@
-/// Debounced switch levels as a flight phase.
+/// Maps debounced switch levels to a flight phase.
 ///
-/// A pattern that the config lists states its phase. An impossible one (also: lines that never reported) keeps the last
-/// valid phase, and raises the fault once it has lasted for the settle time: a knob that turns passes through impossible
-/// patterns. The fault falls with the next valid pattern.
+/// A pattern that the config lists states its phase. Any other pattern, or lines that never reported, is impossible: the last
+/// valid phase is kept, and the fault is raised once the pattern has lasted for the settle time, because a rotary switch passes
+/// through impossible patterns. The next valid pattern clears the fault.
 ///
-/// The status at `now` is a function of the edges at or before `now` and nothing else: every debounced change is
-/// evaluated at its own instant, however rarely anybody asks.
+/// The status at `now` depends only on the edges at or before `now`: every debounced change is evaluated at its own instant,
+/// however rarely status() is called.
 ///
 /// Thread  one. Memory  inside the object; `State` is plain and can be saved. Failure  the fault flag.
 #pragma once
@@ -22,7 +22,7 @@
 namespace tedavis::bus {
 
 struct SwitchPhase {
-    flight::PhaseStatement statement;  ///< nothing before the first valid pattern, and on a pattern of "unknown"
+    flight::PhaseStatement statement;  ///< states nothing before the first valid pattern, and on a pattern of "unknown"
     bool fault = false;
     SwitchLevels levels;  ///< debounced
 };
@@ -31,10 +31,10 @@ class SwitchToPhase {
 public:
     explicit SwitchToPhase(const SwitchConfig& config) : config_(config), state_(config.debounce) {}
 
-    /// In the order of the source; an edge earlier than its predecessor counts as simultaneous with it. Edges of one
-    /// instant are evaluated together.
+    /// Adds an edge, in the order of the source; an edge earlier than its predecessor counts as simultaneous with it. Edges of
+    /// one instant are evaluated together.
     void add(const SwitchEdge& edge);
-    /// For a `now` not before the newest edge added.
+    /// Returns the phase at `now`, which must not lie before the newest edge added.
     [[nodiscard]] SwitchPhase status(base::Time now) const;
 
     struct State {

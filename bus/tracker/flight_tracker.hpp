@@ -1,14 +1,16 @@
-/// The aircraft as bus and switches state it: the one loop that both programs, the self-test and the tests run.
+/// Tracks the aircraft from bus and switches: the one loop that both programs, the self-test and the tests run.
 ///
 /// Frames and switch edges are read up to each step of a fixed grid of the source's time (flight::PhaseMonitor::kStep). A step
-/// reads the aircraft, asks for its height above the terrain, and moves phase and trail on. An input at T is what was received up
-/// to T, with the phase of the last step at or before T, so it does not depend on how often anybody asked.
+/// takes a snapshot of the aircraft, requests its height above the terrain, and advances phase and trail. An input at T holds
+/// what was received up to T and the phase of the last step at or before T, so it does not depend on how often inputs are
+/// requested.
 ///
-/// All that it remembers lies in one plain TrackerMemory; a copy is a checkpoint, and going on from it gives the same bits as the
-/// run that it was copied from, where the sources go on from there too.
+/// The whole state is one plain TrackerMemory. A copy is a checkpoint: continuing from it, with sources at the same position,
+/// gives the same bits as the run that it was copied from.
 ///
-/// Thread  one. Memory  the caller's; nothing is allocated. Time  of the sources, from the caller; never back, but for a
-/// checkpoint. Failure  a source that fails gives nothing; a panel that fails states no phase and raises the switch fault.
+/// Thread  one. Memory  the caller's; nothing is allocated. Time  the sources' time, passed by the caller; it never decreases
+/// unless a checkpoint is restored. Failure  a source that fails delivers nothing; a panel that fails states no phase and
+/// raises the switch fault.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +30,7 @@ namespace tedavis::bus {
 
 struct TrackerMemory {
     TrackerMemory() = default;
-    /// `panel` null: there are no phase switches. `first_step` begins the grid.
+    /// `panel` is null where there are no phase switches. `first_step` is the first step of the grid.
     TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step);
 
     StateAssembler assembler;
@@ -39,33 +41,33 @@ struct TrackerMemory {
 };
 static_assert(std::is_trivially_copyable_v<TrackerMemory>);
 
-/// What a tracker reads, and who receives it too.
+/// The sources that a tracker reads, and a listener that receives the frames as well.
 struct TrackerPorts {
     CanSource& can;
     SwitchSource* panel = nullptr;      ///< null: there are no phase switches
-    FrameListener* listener = nullptr;  ///< null: nobody else does
-    /// Of 256 frames a reading: more than a frame's worth of the fastest bus, and what is left waits for the next reading. Who
-    /// reads a recording asks for all.
+    FrameListener* listener = nullptr;  ///< null: no listener
+    /// Batches of 256 frames per reading. The default exceeds what the fastest bus sends between two display frames; the rest
+    /// is read next time. A replay sets it high enough to read everything.
     std::uint32_t max_batches = 64;
 };
 
 class FlightTracker {
 public:
-    /// Further behind than this many steps the grid starts anew: a program that was halted goes on at once.
+    /// When it is more steps than this behind, the grid restarts at `now`, so that a program that was halted continues at once.
     static constexpr int kMaxSteps = 100;
 
-    /// What is given must outlive it.
+    /// `memory` and the ports must outlive the tracker.
     FlightTracker(TrackerMemory& memory, const TrackerPorts& ports) : memory_(memory), ports_(ports) {}
 
-    /// All steps up to `now`, and the input at `now`.
+    /// Runs all steps up to `now` and returns the input at `now`.
     [[nodiscard]] flight::FrameInput advance_to(base::Time now, flight::TerrainHeights& heights);
 
-    /// Its parts, for whoever steps through a recording: the next step of the grid, ...
+    /// The parts of advance_to(), for stepping through a recording. step() runs the next step of the grid.
     void step(flight::TerrainHeights& heights);
     [[nodiscard]] base::Time next_step() const { return memory_.next_step; }
-    /// ... the steps before `time` left out, for nothing can change in them, ...
+    /// Skips the steps before `time`; the caller knows that nothing changes in them.
     void skip_steps_before(base::Time time);
-    /// ... and what is known at `now`, without a step.
+    /// Returns the input at `now` without running a step.
     [[nodiscard]] flight::FrameInput input_at(base::Time now, flight::TerrainHeights& heights);
 
 private:

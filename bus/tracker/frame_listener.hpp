@@ -1,4 +1,4 @@
-/// Port: who else receives the frames that a tracker reads, such as one who counts or answers them.
+/// Port: also receives the frames that a tracker reads, for example to count or to answer them.
 #pragma once
 
 #include "bus/frame/can_frame.hpp"
@@ -9,7 +9,7 @@ namespace tedavis::bus {
 class FrameListener {
 public:
     virtual ~FrameListener() = default;
-    /// Frames in the order of their source, each once; possibly none.
+    /// Receives frames in the order of their source, each once; `frames` may be empty.
     virtual void receive(base::Span<const CanFrame> frames) = 0;
 };
 

@@ -1,9 +1,9 @@
 /// A GL ES context without a window system: an EGL pixel buffer with 24-bit depth.
 ///
-/// Tried in this order: Mesa's surfaceless platform, the EGL devices, the default display. The context loses itself on a
-/// reset instead of drawing nonsense where the driver can (EGL_EXT_create_context_robustness).
+/// Displays are tried in this order: Mesa's surfaceless platform, the EGL devices, the default display. Where the driver has
+/// EGL_EXT_create_context_robustness, the context is lost on a GPU reset instead of drawing undefined content.
 ///
-/// Thread  one. Memory  allocates when made.
+/// Thread  one. Memory  allocates when created.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace tedavis::platform {
 
-/// The surface is not current yet.
+/// The returned surface is not current yet.
 [[nodiscard]] base::Result<std::unique_ptr<base::Surface>, base::Error> make_egl_headless_surface(
     const SurfaceSettings& settings);
 

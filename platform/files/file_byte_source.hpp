@@ -18,7 +18,7 @@ public:
     FileByteSource(FileByteSource&& other) noexcept;
     FileByteSource& operator=(FileByteSource&& other) noexcept;
 
-    /// The size when it was opened; a file that shrinks later gives failed reads.
+    /// The file's size when it was opened; reads fail where the file has shrunk since.
     [[nodiscard]] std::uint64_t size() const override { return size_; }
     [[nodiscard]] bool read(std::uint64_t offset, void* destination, std::size_t count) override;
 
@@ -28,7 +28,7 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Regular files only; the sentence names the file and the reason.
+/// Opens a regular file. The error names the file and the reason.
 [[nodiscard]] base::Result<FileByteSource, base::Error> open_file(const char* path);
 
 }  // namespace tedavis::platform

@@ -1,8 +1,8 @@
-/// A folder of linked programs, a file each, as `tedavis shaders` writes it for a device without a compiler.
+/// A folder of linked shader programs, one file each, that `tedavis shaders` wrote for a device without a shader compiler.
 ///
-/// File    "<16 hex digits of the key>.program": magic "TEDPROG1", CRC-32 of all after it, format, key (little-endian u32, u32,
-///         u64), then the driver's binary up to the file's end.
-/// Memory  one binary, when opened. Thread  one.
+/// File    "<16 hex digits of the key>.program": magic "TEDPROG1", CRC-32 of all bytes after it, format, key (little-endian
+///         u32, u32, u64), then the driver's binary up to the file's end.
+/// Memory  room for one binary, allocated by open_program_folder(). Thread  one.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@
 
 namespace tedavis::platform {
 
-/// No driver's binary of one of our programs comes near it.
+/// Upper limit of a program's binary, far above those of known drivers.
 inline constexpr std::size_t kMaxProgramBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kProgramHeaderBytes = 24;
 
-/// What stands before the binary in its file.
+/// Writes the part of the file that precedes the binary.
 void write_program_header(std::uint64_t key, const base::StoredProgram& program, unsigned char (&header)[kProgramHeaderBytes]);
 [[nodiscard]] base::FixedString<31> program_file_name(std::uint64_t key);
 
@@ -27,9 +27,9 @@ class ProgramFolder final : public base::ProgramStore {
 public:
     ProgramFolder() = default;
 
-    /// A file that is damaged or cut is as good as none.
+    /// Returns false for a missing, damaged or truncated file.
     [[nodiscard]] bool find(std::uint64_t key, base::StoredProgram& program) override;
-    /// Nothing is written here: what makes programs runs on the desk.
+    /// Always empty: this store is read-only, because programs are made on a desktop computer.
     [[nodiscard]] base::Span<unsigned char> room(std::size_t) override { return {}; }
     [[nodiscard]] bool keep(std::uint64_t, std::string_view, const base::StoredProgram&) override { return false; }
 
@@ -39,7 +39,7 @@ private:
     std::unique_ptr<unsigned char[]> bytes_;
 };
 
-/// Refused in one sentence where there is no such folder.
+/// Fails with one sentence where there is no such folder.
 [[nodiscard]] base::Result<ProgramFolder, base::Error> open_program_folder(std::string_view path);
 
 }  // namespace tedavis::platform

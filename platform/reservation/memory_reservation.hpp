@@ -1,6 +1,6 @@
-/// The one block of memory that the runtime lives in after start, straight from the system.
+/// The one block of memory that the runtime uses after start, mapped from the system.
 ///
-/// Memory  mapped once, zero-filled, page-aligned. Lifetime  arenas of it must not outlive it.
+/// Memory  mapped once, zero-filled, page-aligned. Lifetime  it must outlive its arenas.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tedavis::platform {
 
-/// `touched` asks for the pages now, so that no page fault comes in flight; `lazy` takes them as they are used.
+/// `touched` maps all pages at once, so that no page fault occurs in flight; `lazy` maps them at first use.
 enum class Residency : std::uint8_t { lazy, touched };
 
 class MemoryReservation {
@@ -22,7 +22,7 @@ public:
     MemoryReservation& operator=(MemoryReservation&& other) noexcept;
 
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-    /// An empty arena over the whole block; arenas asked for twice overlap.
+    /// Returns an empty arena over the whole block; two such arenas overlap.
     [[nodiscard]] base::Arena arena() const { return {block_, static_cast<std::size_t>(bytes_)}; }
 
 private:
@@ -31,7 +31,7 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// At least one byte.
+/// Reserves `bytes`, at least one.
 [[nodiscard]] base::Result<MemoryReservation, base::Error> reserve_memory(std::uint64_t bytes, Residency residency);
 
 }  // namespace tedavis::platform

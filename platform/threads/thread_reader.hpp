@@ -1,7 +1,7 @@
 /// An AsyncReader with one thread that reads a ByteSource in the order of submission.
 ///
-/// Memory       all at construction. Thread  one caller; the source is read from the reader's own thread.
-/// Destruction  waits for the read under way; reads not yet begun are dropped. The source must outlive the reader.
+/// Memory       allocated at construction. Thread  one caller; the source is read from the reader's own thread.
+/// Destruction  waits for the read in progress; pending reads are dropped. The source must outlive the reader.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tedavis::platform {
 
 struct ThreadReaderSettings {
     std::uint32_t tickets = 1;            ///< 1..base::kMaxReadTickets
-    std::uint32_t queue = 1;              ///< reads waiting at once, 1..tickets; more are refused
+    std::uint32_t queue = 1;              ///< pending reads, 1..tickets; more are refused
     void (*on_thread_start)() = nullptr;  ///< called once in the new thread
 };
 

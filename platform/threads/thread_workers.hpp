@@ -1,6 +1,6 @@
 /// A fixed number of threads that share the indices of a parallel_for.
 ///
-/// Threads are made at start and sleep between calls. Memory  none after start. One parallel_for at a time.
+/// Threads are created at start and sleep between calls. Memory  none after start. Only one parallel_for() may run at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace tedavis::platform {
 inline constexpr std::uint32_t kMaxWorkers = 64;
 
 struct ThreadWorkersSettings {
-    std::uint32_t concurrency = 1;        ///< 1..kMaxWorkers, the caller included; 1 makes no thread
-    void (*on_thread_start)() = nullptr;  ///< called once in every new thread (the heap trap of the tests arms itself there)
+    std::uint32_t concurrency = 1;        ///< 1..kMaxWorkers, the caller included; 1 creates no thread
+    void (*on_thread_start)() = nullptr;  ///< called once in every new thread (the tests' heap trap needs it)
 };
 
 /// The number of processors that this process may use, 1..kMaxWorkers.

@@ -1,4 +1,4 @@
-/// From SDL's events to ours.
+/// Translates SDL events into WindowEvent.
 #pragma once
 
 #include "platform/window/window_events.hpp"
@@ -7,7 +7,7 @@ union SDL_Event;
 
 namespace tedavis::platform {
 
-/// False for an event that nobody here listens to.
+/// Returns false for an event that the program does not use.
 [[nodiscard]] bool translate_event(const SDL_Event& from, WindowEvent& to);
 
 }  // namespace tedavis::platform

@@ -1,4 +1,4 @@
-/// What a person does with the window, as plain data.
+/// User input to the window, as plain data.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace tedavis::platform {
 
-/// The keys that the simulator listens to; letters and digits carry their character.
+/// The keys that the simulator uses; letters and digits have their character in `character`.
 enum class Key : std::uint8_t {
     other,
     character,
@@ -35,10 +35,10 @@ struct WindowEvent {
     char character = '\0';  ///< of Key::character: 'a'..'z', '0'..'9' and ASCII signs, unshifted, lower case
     bool shift = false;
     bool control = false;
-    bool repeat = false;  ///< a held key
+    bool repeat = false;  ///< repeated by a held key
     MouseButton button = MouseButton::none;
     std::int32_t x_px = 0, y_px = 0;    ///< pointer, from the upper left corner
-    std::int32_t dx_px = 0, dy_px = 0;  ///< mouse_move: since the last event; mouse_wheel: notches, up and right positive
+    std::int32_t dx_px = 0, dy_px = 0;  ///< mouse_move: since the last event; mouse_wheel: notches, positive up and right
 };
 static_assert(std::is_trivially_copyable_v<WindowEvent>);
 

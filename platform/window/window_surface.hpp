@@ -1,6 +1,6 @@
-/// A window on the desk's screen (SDL 2), with its GL ES context and its events.
+/// A window on the desktop (SDL 2) with its GL ES context and its events.
 ///
-/// Thread  the one that made it. Memory  allocates when made and inside SDL. One window a process.
+/// Thread  the one that created it. Memory  allocates when created, and inside SDL. At most one window exists in a process.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,14 @@ namespace tedavis::platform {
 
 class Window : public base::Surface {
 public:
-    /// Takes what happened since the last call, oldest first, and returns how many were written; what does not fit waits.
+    /// Writes the events since the last call, oldest first, and returns their number; events that do not fit are returned by
+    /// the next call.
     [[nodiscard]] virtual std::size_t poll_events(base::Span<WindowEvent> out) = 0;
     virtual void set_title(const char* title) = 0;
 };
 
-/// Refused in one sentence when the build has no SDL, when another surface is current, and when there is no screen: SDL then
-/// silently picks a driver that shows nothing, which would look like success.
+/// Fails with one sentence when the build has no SDL, when another surface is current, and when there is no screen (SDL would
+/// silently choose a driver that shows nothing).
 [[nodiscard]] base::Result<std::unique_ptr<Window>, base::Error> make_window(const SurfaceSettings& settings, const char* title);
 
 }  // namespace tedavis::platform

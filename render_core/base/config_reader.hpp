@@ -1,10 +1,11 @@
-/// Reads TOML settings with units and ranges checked where they are read. Start-up only (allocates).
+/// Reads TOML settings and checks units and ranges at each read. Start-up only (allocates).
 ///
-/// The first fault is kept as one sentence "file:line: what, what to do"; a faulty read returns the lower bound (empty
-/// for texts), so a loader reads all keys and asks `finish()` once. A key that nobody read is a fault too: misspelt
-/// settings are never ignored. Texts returned live as long as the reader.
+/// The first fault is kept as one sentence "file:line: what, what to do"; a faulty read returns the lower bound (an empty text
+/// for texts), so a loader reads all keys and calls finish() once. A key that was not read is a fault too, so misspelt settings
+/// are never ignored. Returned texts live as long as the reader.
 ///
-/// A file may be based on others: the loader takes the key that says so and hands over what it names, before it reads the rest.
+/// A file may be based on other files: the loader reads the key that names them and passes their content to inherit() before it
+/// reads the rest.
 #pragma once
 
 #include <cstddef>
@@ -21,18 +22,18 @@ namespace tedavis::base {
 
 class ConfigReader;
 
-/// A file that a key names, and the file that says so, from whose folder a relative path is meant.
+/// A file that a key names, and the file that contains the key; a relative path is relative to the latter's folder.
 struct StatedFile {
     std::string_view name, stated_in;
 };
 
-/// A table of the file; a section of a table that is absent reads as empty (every key at its fallback).
+/// A table of the file. An absent table reads as an empty one (every key has its fallback).
 class ConfigSection {
 public:
     [[nodiscard]] bool present() const { return table_ != nullptr; }
     [[nodiscard]] bool has(std::string_view key) const;
 
-    /// With a fallback the key may be absent; without, absence is a fault. Numbers outside [low, high] and NaN are faults.
+    /// With a fallback the key may be absent; without one, absence is a fault. Numbers outside [low, high] and NaN are faults.
     double number(std::string_view key, double low, double high, double fallback);
     double number(std::string_view key, double low, double high);
     std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high, std::int64_t fallback);
@@ -42,18 +43,18 @@ public:
     std::string_view text(std::string_view key);
     /// As text().
     StatedFile file(std::string_view key);
-    /// Sets `value` (an enumeration, a bool or an index) to what the name at this key stands for: names[0] for `first`, the
-    /// others for what follows it. Absent it stays; faults list the names and set `first`.
+    /// Sets `value` (an enumeration, a bool or an index) from the name at this key: names[0] stands for `first`, the next names
+    /// for the next values. If the key is absent, `value` is unchanged; a fault lists the names and sets `first`.
     template <class Value>
     void choose(std::string_view key, Span<const std::string_view> names, Value& value, Value first = Value()) {
         static_assert(std::is_enum_v<Value> || std::is_same_v<Value, bool> || std::is_same_v<Value, std::size_t>);
         if (has(key)) value = static_cast<Value>(static_cast<std::size_t>(first) + index_among(names, key));
     }
-    /// Fills `out` from an array of exactly out.size() numbers; absent leaves it untouched.
+    /// Fills `out` from an array of exactly out.size() numbers; if the key is absent, `out` is unchanged.
     void numbers(std::string_view key, double low, double high, Span<double> out);
-    /// How many elements an array has; 0 where it is absent. What is no array is a fault.
+    /// Number of elements of an array; 0 if the key is absent. A value that is not an array is a fault.
     [[nodiscard]] std::size_t element_count(std::string_view key);
-    /// An array of texts; returns how many there are, writes at most out.size(), more is a fault.
+    /// Reads an array of texts: writes at most out.size() and returns the number there are. More than out.size() is a fault.
     std::size_t texts(std::string_view key, Span<std::string_view> out);
 
     ConfigSection section(std::string_view key);
@@ -64,17 +65,17 @@ public:
     [[nodiscard]] std::size_t key_count() const;
     [[nodiscard]] std::string_view key_at(std::size_t index) const;
 
-    /// Forgets the key and what it says; texts that it returned are gone.
+    /// Removes the key with its value; texts read from it become invalid.
     void remove(std::string_view key);
 
-    /// Reports a fault of the loader's own at this key's line.
+    /// Reports a fault found by the loader, at this key's line.
     void fault(std::string_view key, std::string_view sentence);
 
 private:
     friend class ConfigReader;
     ConfigSection(ConfigReader* reader, void* table) : reader_(reader), table_(table) {}
     void* find(std::string_view key, bool required);
-    /// Where the text at this key stands among the names; 0 after a fault.
+    /// Index of the key's text among the names; 0 after a fault.
     std::size_t index_among(Span<const std::string_view> names, std::string_view key);
     ConfigReader* reader_;
     void* table_;
@@ -82,29 +83,29 @@ private:
 
 class ConfigReader {
 public:
-    /// `name` is how the file is called in messages.
+    /// `name` is the file's name in error messages.
     ConfigReader(std::string_view text, std::string_view name);
     ~ConfigReader();
     ConfigReader(const ConfigReader&) = delete;
     ConfigReader& operator=(const ConfigReader&) = delete;
 
-    /// As it was given.
+    /// The name passed to the constructor.
     [[nodiscard]] std::string_view name() const;
     [[nodiscard]] ConfigSection root();
-    /// Adds what the file `name` says and this reader's does not say: tables key by key, at any depth, and lists of tables by the
-    /// text `name` of each where this reader's tables all have one: equal names are one table, further tables stand behind those
-    /// of `name`. Any other value of this reader's stays as it is. `own` are keys of the root that `name` keeps to itself. Faults
-    /// name the file that says what is wrong.
+    /// Adds the settings of the file `name` that this reader's file does not have. Tables are merged key by key at any depth.
+    /// Arrays of tables are merged by the key "name" where all tables of this reader have one: tables with the same name are
+    /// merged, further ones follow those of `name`. Any other value of this reader is kept. `own` lists root keys of `name`
+    /// that are not inherited. Faults name the file that contains the wrong value.
     void inherit(std::string_view text, std::string_view name, Span<const std::string_view> own);
     /// True when nothing was wrong and every key was read.
     [[nodiscard]] bool finish();
     [[nodiscard]] bool ok() const;
     [[nodiscard]] const base::Error& error() const;
 
-    /// What an inherited relative path is called in this reader's own file.
+    /// Returns how an inherited relative path is written in this reader's own file.
     using PathFrom = FixedString<1023> (*)(const StatedFile& stated, std::string_view own_file);
-    /// All that the file says and inherits, as JSON; of inherited values those that were read by file() as `path_from` calls
-    /// them.
+    /// Returns all settings, inherited ones included, as JSON; inherited values that were read by file() are rewritten by
+    /// `path_from`.
     [[nodiscard]] std::string_view json(PathFrom path_from);
 
 private:

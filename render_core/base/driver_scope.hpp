@@ -1,12 +1,11 @@
-/// Marks the calls into drivers (GL, EGL, window systems), whose allocations are not ours: the heap trap of the tests
-/// counts them apart.
+/// Marks calls into drivers (GL, EGL, window systems). The tests' heap trap counts allocations inside drivers separately.
 ///
 /// Thread    each thread has its own depth. Memory  none.
 #pragma once
 
 namespace tedavis::base {
 
-/// How many driver calls this thread is inside of.
+/// Nesting depth of driver calls on this thread.
 inline thread_local int driver_depth = 0;
 
 class DriverScope {

@@ -1,4 +1,4 @@
-/// Why something was refused: one message that says what, where and what to do. An empty message means that nothing was.
+/// The reason of a failure: one message that says what is wrong, where, and what to do. An empty message means success.
 ///
 /// Memory  inside the error, no heap: a part that does not fit is cut. Thread  any.
 #pragma once
@@ -14,18 +14,18 @@ namespace tedavis::base {
 struct Error {
     FixedString<1535> message;  ///< a shader compiler's message may be long
 
-    /// True where there is something to say.
+    /// True where there is an error.
     [[nodiscard]] explicit operator bool() const { return !message.empty(); }
 };
 
-/// The parts, joined.
+/// Joins the parts to one message.
 [[nodiscard]] Error make_error(std::initializer_list<std::string_view> parts);
 template <class... Parts>
 [[nodiscard]] Error make_error(const Parts&... parts) {
     return make_error({std::string_view(parts)...});
 }
 
-/// Decimal digits, for messages.
+/// Formats a number in decimal digits, for messages.
 [[nodiscard]] FixedString<20> digits(std::uint64_t value);
 
 }  // namespace tedavis::base

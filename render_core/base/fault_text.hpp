@@ -1,4 +1,4 @@
-/// Sentences about files, put together where the fault is found and completed with a name where the name is known.
+/// Error messages about files: composed where the fault is found, and completed with the file's name where that is known.
 ///
 /// Pure functions; any thread; nothing allocates.
 #pragma once
@@ -12,10 +12,10 @@ namespace tedavis::base {
 
 using FaultText = FixedString<191>;
 
-/// "is damaged (offset 40); get a whole copy", to be put behind the file's name. What does not fit is cut.
+/// Returns "is damaged (offset 40); get a whole copy", to be appended to the file's name. Text that does not fit is cut.
 [[nodiscard]] FaultText fault_text(std::string_view what, std::uint64_t offset, std::string_view remedy) noexcept;
 
-/// What a sentence says behind `start`; empty where it does not begin so.
+/// Returns the part of a message after `start`, or an empty text where the message does not begin with it.
 [[nodiscard]] std::string_view text_behind(std::string_view start, std::string_view sentence) noexcept;
 
 }  // namespace tedavis::base

@@ -1,5 +1,5 @@
-/// Text with a fixed capacity inside the object, always zero-terminated. Text that does not fit is cut at the capacity
-/// and `cut()` says so: labels and names are never lost silently.
+/// Text with a fixed capacity inside the object, always zero-terminated. Text that does not fit is cut at the capacity, and
+/// cut() then returns true.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 /// A vector whose capacity is part of its type and whose elements lie inside it.
 ///
-/// The only way to add is try_push_back, which refuses when full and counts the refusal. T must be trivially copyable.
+/// Elements are added by try_push_back() only, which refuses when full and counts the refusal. T must be trivially copyable.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 
 namespace tedavis::base {
 
-/// FNV-1a, 64 bit (Fowler, Noll, Vo). Feed bytes in any pieces; equal bytes give equal values on every machine.
+/// FNV-1a, 64 bit (Fowler, Noll, Vo). Bytes may be added in any pieces; equal bytes give equal values on every machine.
 class Fnv1a64 {
 public:
     void add(const void* bytes, std::size_t count) noexcept;
@@ -17,8 +17,8 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-/// The frame hash: width and height, then the RGBA8 rows, top row first. `rows` holds width*height*4 bytes with the
-/// bottom row first when `bottom_up` (as GL reads them back).
+/// Returns the frame hash: FNV-1a over width and height, then the RGBA8 rows, top row first. `rows` holds width*height*4 bytes;
+/// with `bottom_up` its first row is the bottom one, as glReadPixels returns it.
 [[nodiscard]] std::uint64_t frame_hash(const std::uint8_t* rows, std::uint32_t width, std::uint32_t height,
                                        bool bottom_up) noexcept;
 

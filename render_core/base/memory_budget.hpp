@@ -1,7 +1,7 @@
-/// The budget table of a device: every fixed capacity of the runtime, by name, with its bytes, owner and reason.
+/// The budget table of a device: every fixed capacity of the runtime with its name, bytes, owner and reason.
 ///
-/// One reservation is made at start and cut by this table; nothing allocates afterwards. A start whose lines do not fit
-/// the reservation is refused and the first line that does not fit is named.
+/// One memory reservation is made at start and divided by this table; nothing allocates afterwards. The start fails where the
+/// lines do not fit the reservation, and the message names the first line that does not fit.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ struct BudgetLine {
     FixedString<95> reason;
     MemoryKind kind = MemoryKind::cpu;
     std::uint64_t bytes = 0;
-    ResourceUse use;  ///< bytes; filled by the owner
+    ResourceUse use;  ///< bytes; updated by the owner
 };
 
 inline constexpr std::size_t kMaxBudgetLines = 32;
 
 class BudgetTable {
 public:
-    /// False when the table is full or the name is taken.
+    /// Returns false when the table is full or the name exists already.
     [[nodiscard]] bool try_add(const BudgetLine& line);
     [[nodiscard]] BudgetLine* find(std::string_view name);
     [[nodiscard]] const BudgetLine* find(std::string_view name) const;
@@ -41,15 +41,15 @@ private:
     FixedVector<BudgetLine, kMaxBudgetLines> lines_;
 };
 
-/// Hands out memory of one block front to back; frees nothing but everything at once. Not thread-safe.
+/// Allocates from one block, front to back; memory can only be released all at once. Not thread-safe.
 class Arena {
 public:
     Arena() = default;
     Arena(void* block, std::size_t bytes) : block_(static_cast<unsigned char*>(block)) { use_.capacity = bytes; }
 
-    /// Zero-filled and aligned; null (and one more refusal) when it does not fit.
+    /// Returns zero-filled, aligned memory; returns null and counts a refusal when it does not fit.
     [[nodiscard]] void* allocate(std::size_t bytes, std::size_t alignment);
-    /// An empty span when it does not fit. T must be trivially copyable; elements are zero bytes.
+    /// Allocates `count` elements of zero bytes; returns an empty span when they do not fit. T must be trivially copyable.
     template <class T>
     [[nodiscard]] Span<T> allocate_array(std::size_t count) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -60,8 +60,8 @@ public:
         void* memory = allocate(count * sizeof(T), alignof(T));
         return memory == nullptr ? Span<T>() : Span<T>(static_cast<T*>(memory), count);
     }
-    /// A child arena of its own; empty (capacity 0) when it does not fit. Its bytes stay untouched until it hands them out, so
-    /// that a budget costs no memory of the machine before it is used.
+    /// Returns a child arena, of capacity 0 when it does not fit. Its bytes are not touched before they are allocated, so an
+    /// unused budget takes no physical memory.
     [[nodiscard]] Arena carve(std::size_t bytes);
     void reset() { use_.in_use = 0; }
     [[nodiscard]] const ResourceUse& use() const { return use_; }

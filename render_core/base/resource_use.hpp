@@ -1,5 +1,5 @@
-/// How full something with a fixed capacity is. Every arena, pool, queue and cache answers with this one struct; the
-/// frame record, the reports, the GUI and the tests all read it.
+/// The fill level of a resource with a fixed capacity. Every arena, pool, queue and cache reports it; the frame record, the
+/// reports and the tests read it.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct ResourceUse {
     std::uint64_t capacity = 0;
     std::uint64_t in_use = 0;
     std::uint64_t high_water = 0;
-    std::uint64_t refused = 0;  ///< requests turned away because it was full
+    std::uint64_t refused = 0;  ///< requests refused because it was full
 
     void take(std::uint64_t amount) {
         in_use += amount;

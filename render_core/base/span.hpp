@@ -19,7 +19,7 @@ public:
     template <class Container, class = std::enable_if_t<std::is_convertible_v<decltype(std::declval<Container&>().data()), T*>>>
     constexpr Span(Container& container) : data_(container.data()), size_(container.size()) {}
 
-    /// A view of mutable elements is also one of constant elements.
+    /// Converts a view of mutable elements to one of constant elements.
     template <class U, class = std::enable_if_t<std::is_same_v<const U, T>>>
     constexpr Span(const Span<U>& other) : data_(other.data()), size_(other.size()) {}
 

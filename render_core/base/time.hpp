@@ -1,5 +1,5 @@
-/// Instants and durations of the source: signed 64-bit nanoseconds, so that nothing wraps within 292 years and a day is
-/// as exact as a second. The origin is the source's own (for a log, the Unix epoch of its stamps). No clock is read here.
+/// Instants and durations on the source's time scale: signed 64-bit nanoseconds, which cover 292 years. The origin is the
+/// source's own (for a log, the Unix epoch of its stamps). No clock is read.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Duration {
 
     [[nodiscard]] static constexpr Duration milliseconds(std::int64_t ms) { return {ms * 1'000'000}; }
     [[nodiscard]] static constexpr Duration seconds(std::int64_t s) { return {s * 1'000'000'000}; }
-    /// Rounds to the nearest nanosecond; |s| below 9.2e9.
+    /// Rounds to the nearest nanosecond; |s| must be below 9.2e9.
     [[nodiscard]] static constexpr Duration from_seconds(double s) {
         return {static_cast<std::int64_t>(s * 1e9 + (s < 0 ? -0.5 : 0.5))};
     }

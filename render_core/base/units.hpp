@@ -1,5 +1,5 @@
-/// Conversion factors between the cockpit's units and SI. Inside the core everything is SI and radians; names carry the
-/// unit (`_m`, `_mps`, `_rad`, `_pa`, `_k`). These factors are used at the borders only: decoding, config, display, files.
+/// Conversion factors between the cockpit's units and SI. Inside the core everything is SI and radians; names carry the unit
+/// (`_m`, `_mps`, `_rad`, `_pa`, `_k`). These factors are used only at interfaces: bus decoding, configuration, display, files.
 #pragma once
 
 namespace tedavis::base {

@@ -5,17 +5,17 @@
 
 namespace tedavis::earth {
 
-/// Above the WGS84 ellipsoid (what GNSS measures). No implicit way to or from another datum.
+/// Height above the WGS84 ellipsoid, as GNSS measures it. There is no implicit conversion to or from another datum.
 struct EllipsoidHeight {
     double m = 0;
 };
 
-/// Above mean sea level, EGM96 (what terrain data and charts state).
+/// Height above mean sea level, EGM96, as terrain data and charts state it.
 struct MslHeight {
     double m = 0;
 };
 
-/// Geoid above ellipsoid; h = H + N.
+/// Height N of the geoid above the ellipsoid; h = H + N.
 struct GeoidUndulation {
     double m = 0;
 };
@@ -33,11 +33,11 @@ struct Geodetic {
 };
 static_assert(std::is_trivially_copyable_v<Geodetic>);
 
-/// The longitude's equal in [-pi, pi); any finite input.
+/// Returns the equivalent longitude in [-pi, pi); any finite input.
 [[nodiscard]] double wrap_longitude(double longitude_rad) noexcept;
-/// The angle's equal in [0, 2 pi), for headings; any finite input. Never returns 2 pi.
+/// Returns the equivalent angle in [0, 2 pi), for headings; any finite input. Never returns 2 pi.
 [[nodiscard]] double wrap_heading(double angle_rad) noexcept;
-/// a - b by the shorter way, in [-pi, pi]; exact across the antimeridian and through north.
+/// Returns a - b in the shorter direction, in [-pi, pi]; exact across the antimeridian and through north.
 [[nodiscard]] double angle_difference(double a_rad, double b_rad) noexcept;
 
 }  // namespace tedavis::earth

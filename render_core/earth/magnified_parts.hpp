@@ -1,5 +1,5 @@
-/// What magnifiers move, part by part: their map is linear in each, so that a mesh that is drawn by it, whatever its triangles,
-/// lies where it should to the last pixel, once what is outside the part is left out.
+/// Splits what magnifiers move into parts in which their map is linear. A mesh that is drawn once for each part, clipped to it
+/// and moved by that part's map, is exact whatever its triangles.
 ///
 /// Pure; any thread.
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace tedavis::earth {
 
-/// Where something may lie: a box with half axes round a centre (ECEF, m), and so much more on all sides.
+/// A bound of an object: a box given by its centre and half axes (ECEF, m), enlarged by `more_m` on all sides.
 struct GroundExtent {
     glm::dvec3 centre{0};
     glm::dvec3 half[3]{};
@@ -25,17 +25,18 @@ struct MagnifiedPart {
 
     const Magnifier* magnifier = nullptr;
     Magnifier::Cell cell;
-    /// Of what is outside of several: of each that near it. Inside where dot(limit, (east, north, 1)) >= 0.
+    /// Limits between the outsides of several magnifiers: a point is outside all of them and nearest to this one where
+    /// dot(limit, (east, north, 1)) >= 0 for each limit.
     glm::dvec3 limits[kLimits]{};
-    /// By how much lengths grow in it, as areas do.
+    /// Factor of lengths in this part: the square root of that of areas.
     [[nodiscard]] double scale() const;
 };
 
-/// The parts of something that is_magnified(), one after the other; both must stay.
+/// Iterates over the parts of an object for which is_magnified() holds. Magnifiers and extent must outlive it.
 class MagnifiedParts {
 public:
     MagnifiedParts(const Magnifiers& magnifiers, const GroundExtent& extent) : magnifiers_(magnifiers), extent_(extent) {}
-    /// False when there is no other.
+    /// Writes the next part; returns false when there is none.
     [[nodiscard]] bool next(MagnifiedPart& part);
 
 private:
@@ -46,7 +47,7 @@ private:
     std::size_t magnifier_ = 0, cell_ = 0;
 };
 
-/// How many draws that takes; 1 for what is not magnified.
+/// Number of parts, that is, of draw calls; 1 for an object that is not magnified.
 [[nodiscard]] std::uint32_t count_parts(const Magnifiers& magnifiers, const GroundExtent& extent);
 
 }  // namespace tedavis::earth

@@ -1,5 +1,5 @@
-/// The straight ways over the ground as it is that a straight way through the picture of magnifiers is made of: one in each cell
-/// that it passes through. Pure; any thread.
+/// Maps a straight segment through the magnified picture back to the undistorted ground, where it is a chain of straight
+/// segments, one in each cell that it passes through. Pure; any thread.
 #pragma once
 
 #include "render_core/earth/magnifier.hpp"
@@ -10,24 +10,24 @@ struct TrueWay {
     Ecef begin{0}, end{0};
 };
 
-/// Calls with each part of the way from begin to end, ECEF, in no order, until one is answered with true; returns whether any
-/// was.
+/// Calls the visitor with each true segment of the shown one (ECEF), in no particular order, until a call returns true. Returns
+/// whether one did.
 template <class Visitor>
 [[nodiscard]] bool any_true_way(const Magnifiers& magnifiers, const TrueWay& shown, Visitor visitor);
 
 namespace magnified_way {
 
-/// Shares of a way; none where it ends before it begins.
+/// An interval of a segment, as shares 0..1 of its length; empty where `to` is not above `from`.
 struct Shares {
     double from = 0, to = 1;
     [[nodiscard]] bool is_any() const { return from < to; }
 };
-/// Of the way from a place of the plane along `by`, within edges.
+/// Returns the interval of the segment from `begin` along `by`, in the magnifier's plane, that lies within the cell's edges.
 [[nodiscard]] Shares within(const Magnifier::Cell& cell, const glm::dvec2& begin, const glm::dvec2& by);
-/// What of a shown way is over a cell, and where that is.
+/// Computes the true segment below the part of the shown one that is over the cell; returns false where there is none.
 [[nodiscard]] bool part_over(const Magnifier& magnifier, const Magnifier::Cell& cell, const TrueWay& shown, TrueWay& part);
 
-/// Shares of a way that are over what magnifiers move, in their order along it.
+/// Intervals of a segment over ground that magnifiers move, in order along the segment.
 struct Moved {
     Shares of[Magnifiers::kMax];
     std::size_t count = 0;

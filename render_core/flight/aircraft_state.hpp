@@ -1,4 +1,4 @@
-/// What is known on board of the own aircraft and of others at one instant. Plain data: assembled by bus/state (or a test), read
+/// The known state of the own aircraft and of other aircraft at one instant. Plain data: assembled by bus/state or a test, read
 /// by the display.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace tedavis::flight {
 
-/// The own ship's position estimated for exactly `at`, from stamped positions and velocities on the source's time.
+/// The own ship's position estimated for exactly `at`, from stamped positions and velocities.
 struct OwnShipEstimate {
     earth::Geodetic position;
     double velocity_north_mps = 0;
@@ -21,8 +21,8 @@ struct OwnShipEstimate {
     double velocity_up_mps = 0;
     base::Time at;
     base::SignalState state = base::SignalState::missing;  ///< stale while held beyond the extrapolation limit
-    bool height_is_geometric = false;                      ///< above the ellipsoid; else above MSL, from pressure
-    bool height_is_on_qnh = false;  ///< from the altitude on the altimeter's setting; else from the standard one
+    bool height_is_geometric = false;                      ///< true: above the ellipsoid; false: above MSL, from pressure
+    bool height_is_on_qnh = false;  ///< true: a pressure height on the altimeter setting; false: on the standard setting
 };
 
 struct AircraftState {
@@ -31,7 +31,7 @@ struct AircraftState {
     OwnShipEstimate own_ship;
     UtcEstimate utc;
     Traffic traffic;
-    bool is_posed = false;  ///< somebody states a place, nobody flies: signals that are missing have not failed
+    bool is_posed = false;  ///< a pose was stated instead of a flight: missing signals have not failed
 
     [[nodiscard]] const base::Stamped<double>& operator[](Signal signal) const {
         return signals[static_cast<std::size_t>(signal)];

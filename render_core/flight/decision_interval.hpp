@@ -1,5 +1,5 @@
-/// The half seconds of the source's time, counted from its zero, at whose first instants the display decides labels, priorities
-/// and the terrain alert: decisions that follow from the interval alone are the same however a frame is reached.
+/// Decision intervals: half seconds of the source's time, counted from its zero. The display decides labels, priorities and the
+/// terrain alert for the first instant of each, so these decisions do not depend on the frames drawn before.
 #pragma once
 
 #include "render_core/base/time.hpp"
@@ -8,7 +8,7 @@ namespace tedavis::flight {
 
 inline constexpr base::Duration kDecisionInterval = base::Duration::milliseconds(500);
 
-/// The number of the interval that an instant lies in; negative before the source's zero.
+/// Returns the number of the interval that contains an instant; negative before the source's zero.
 [[nodiscard]] constexpr std::int64_t decision_interval_of(base::Time now) {
     const std::int64_t number = now.ns / kDecisionInterval.ns;
     return now.ns < number * kDecisionInterval.ns ? number - 1 : number;

@@ -1,4 +1,4 @@
-/// Flight scenarios and their phases (thesis section 3.1), as strings, bus codes and priorities.
+/// Flight scenarios and their phases (thesis section 3.1): names, bus codes and the aspect that has priority.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace tedavis::flight {
 
 enum class Scenario : std::uint8_t { ground = 1, takeoff, cruise, approach, go_around, unknown };
 
-/// Sub-phases count from 1 within their scenario; 0 means that none is stated.
+/// A flight phase. Sub-phases count from 1 within their scenario; 0 means that none is stated.
 struct FlightPhase {
     Scenario scenario = Scenario::unknown;
     std::uint8_t sub_phase = 0;
 
-    /// The code of bus message 1830: 10 x place of the scenario + place of the sub-phase, both counted from 1, so that
-    /// a payload of zeros claims nothing.
+    /// Code of bus message 1830: 10 x number of the scenario + number of the sub-phase. Scenarios count from 1, so that a
+    /// payload of zeros states no phase.
     [[nodiscard]] constexpr std::uint8_t code() const {
         return static_cast<std::uint8_t>(10 * static_cast<int>(scenario) + sub_phase);
     }
@@ -35,7 +35,7 @@ inline constexpr FlightPhase kApproachLanding{Scenario::approach, 4};
 inline constexpr FlightPhase kGoAroundAbort{Scenario::go_around, 1};
 inline constexpr FlightPhase kGoAroundReplanning{Scenario::go_around, 2};
 
-/// "takeoff", "" for no sub-phase.
+/// Return "takeoff" and the like; "" for no sub-phase.
 [[nodiscard]] const char* scenario_name(FlightPhase phase) noexcept;
 [[nodiscard]] const char* sub_phase_name(FlightPhase phase) noexcept;
 
@@ -43,12 +43,12 @@ struct ParsedPhase {
     FlightPhase phase;
     bool ok = false;
 };
-/// "takeoff" or "takeoff.first_climb".
+/// Parses "takeoff" or "takeoff.first_climb".
 [[nodiscard]] ParsedPhase phase_from_name(std::string_view name) noexcept;
 /// Refuses codes outside the list (0, 7, 25, ...).
 [[nodiscard]] ParsedPhase phase_from_code(std::uint8_t code) noexcept;
 
-/// Where a phase came from, in order of authority.
+/// The source of a phase, in ascending order of authority.
 enum class PhaseSource : std::uint8_t { none, held, motion, can, switches };
 /// "none", "held", "motion", "can", "switch".
 [[nodiscard]] const char* to_string(PhaseSource source) noexcept;
@@ -56,18 +56,18 @@ enum class PhaseSource : std::uint8_t { none, held, motion, can, switches };
 struct PhaseStatus {
     FlightPhase phase;
     PhaseSource source = PhaseSource::none;
-    bool switch_fault = false;  ///< an impossible switch pattern was read; the last valid one is kept
-    bool disagreement = false;  ///< a source of lower authority states another scenario, and is not just late
-    FlightPhase presented;      ///< what the picture follows: the phase, but for flicker (presented_phase.hpp)
+    bool switch_fault = false;  ///< an impossible switch pattern was read; the last valid phase is kept
+    bool disagreement = false;  ///< a source of lower authority states another scenario and is not merely late
+    FlightPhase presented;      ///< the phase that the picture follows, without flicker (presented_phase.hpp)
     base::Time presented_since;
 };
 static_assert(std::is_trivially_copyable_v<PhaseStatus>);
-/// A status that somebody states at once, without a past.
+/// Returns a status for a stated phase, without a history.
 [[nodiscard]] constexpr PhaseStatus stated_phase(FlightPhase phase, PhaseSource source) {
     return {phase, source, false, false, phase, {}};
 }
 
-/// Which aspect is shown in detail (thesis Table 5.1).
+/// The aspect of the picture that a phase shows in detail (thesis Table 5.1).
 enum class Aspect : std::uint8_t { terrain, data, uncertainty };
 [[nodiscard]] Aspect prioritized_aspect(FlightPhase phase) noexcept;
 [[nodiscard]] inline bool has_terrain_first(FlightPhase phase) noexcept { return prioritized_aspect(phase) == Aspect::terrain; }

@@ -1,11 +1,11 @@
-/// The way that the own aircraft has flown in the last minutes, and what it has measured of the air there.
+/// The flight trail: where the own aircraft has flown in the last minutes, with its measurements of the air.
 ///
-/// A point every kSpacing while the own ship's place is valid; the oldest give way. A place that is not valid for one step, or no
-/// step for kLongestGap, ends a part of the way: nothing is said of what lies between. A place that cannot have been reached
-/// since the last point, and time that runs back, clear it: what was believed before is not.
+/// A point is added every kSpacing while the own ship's position is valid; the oldest points are dropped. A position that is
+/// invalid for one step, or no step for kLongestGap, ends a part of the trail: the gap is not drawn. A position that cannot
+/// have been reached since the last point, and time that runs back, clear the trail.
 ///
-/// The result depends on the steps: both programs take them on the grid of the phase (phase_monitor.hpp). Plain data; a
-/// copy is a checkpoint. Thread  one. Memory  fixed, inside. Failure  none.
+/// The result depends on the times of the steps: both programs use the grid of phase_monitor.hpp. Plain data; a copy is a
+/// checkpoint. Thread  one. Memory  fixed, inside. Failure  none.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@
 
 namespace tedavis::flight {
 
-/// NaN: not stated, or not valid then.
+/// A point of the trail. NaN: not stated, or not valid at that time.
 struct FlownPoint {
     double latitude_rad = 0, longitude_rad = 0;
     base::Time at;
-    float height_m = 0;  ///< over the ellipsoid; where `is_geometric` is false over MSL, by pressure
+    float height_m = 0;  ///< above the ellipsoid; where `is_geometric` is false a pressure height above MSL
     float position_accuracy_m = 0, height_accuracy_m = 0;  ///< figures of merit, 95 %
-    float wind_speed_mps = 0, wind_from_rad = 0;           ///< both or none
+    float wind_speed_mps = 0, wind_from_rad = 0;           ///< both or neither
     float temperature_k = 0;
     bool is_geometric = false;
-    bool begins = false;  ///< the first of its part
+    bool begins = false;  ///< first point of a part
 };
 
-/// Of the own ship's estimate and the signals that are valid now.
+/// Makes a point from the own ship's estimate and the signals that are valid at `now`.
 [[nodiscard]] FlownPoint flown_point(const AircraftState& aircraft, base::Time now) noexcept;
 
 class FlightTrail {
@@ -37,16 +37,17 @@ public:
     static constexpr std::size_t kMax = 128;
     static constexpr base::Duration kSpacing = base::Duration::seconds(2);
     static constexpr base::Duration kLongestGap = base::Duration::seconds(5);
-    static constexpr double kFastest_mps = 700, kLeap_m = 500;  ///< farther than both together is a leap
+    /// A step longer than kFastest_mps times its duration plus kLeap_m is impossible.
+    static constexpr double kFastest_mps = 700, kLeap_m = 500;
 
     void step(const AircraftState& aircraft, base::Time now);
 
     [[nodiscard]] std::size_t size() const { return count_; }
-    /// The oldest first.
+    /// Point n, the oldest first.
     [[nodiscard]] const FlownPoint& operator[](std::size_t n) const { return points_[(first_ + n) % kMax]; }
-    /// How many points there have been before the oldest: its number, which stays with it.
+    /// Number of points before the oldest one, that is, the oldest point's permanent number.
     [[nodiscard]] std::uint64_t number_of_oldest() const { return passed_; }
-    /// True where the last part goes on to a point: what is drawn may join them.
+    /// True where the last part continues to a point, so that a line may join them.
     [[nodiscard]] bool goes_on_to(const FlownPoint& next) const;
 
 private:

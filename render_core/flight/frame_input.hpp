@@ -1,4 +1,4 @@
-/// All that a frame is planned from: the aircraft, the flight phase, the time, and where it has flown.
+/// The input of a frame: the aircraft, the flight phase, the time and the flight trail.
 #pragma once
 
 #include <type_traits>
@@ -12,8 +12,8 @@ namespace tedavis::flight {
 struct FrameInput {
     AircraftState state;  ///< at `time`, with height_above_terrain
     PhaseStatus phase;
-    base::Time time;                     ///< of the source
-    const FlightTrail* trail = nullptr;  ///< the tracker's own, which goes on; null: nobody keeps one
+    base::Time time;                     ///< the source's time
+    const FlightTrail* trail = nullptr;  ///< the tracker's, updated by its later steps; null: there is none
 };
 static_assert(std::is_trivially_copyable_v<FrameInput>);
 

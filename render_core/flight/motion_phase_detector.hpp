@@ -1,17 +1,16 @@
-/// Flight phase from the motion of the aircraft, for when neither switches nor bus state one.
+/// Detects the flight phase from the aircraft's motion, for when neither switches nor bus state one.
 ///
-/// An online state machine on ground speed, vertical speed and height above ground; every transition needs its condition
-/// to hold without a break for a time of its own, and leaving a phase needs more than entering it did. Phases follow
+/// An online state machine on ground speed, vertical speed and height above ground; each transition requires its condition to
+/// hold without interruption for a certain time, and there is hysteresis between entering and leaving a phase. Phases follow
 /// thesis section 3.1; the thresholds are settings.
 ///
-/// - Missing inputs (no valid speed, vertical speed or height) give no statement; after `forget_after` the phase is
-///   found anew.
-/// - Steps may vary. Across a step longer than `longest_step` no condition is taken to have held. Time that runs back
-///   starts anew (a seek restores a saved state instead).
-/// - No transition takes priority from terrain below `terrain_priority_height_m`, and a phase that gives priority to
-///   something else is left there: the statement is then `unknown`, which shows terrain.
+/// - Missing inputs (no valid speed, vertical speed or height) give no statement; after `forget_after` the detection restarts.
+/// - Steps may vary in length. Across a step longer than `longest_step` no condition counts as having held. Time that runs back
+///   restarts the detection (a seek restores a saved state instead).
+/// - Below `terrain_priority_height_m` no transition may take priority away from terrain, and a phase that gives priority to
+///   another aspect is left: the statement is then `unknown`, which shows terrain.
 ///
-/// Thread  any, one state each. Memory  the state. Failure  no statement.
+/// Thread  any, with one state each. Memory  the state. Failure  no statement.
 #pragma once
 
 #include <array>
@@ -46,15 +45,15 @@ struct MotionPhaseSettings {
     double not_climbing_mps = 0.5;             ///< final approach and landing only below this vertical speed
     double go_around_climb_mps = 2.5;          ///< go-around climbs faster than this
     double go_around_rise_m = 30;              ///< and has gained this height since it began to
-    double replanning_height_m = 500;          ///< after a go-around, re-planning above this
+    double replanning_height_m = 500;          ///< re-planning above this, after a go-around
     double terrain_priority_height_m = 457.2;  ///< 1500 ft: terrain keeps its priority below this
     double radio_height_limit_m = 750;         ///< a radio altimeter is believed below this
 
     base::Duration brief = base::Duration::seconds(1);  ///< lift-off, touchdown, low flight
-    base::Duration usual = base::Duration::seconds(2);  ///< between phases that follow each other
+    base::Duration usual = base::Duration::seconds(2);  ///< between consecutive phases
     base::Duration standing = base::Duration::seconds(3);
     base::Duration go_around = base::Duration::seconds(3);
-    base::Duration vertical = base::Duration::seconds(10);  ///< climbs and descents out of another phase
+    base::Duration vertical = base::Duration::seconds(10);  ///< climb and descent from another phase
     base::Duration level = base::Duration::seconds(30);
     base::Duration level_after_replanning = base::Duration::seconds(120);
     base::Duration smoothing = base::Duration::seconds(2);  ///< time constant for the vertical speed
@@ -75,21 +74,21 @@ enum class MotionStage : std::uint8_t {
     landing,
     abort,
     replanning,
-    low_flight,  ///< near the ground out of a phase of height: states `unknown`
+    low_flight,  ///< near the ground in a phase that belongs to greater heights: states `unknown`
 };
 
 inline constexpr std::size_t kMaxMotionRules = 24;
 
-/// Everything that the detector remembers; plain, so that it can be saved and restored.
+/// The detector's state; plain data, so that it can be saved and restored.
 struct MotionPhaseState {
     struct Timer {
         base::Time since;
-        double height_m = 0;  ///< when the condition began to hold
+        double height_m = 0;  ///< height at the time when the condition began to hold
         bool running = false;
     };
     std::array<Timer, kMaxMotionRules> timers{};
     base::Time last_update;
-    base::Time last_complete;       ///< newest update with all inputs
+    base::Time last_complete;       ///< time of the newest update with all inputs
     double vertical_speed_mps = 0;  ///< smoothed
     MotionStage stage = MotionStage::none;
     bool any_update = false;
@@ -97,7 +96,7 @@ struct MotionPhaseState {
 };
 static_assert(std::is_trivially_copyable_v<MotionPhaseState>);
 
-/// One update, at `now` of the source. A second call with the same `now` changes nothing.
+/// Updates the state at the source time `now`. A second call with the same `now` changes nothing.
 [[nodiscard]] PhaseStatement detect_motion_phase(const AircraftState& aircraft, base::Time now,
                                                  const MotionPhaseSettings& settings, MotionPhaseState& state);
 

@@ -1,7 +1,7 @@
-/// The flight phase in effect: motion, bus and switches through the arbiter, one fixed step after another.
+/// Determines the flight phase in effect from motion, bus and switches, in fixed steps.
 ///
-/// The result depends on the steps, so both programs step it at kStep of the source's time, whatever the frame rate:
-/// a replay that starts in the middle passes through the same steps as a whole run. Plain data; a copy is a checkpoint.
+/// The result depends on the steps, so both programs step it every kStep of the source's time, whatever the frame rate. A
+/// replay that starts in the middle passes through the same steps as a whole run. Plain data; a copy is a checkpoint.
 #pragma once
 
 #include "render_core/flight/motion_phase_detector.hpp"
@@ -14,7 +14,7 @@ class PhaseMonitor {
 public:
     static constexpr base::Duration kStep = base::Duration::milliseconds(20);
 
-    /// `aircraft` carries height_above_terrain where it is known. `inputs.motion` is filled in here.
+    /// `aircraft` contains height_above_terrain where it is known. `inputs.motion` is filled in by step().
     PhaseStatus step(const AircraftState& aircraft, PhaseInputs inputs, base::Time now);
     [[nodiscard]] const PhaseStatus& status() const { return status_; }
 

@@ -1,4 +1,4 @@
-/// What one source says about the flight phase: a phase, or nothing.
+/// One source's statement about the flight phase: a phase, or nothing.
 #pragma once
 
 #include <type_traits>

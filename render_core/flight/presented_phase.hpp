@@ -1,11 +1,11 @@
-/// The phase that the picture follows: the phase in effect, but for flicker.
+/// The phase that the picture follows: the phase in effect without flicker.
 ///
-/// A turn after calm (the phase in effect had been the presented one for kCalm) is followed at once, and so is every turn from a
-/// phase that shows data or uncertainty to one that shows terrain. Any other is followed when the new phase has lasted kCalm: a
-/// switch that bounces beyond its debouncing, or two sources that take turns, turn the picture once, towards terrain, and not
-/// again before they agree. The phase itself, and who states it, are on the display and in the record meanwhile.
+/// A change is followed at once where the presented phase had been in effect for kCalm before, or where it leads from a phase
+/// that shows data or uncertainty to one that shows terrain. Any other change is followed when the new phase has lasted kCalm.
+/// So a switch that bounces beyond its debouncing, or two alternating sources, change the picture once, towards terrain, and
+/// not again before they agree. Meanwhile the display and the record state the phase in effect and its source.
 ///
-/// Thread  any, one state each. Plain data.
+/// Thread  any, with one state each. Plain data.
 #pragma once
 
 #include <type_traits>
@@ -18,16 +18,16 @@ namespace tedavis::flight {
 struct PresentedPhaseState {
     static constexpr base::Duration kCalm = base::Duration::seconds(2);
 
-    FlightPhase stated;  ///< the last one in effect
+    FlightPhase stated;  ///< the phase in effect at the last step
     base::Time stated_since;
     FlightPhase presented;
     base::Time presented_since;
-    bool after_calm = false;  ///< `stated` came after the presented one had lasted
+    bool after_calm = false;  ///< `stated` began after the presented phase had lasted kCalm
     bool is_known = false;
 };
 static_assert(std::is_trivially_copyable_v<PresentedPhaseState>);
 
-/// One step at `now` of the source. Fills `presented` and `presented_since` of the status.
+/// Steps the state at the source time `now` and fills `presented` and `presented_since` of the status.
 void follow_phase(PhaseStatus& status, base::Time now, PresentedPhaseState& state);
 
 }  // namespace tedavis::flight

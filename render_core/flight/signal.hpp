@@ -1,5 +1,5 @@
-/// The values about the aircraft that the display knows, by name. One list: decoder bindings, freshness limits, frame
-/// records, config keys and tests all use it.
+/// The list of the aircraft's signals, with their names. Decoder bindings, freshness limits, frame records, configuration keys
+/// and tests all use it.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace tedavis::flight {
 
-/// SI and radians. "true" means relative to true north.
+/// Values are in SI units and radians. "true" means relative to true north.
 enum class Signal : std::uint8_t {
     latitude,                   ///< rad, GNSS
     longitude,                  ///< rad, GNSS, [-pi, pi)
@@ -38,7 +38,7 @@ enum class Signal : std::uint8_t {
     vertical_speed,             ///< m/s, up
     radio_height,               ///< m above ground
     wind_speed,                 ///< m/s
-    wind_direction,             ///< rad, from which it blows
+    wind_direction,             ///< rad, the direction that the wind comes from
     outside_temperature,        ///< K
     true_altitude,              ///< m above MSL, geometric
     height_above_terrain,       ///< m, computed by the display from position and database
@@ -47,7 +47,7 @@ enum class Signal : std::uint8_t {
 inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::count_);
 
 [[nodiscard]] const char* to_string(Signal signal) noexcept;
-/// count_ when the name is unknown.
+/// Returns count_ when the name is unknown.
 [[nodiscard]] Signal signal_from_name(std::string_view name) noexcept;
 
 }  // namespace tedavis::flight

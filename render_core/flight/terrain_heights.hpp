@@ -1,4 +1,5 @@
-/// Port: how high an aircraft is above the terrain. Whoever has the terrain answers; the phase and the display need the answer.
+/// Port: the height of an aircraft above the terrain, provided by the owner of the terrain and used by flight phase and
+/// display.
 #pragma once
 
 #include "render_core/flight/aircraft_state.hpp"
@@ -8,7 +9,8 @@ namespace tedavis::flight {
 class TerrainHeights {
 public:
     virtual ~TerrainHeights() = default;
-    /// In metres; nothing received where the place or the terrain below it is not known. Never blocks, never allocates.
+    /// Returns the height in metres; the value counts as never received where the position or the terrain below it is unknown.
+    /// Never blocks, never allocates.
     [[nodiscard]] virtual base::Stamped<double> height_above_terrain(const OwnShipEstimate& own_ship, base::Time now) = 0;
 };
 

@@ -1,4 +1,4 @@
-/// What an area reaches from and to, and how charts write that. Pure functions; any thread.
+/// The vertical limits of an area, and their text as charts write it. Pure functions; any thread.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace tedavis::scene {
 
-/// A height over something.
+/// A height above a datum.
 struct HeightLimit {
     double m = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not stated
     HeightDatum datum = HeightDatum::msl;
@@ -17,12 +17,12 @@ struct AreaLimits {
     HeightLimit floor, ceiling;
 };
 
-/// By the attributes "floor" and "ceiling" with "floor_datum" and "ceiling_datum", where these are not there of the layer's
-/// datum; a "height" alone is a ceiling over the ground.
+/// Reads the attributes "floor" and "ceiling" with their "floor_datum" and "ceiling_datum" (default: the layer's datum); a
+/// "height" alone is a ceiling above the ground.
 [[nodiscard]] AreaLimits area_limits(const Layer& layer, std::uint32_t feature);
 
-/// In feet, or flight levels over the standard pressure: "GND-2600 MSL", "1500 AGL-FL065"; "?" is not stated. Empty where neither
-/// is.
+/// Writes limits in feet, or in flight levels for the standard pressure: "GND-2600 MSL", "1500 AGL-FL065"; "?" means not
+/// stated. Empty where neither is stated.
 using LimitsText = base::FixedString<31>;
 [[nodiscard]] LimitsText limits_text(const Layer& layer, std::uint32_t feature);
 

@@ -1,4 +1,4 @@
-/// How much of its detail each region of the screen keeps: a grid of factors, from the top left corner.
+/// The share of its detail that each region of the screen keeps: a grid of factors, from the top left corner.
 ///
 /// Plain data; pure.
 #pragma once
@@ -12,7 +12,7 @@ struct DetailRegions {
     static constexpr std::size_t kAcross = 8, kDown = 6;
     std::array<float, kAcross* kDown> factor = whole();  ///< 0..1, row by row
 
-    /// Of a place on the screen, 0..1 from the left and from the top; beyond it that of the nearest region.
+    /// Returns the factor at a point of the screen, 0..1 from the left and from the top; outside it that of the nearest region.
     [[nodiscard]] double at(double across, double down) const noexcept {
         return static_cast<double>(factor[index(down, kDown) * kAcross + index(across, kAcross)]);
     }

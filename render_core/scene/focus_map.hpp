@@ -1,7 +1,8 @@
-/// Degrees of many places by their angles: what focus_region.hpp says of places on the ellipsoid, without sines and roots.
+/// Computes focus degrees of many points from their latitudes and longitudes, without sines and roots; the same as
+/// focus_region.hpp for points on the ellipsoid.
 ///
-/// Places are within 0.01 m of where in_focus_plane() has them. Those beyond the box round focus and context are context without
-/// a closer look; of a region that reaches farther than kFocusMapReach_rad every place is looked at.
+/// Positions differ from in_focus_plane() by less than 0.01 m. Points outside a box round focus and intermediate context are
+/// classified as context at once; for a region that reaches farther than kFocusMapReach_rad every point is computed.
 ///
 /// Pure; any thread. Radians, WGS84.
 #pragma once
@@ -17,16 +18,16 @@ inline constexpr double kFocusMapReach_rad = 0.05;
 class FocusMap {
 public:
     FocusMap() = default;
-    /// Of a valid region.
+    /// `region` must be valid.
     explicit FocusMap(const FocusRegion& region);
 
-    /// A bit a side of the box round focus and context that the place lies beyond; of a region that is too wide for that none.
+    /// Returns one bit for each side of the box that the point lies beyond; 0 for a region that is too wide for a box.
     [[nodiscard]] unsigned beyond(double latitude_rad, double longitude_rad) const {
         if (is_wide_) return 0;
         const double north = latitude_rad - latitude_rad_, east = east_of(longitude_rad);
         return (north < south_ ? 1u : 0u) | (north > north_ ? 2u : 0u) | (east < west_ ? 4u : 0u) | (east > east_ ? 8u : 0u);
     }
-    /// Of a place on the ellipsoid. `region`: the one that the map was made of.
+    /// Returns the plane coordinates of a point on the ellipsoid. `region` is the one that the map was made from.
     [[nodiscard]] glm::dvec2 in_plane(const FocusRegion& region, double latitude_rad, double longitude_rad) const {
         if (is_wide_) return in_plane_of(region, latitude_rad, longitude_rad);
         const double north = latitude_rad - latitude_rad_, east = east_of(longitude_rad), square = east * east;
@@ -35,13 +36,13 @@ public:
         const double less = 0.5 * square * (1 - square * (1.0 / 12) * (1 - square * (1.0 / 30)));  // 1 - cosine
         return {out_m * sine, at(along_m_, north) + out_m * less * sine_};
     }
-    /// ground_focus_degree() of it.
+    /// Returns ground_focus_degree() of the point.
     [[nodiscard]] double degree(const FocusRegion& region, double latitude_rad, double longitude_rad) const {
         if (beyond(latitude_rad, longitude_rad) != 0) return 0;
         return ground_focus_degree(region, in_plane(region, latitude_rad, longitude_rad));
     }
 
-    /// The place as parts of the focus: 2 in it, 1 in the intermediate context, 0 in the context.
+    /// Classifies a point: 2 in the focus, 1 in the intermediate context, 0 in the context.
     [[nodiscard]] int part(const FocusRegion& region, double latitude_rad, double longitude_rad) const {
         if (beyond(latitude_rad, longitude_rad) != 0) return 0;
         const glm::dvec2 ground = in_plane(region, latitude_rad, longitude_rad);
@@ -70,12 +71,13 @@ private:
     }
 
     double latitude_rad_ = 0, longitude_rad_ = 0;
-    double sine_ = 0;  ///< of the latitude
-    /// By the angle north of the anchor: how far from the axis, and on the anchor's meridian how far north in the plane.
+    double sine_ = 0;  ///< sine of the anchor's latitude
+    /// By the angle north of the anchor: distance from the Earth's axis, and distance north in the plane on the anchor's
+    /// meridian.
     Series out_m_{}, along_m_{};
     bool is_wide_ = false, is_round_ = false;
-    double focus_m2_ = 0, context_m2_ = 0;                ///< squares of how far they reach round a place
-    double south_ = 0, north_ = 0, west_ = 0, east_ = 0;  ///< of what may be near, from the anchor
+    double focus_m2_ = 0, context_m2_ = 0;                ///< squares of their reach round a point
+    double south_ = 0, north_ = 0, west_ = 0, east_ = 0;  ///< the box, relative to the anchor
 };
 
 }  // namespace tedavis::scene

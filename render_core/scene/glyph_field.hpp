@@ -1,14 +1,16 @@
-/// Places that have glyphs, in a tree of groups: who draws may show a group by what is common to its members (glyph_summary.hpp).
+/// Sites that have glyphs, in a tree of groups. A group may be shown by one glyph with the summary of its members
+/// (glyph_summary.hpp).
 ///
-/// Groups are the cells of a cube that is halved again and again, along one axis after the other (a binary radix tree over Morton
-/// codes: T. Karras, Maximizing parallelism in the construction of BVHs, octrees, and k-d trees, HPG 2012), so that they do not
-/// depend on the eye. Every summary is made of its members' sums in double.
+/// Groups are the cells of a cube that is bisected recursively along its axes in turn (a binary radix tree over Morton codes:
+/// T. Karras, Maximizing parallelism in the construction of BVHs, octrees, and k-d trees, HPG 2012), so they do not depend on
+/// the eye point. Every summary is computed from its members' sums in double.
 ///
-/// Where more sites come than there is room for, neighbours are merged: all that share a cell, cells alike for the whole field.
-/// Each remaining leaf then is a group itself. Merged leaves keep means in float, rounded again each time that they merge.
+/// Where more sites are added than there is room for, neighbours are merged: all sites that share a cell, with cells of equal
+/// size in the whole field. A merged leaf is then a group itself; it stores means in float, which are rounded at each merge.
 ///
-/// Frames  places come in ECEF and are kept in metres along the field's axes from its anchor. Memory  from an arena, at start().
-/// Thread  one. Bounded: steps of so many sites; only an add() that finds the field full sorts what is there.
+/// Frames  sites are added in ECEF and stored in metres along the field's axes from its anchor. Memory  from an arena, at
+/// start().
+/// Thread  one. Bounded: each step visits a limited number of sites; only an add() to a full field sorts all of them.
 #pragma once
 
 #include <cstdint>
@@ -26,24 +28,24 @@ inline constexpr std::uint32_t kMaxGlyphSites = 1u << 19;
 
 struct GlyphSite {
     earth::Ecef place{0};  ///< m
-    float value = 0;       ///< towards east, m/s; the number; the class. Not finite: missing
-    float north_mps = 0;   ///< of wind
+    float value = 0;       ///< wind: towards east, m/s; number: the value; category: the class. Not finite: missing
+    float north_mps = 0;   ///< wind: towards north
     float size_m = 0;      ///< across the glyph, not negative
-    float over_ground_m = std::numeric_limits<float>::quiet_NaN();  ///< NaN: not known, or not asked for
+    float over_ground_m = std::numeric_limits<float>::quiet_NaN();  ///< height above ground; NaN: unknown or not requested
     Uncertainty uncertainty;
     ValueState state = ValueState::valid;
 };
 
-/// Cells are cubes along the axes.
+/// The field's frame; its cells are cubes along the axes.
 struct GlyphFrame {
     earth::Ecef anchor{0};
-    glm::dmat3 axes{1};  ///< columns, orthonormal: east, north, up at the anchor, or what else the cells are to follow
-    double reach_m = 1;  ///< sites may be so far from the anchor along an axis; those much farther out are badly grouped
+    glm::dmat3 axes{1};  ///< orthonormal columns: east, north, up at the anchor, or other axes for the cells
+    double reach_m = 1;  ///< largest distance of sites from the anchor along an axis; sites far beyond are grouped badly
 };
-/// At the anchor, with east, north and up there.
+/// Returns the frame at the anchor with its east, north and up axes.
 [[nodiscard]] GlyphFrame level_frame(const earth::Geodetic& anchor, double reach_m) noexcept;
 
-/// A site (or what was merged to one) or a group.
+/// Refers to a site (or a merged leaf) or to a group.
 class GlyphRef {
 public:
     constexpr GlyphRef() = default;
@@ -58,7 +60,7 @@ private:
     std::uint32_t code_ = 0;
 };
 
-/// Groups have two parts each.
+/// A group; it has two parts.
 struct GlyphGroup {
     GlyphSummary summary;
     GlyphRef parts[2];
@@ -69,30 +71,30 @@ enum class GlyphProgress : std::uint8_t { more, done };
 class GlyphField {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t sites);
-    /// The most sites that so many bytes hold.
+    /// Returns the number of sites that fit in `bytes`.
     [[nodiscard]] static std::uint32_t sites_within(std::uint64_t bytes);
-    /// For kMinGlyphSites..kMaxGlyphSites sites; again with other memory, which forgets what there was. False when the arena
-    /// cannot hold it.
+    /// Allocates room for kMinGlyphSites..kMaxGlyphSites sites. May be called again with other memory, which clears the field.
+    /// Returns false when the arena is too small.
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t most_sites);
 
-    /// Forgets what there was.
+    /// Clears the field and begins a new one.
     void begin(const GlyphFrame& frame, GlyphValues values);
-    /// False where the place is not finite: such a site is counted as misplaced.
+    /// Adds a site. Returns false, and counts it as misplaced, where its position is not finite.
     bool add(const GlyphSite& site);
-    /// Puts the groups together, looking at so many sites at most; the result does not depend on the steps. Nothing may be added
-    /// after the first step.
+    /// Builds groups, visiting at most `most_sites` sites; the result does not depend on the size of the steps. No site may be
+    /// added after the first step.
     GlyphProgress step(std::uint32_t most_sites);
     [[nodiscard]] bool is_ready() const { return phase_ == Phase::ready; }
 
     [[nodiscard]] const GlyphFrame& frame() const { return frame_; }
     [[nodiscard]] GlyphValues values() const { return values_; }
-    /// All that was given, misplaced ones as well.
+    /// Number of added sites, misplaced ones included.
     [[nodiscard]] std::uint32_t given() const { return given_; }
     [[nodiscard]] std::uint32_t misplaced() const { return misplaced_; }
     [[nodiscard]] std::uint32_t leaves() const { return count_; }
     [[nodiscard]] std::uint32_t most_sites() const { return static_cast<std::uint32_t>(leaves_.size()); }
 
-    /// Once it is ready and has leaves. Places along the frame's axes.
+    /// Valid once the field is ready and has leaves. Positions are along the frame's axes.
     [[nodiscard]] GlyphRef root() const { return root_; }
     [[nodiscard]] const GlyphSummary& summary(GlyphRef ref) const {
         return ref.is_leaf() ? leaves_[ref.index()] : groups_[ref.index()].summary;
@@ -106,12 +108,12 @@ private:
     static_assert(kMaxGlyphSites == 1u << kIndexBits && kPasses % 2 == 1);
 
     enum class Phase : std::uint8_t { collecting, coding, counting, scattering, gathering, placing, linking, ready };
-    /// What waits for its second part.
+    /// A group that waits for its second part.
     struct Waiting {
-        GlyphSums sums;  ///< of the first part
+        GlyphSums sums;  ///< sums of the first part
         GlyphRef first;
-        std::uint32_t group = 0;  ///< which it will be
-        int bit = 0;              ///< the highest in which its parts differ
+        std::uint32_t group = 0;  ///< index that the group will have
+        int bit = 0;              ///< highest bit in which its parts differ
     };
 
     [[nodiscard]] std::uint64_t code(const glm::vec3& place) const;
@@ -138,7 +140,7 @@ private:
     Phase phase_ = Phase::collecting;
     GlyphRef root_;
     int pass_ = 0;
-    int shift_ = kIndexBits;  ///< of codes, to the cells whose sites are merged; they only grow
+    int shift_ = kIndexBits;  ///< shift from codes to the cells whose sites are merged; cells only grow
     std::uint32_t cursor_ = 0, count_ = 0, given_ = 0, misplaced_ = 0;
 };
 

@@ -1,19 +1,19 @@
-/// Which glyphs of a field a view shows: single ones, and groups whose members would be too small to be told apart.
+/// Selects the glyphs of a field for a view: single ones, and aggregates of groups whose members would be too small to
+/// distinguish.
 ///
-/// A site whose glyph is least_px or more across is drawn itself. Groups of smaller ones that cover no more of the screen than a
-/// square of cell_px are one glyph at their mean place, as large as such a square; a small one that has its cell alone is drawn
-/// itself at least_px. As areas count, what is seen at a grazing angle becomes fewer glyphs, not a heap of them.
-/// Where that would be more glyphs than may be drawn, groups are parted in the order of their extent on the screen, largest
-/// first, until there is no room for more: what is far and dense stays together, and the rest of the counts say how much.
+/// A site whose glyph is at least least_px across is drawn itself. A group of smaller ones that covers no more of the screen
+/// than a square of cell_px is one glyph at their mean position, as large as that square; a small glyph alone in its cell is
+/// drawn at least_px. Since screen areas count, sites seen at a grazing angle become fewer glyphs instead of overlapping ones.
+/// Where that would be more glyphs than may be drawn, groups are split in the order of their extent on the screen, largest
+/// first, until the limit is reached: distant and dense groups stay aggregated, and `over_most` counts their members.
 ///
-/// Every site that was given is counted once: drawn itself, part of an aggregate (also what the field merged), or hidden: outside
-/// the view (misplaced ones as well), or in a context that is not shown. What terrain covers is not known here, and counts as
-/// drawn.
+/// Every added site is counted once: drawn itself, aggregated (also where the field merged it), or hidden: outside the view,
+/// misplaced, or in a context that is not shown. Occlusion by terrain is not considered: such sites count as drawn.
 ///
-/// Where regions of the screen keep less of their detail, larger groups are one glyph; so are, however large they are on the
-/// screen, groups of up to kCrowdedAcross of their glyphs across.
+/// Where regions of the screen keep less detail, larger groups become one glyph; so do groups of up to kCrowdedAcross glyphs
+/// across, however large they are on the screen.
 ///
-/// The selection depends on nothing but its arguments. Frames  eye and glyphs in ECEF. Memory  from an arena, at start(). Thread
+/// The selection depends only on its arguments. Frames  eye point and glyphs in ECEF. Memory  from an arena, at start(). Thread
 /// one. Bounded: time grows with the number of glyphs that may be drawn, and with the groups that the view's border cuts.
 #pragma once
 
@@ -29,49 +29,49 @@
 
 namespace tedavis::scene {
 
-/// A pinhole: unit vectors in ECEF, tangents of half the angles across and down.
+/// A pinhole camera: unit vectors in ECEF, tangents of half the horizontal and vertical angles of view.
 struct GlyphView {
     earth::Ecef eye{0};
     glm::dvec3 forward{0}, right{0}, down{0};
     double half_width_tangent = 1, half_height_tangent = 1;
-    double focal_px = 1;  ///< pixels a unit tangent
+    double focal_px = 1;  ///< pixels per unit tangent
     double near_m = 1, far_m = 400000;
 };
 
 inline constexpr double kCoarsestGlyphs = 8;
-inline constexpr double kCrowdedAcross = 6;  ///< where nothing is kept
+inline constexpr double kCrowdedAcross = 6;  ///< at detail 0
 
-/// What foci make of glyphs. Groups that a focus reaches into are shown as without foci; beyond, `coarser` times as large ones
-/// stand for their members, by the greatest degree of any place of the group. Those of a data focus for the glyphs' own values
-/// are judged by their value where they stand for themselves or are no part of its region.
+/// The effect of foci on glyphs. Groups that a focus reaches into are shown as without foci; elsewhere groups up to `coarser`
+/// times as large become one glyph, by the greatest degree of any point of the group. For a data focus on the glyphs' own
+/// values, single glyphs and glyphs outside its region have the degree of their value.
 struct GlyphFocus {
     static constexpr std::size_t kSteps = 16;
 
     const FocusRegions* regions = nullptr;
     std::array<FocusValueRange, kMaxFoci> ranges{};
-    std::array<bool, kMaxFoci> by_value{};     ///< which foci mean the glyphs' own values
-    std::array<double, kSteps + 1> coarser{};  ///< by degrees from 0 to 1: times as large least_px and cell_px
-    std::array<double, kSteps + 1> across{};   ///< likewise: groups so many of their glyphs wide are one; 1: none is for that
-    double least_degree = 0;                   ///< of the intermediate context
+    std::array<bool, kMaxFoci> by_value{};     ///< which foci select by the glyphs' own values
+    std::array<double, kSteps + 1> coarser{};  ///< by degree 0..1: factor of least_px and cell_px
+    std::array<double, kSteps + 1> across{};   ///< by degree 0..1: groups up to this many glyphs wide become one; 1: no effect
+    double least_degree = 0;                   ///< least degree of the intermediate context
     bool hides_context = false;
 };
 
 struct GlyphSettings {
     double least_px = 6;   ///< at full detail
     double cell_px = 24;   ///< at full detail, at least least_px
-    double most_px = 160;  ///< nothing is drawn larger, however near
-    double detail = 1;     ///< 0..1: at 0 least_px and cell_px are `coarsest` times as large
+    double most_px = 160;  ///< upper limit of a glyph's size
+    double detail = 1;     ///< 0..1; at 0 least_px and cell_px are multiplied by `coarsest`
     double coarsest = kCoarsestGlyphs;
     std::uint32_t most_drawn = 0xFFFFFFFFu;
     const GlyphFocus* focus = nullptr;       ///< null: everything is in the focus
-    const DetailRegions* regions = nullptr;  ///< of the screen, which lower `detail` beside foci; null: none does
+    const DetailRegions* regions = nullptr;  ///< regions of the screen that lower `detail` outside foci; null: none
 };
 struct SelectedGlyph {
-    GlyphSummary summary;  ///< its place relative to the eye, in ECEF axes
-    float size_m = 0;      ///< across, as it is to be drawn
+    GlyphSummary summary;  ///< its position is relative to the eye point, in ECEF axes
+    float size_m = 0;      ///< drawn size across
     float size_px = 0;     ///< the same on the screen
     bool is_aggregate = false;
-    std::uint8_t degree = kInFocus;  ///< of focus: 0 in the context, in between 1..254
+    std::uint8_t degree = kInFocus;  ///< focus degree: 0 in the context, 1..254 between, kInFocus in the focus
 
     static constexpr std::uint8_t kInFocus = 255;
 };
@@ -81,20 +81,20 @@ static_assert(sizeof(SelectedGlyph) == 68);
     return static_cast<double>(glyph.degree) / SelectedGlyph::kInFocus;
 }
 
-/// drawn + aggregated + hidden are all sites that were given.
+/// drawn + aggregated + hidden is the number of added sites.
 struct GlyphCounts {
     std::uint32_t drawn = 0, aggregated = 0, hidden = 0;
-    std::uint32_t glyphs = 0;     ///< selected: the drawn ones and the aggregates
-    std::uint32_t over_most = 0;  ///< of the aggregated and hidden, members of groups that were not parted for want of room
+    std::uint32_t glyphs = 0;     ///< selected glyphs: single ones and aggregates
+    std::uint32_t over_most = 0;  ///< aggregated and hidden sites in groups that were not split because the limit was reached
 };
 
 class GlyphSelection {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t glyphs);
-    /// Once. False when the arena cannot hold so many.
+    /// To be called once. Returns false when the arena is too small.
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t most_glyphs);
 
-    /// A field that is not ready is hidden.
+    /// Selects the glyphs; all sites of a field that is not ready are hidden.
     const GlyphCounts& select(const GlyphField& field, const GlyphView& view, const GlyphSettings& settings);
     [[nodiscard]] base::Span<const SelectedGlyph> glyphs() const { return {glyphs_.data(), counts_.glyphs}; }
     [[nodiscard]] const GlyphCounts& counts() const { return counts_; }
@@ -102,7 +102,7 @@ public:
 private:
     static constexpr int kPlanes = 6;
     static constexpr unsigned kAllPlanes = (1u << kPlanes) - 1;
-    /// A part of the field that may be in view; planes that it may cut.
+    /// A part of the field that may be in view, and the frustum planes that it may intersect.
     struct Part {
         GlyphRef ref;
         unsigned planes = 0;

@@ -1,8 +1,8 @@
-/// A grid field, or one member of its ensemble, at one height and one time as texels, for colour on the ground: made a few rows
-/// at a time, so that a change of time or of height stalls no frame.
+/// A grid field, or one member of its ensemble, at one height and time as texels, for colour on the ground. Texels are computed
+/// a few rows at a time, so that a change of time or height does not delay a frame.
 ///
-/// A texel is a post: its value in 16 bits between the attribute's limits (a 65,535th of them is less than any step of a colour
-/// scale shows), its uncertainty (Uncertainty::code) and its state.
+/// A texel is a post: its value in 16 bits between the attribute's limits (finer than any step of a colour scale), its
+/// uncertainty (Uncertainty::code) and its state.
 /// Memory    the texels belong to the caller. Thread  one.
 #pragma once
 
@@ -18,19 +18,19 @@ struct SliceTexel {
 };
 static_assert(sizeof(SliceTexel) == 4);
 
-/// What texels stand for: value = lowest + (high * 256 + low) / 65535 * (highest - lowest).
+/// The range of texel values: value = lowest + (high * 256 + low) / 65535 * (highest - lowest).
 struct SliceRange {
     double lowest = 0, highest = 0;
 };
 
-/// Of one value. A range of nothing gives 0.
+/// Encodes one value. An empty range gives 0.
 [[nodiscard]] SliceTexel texel_of(const FieldValue& value, const SliceRange& range) noexcept;
 [[nodiscard]] double value_of(const SliceTexel& texel, const SliceRange& range) noexcept;
 
-/// In place of a member's number.
+/// Used instead of a member's number: the mean.
 inline constexpr std::uint32_t kMean = UINT32_MAX;
 
-/// What of a field is shown.
+/// The height, time and member of a field that are shown.
 struct SliceMoment {
     double height_m = 0;
     std::int64_t time_ns = 0;
@@ -43,26 +43,26 @@ struct SliceMoment {
 
 class GridSlice {
 public:
-    /// Room for grids of `most_posts` in one slice.
+    /// Bytes for grids of up to `most_posts` posts in a slice.
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t most_posts);
     [[nodiscard]] bool start(std::uint32_t most_posts, base::Arena& arena);
 
-    /// What is to be seen. False where the layer is no grid, or has more posts than there is room for. Layer and attribute must
-    /// outlive the slice, or forget() be called.
+    /// Sets the field. Returns false where the layer is not a grid or has more posts than there is room for. Layer and
+    /// attribute must stay valid until forget() is called or the slice is destroyed.
     [[nodiscard]] bool set_field(const Layer& layer, const Attribute& attribute);
     void forget();
-    /// The slice of a moment; after set_field(). True when the texels are others than before.
+    /// Computes the slice of a moment; to be called after set_field(). Returns true when the texels have changed.
     [[nodiscard]] bool show(const SliceMoment& moment);
-    /// Goes on with at most `rows` rows of the slice that show() will ask for next.
+    /// Computes at most `rows` further rows of the slice that show() will need next.
     void prepare(const SliceMoment& moment, std::uint32_t rows);
 
     [[nodiscard]] bool has_texels() const { return shown_.is_whole(rows()); }
     [[nodiscard]] std::uint32_t columns() const { return layer_ == nullptr ? 0 : layer_->entry->grid.columns; }
     [[nodiscard]] std::uint32_t rows() const { return layer_ == nullptr ? 0 : layer_->entry->grid.rows; }
-    /// Row by row from the north-west; of the slice that was shown last.
+    /// The texels of the slice shown last, row by row from the north-west.
     [[nodiscard]] base::Span<const SliceTexel> texels() const { return {shown_.texels.data(), std::size_t{columns()} * rows()}; }
     [[nodiscard]] SliceRange range() const;
-    /// Bit n: some post of the slice that was shown last is of class n. 0 of quantities.
+    /// Bit n: a post of the slice shown last is of class n. 0 for quantitative attributes.
     [[nodiscard]] std::uint32_t classes_in_use() const { return shown_.classes; }
     [[nodiscard]] const Layer* layer() const { return layer_; }
     [[nodiscard]] const Attribute* attribute() const { return attribute_; }
@@ -71,8 +71,8 @@ private:
     struct Sheet {
         base::Span<SliceTexel> texels;
         SliceMoment moment;
-        std::uint32_t rows = 0;     ///< that are made
-        std::uint32_t classes = 0;  ///< a bit each, in these rows
+        std::uint32_t rows = 0;     ///< rows computed so far
+        std::uint32_t classes = 0;  ///< classes in these rows, one bit each
         bool is_begun = false;
 
         [[nodiscard]] bool is_whole(std::uint32_t all) const { return is_begun && rows == all; }

@@ -1,4 +1,4 @@
-/// The ground below spatial data, as whoever knows the terrain answers for it. Asked on the display's thread.
+/// Port: the ground below spatial data, provided by the terrain. Called on the display's thread.
 #pragma once
 
 namespace tedavis::scene {
@@ -6,9 +6,9 @@ namespace tedavis::scene {
 class Ground {
 public:
     virtual ~Ground() = default;
-    /// Of the true surface over the ellipsoid, m; NaN where it is not known.
+    /// Returns the height of the true surface above the ellipsoid, m; NaN where it is unknown.
     [[nodiscard]] virtual double height_m(double latitude_rad, double longitude_rad) = 0;
-    /// Of the geoid over the ellipsoid, m.
+    /// Returns the height of the geoid above the ellipsoid, m.
     [[nodiscard]] virtual double undulation_m(double latitude_rad, double longitude_rad) = 0;
 
 protected:

@@ -1,16 +1,18 @@
-/// The surface where a grid of numbers in space has a given value, as triangles that share their vertices.
+/// Extracts the isosurface of a 3D grid of numbers as triangles with shared vertices.
 ///
-/// Traversing tetrahedra over Kuhn's six tetrahedra a cell (kuhn_cell.hpp): A. Doi and A. Koide, An efficient method of
-/// triangulating equi-valued surfaces by using tetrahedral cells, IEICE Transactions E74 (1991). No case is ambiguous: every
-/// edge inside the grid belongs to two triangles that run along it in opposite directions, every vertex to one fan. A post whose
-/// value equals the level is inside; vertices keep kIsosurfaceMargin away from posts, so that no triangle has lost its area.
+/// Each cell is divided into Kuhn's six tetrahedra (kuhn_cell.hpp), after A. Doi and A. Koide, An efficient method of
+/// triangulating equi-valued surfaces by using tetrahedral cells, IEICE Transactions E74 (1991). No case is ambiguous: the
+/// surface is an oriented manifold, in which every edge inside the grid belongs to two triangles and every vertex to one fan. A
+/// post whose value equals the level is inside; vertices keep a distance of kIsosurfaceMargin from posts, so that no triangle
+/// degenerates.
 ///
-/// The work is cut into steps of so many cells, for updates spread over frames; the result does not depend on the steps, bit for
-/// bit. Cells with a corner that is not finite are left out: the surface is open beside them, and where such cells meet at a
-/// vertex it may have more than one fan.
+/// The work is divided into steps of a number of cells, so that an update can be spread over frames; the result is bit for bit
+/// independent of the steps. Cells with a corner that is not finite are left out: the surface is open there, and a vertex
+/// between such cells may have more than one fan.
 ///
-/// Memory  two slices of edges, from an arena at start(); output in the caller's spans. Thread  one. Bounded: a step costs no
-/// more than its cells. A full output ends the surface at a whole cell and counts what is left out.
+/// Memory  two slices of edges, from an arena at start(); output in the caller's spans. Thread  one. Bounded: the cost of a
+/// step is proportional to its cells. When the output is full, the surface ends at a whole cell, and the triangles left out are
+/// counted.
 #pragma once
 
 #include <cstdint>
@@ -22,53 +24,55 @@
 
 namespace tedavis::scene {
 
-/// Posts of a side at most: farther out a float no longer holds the margin well.
+/// Largest number of posts along a side: beyond it a float does not resolve the margin.
 inline constexpr std::uint32_t kMaxIsosurfaceSide = 2048;
-/// The part of an edge between a vertex and the nearer post, at least.
+/// Least distance of a vertex from the nearer post, as a share of the edge.
 inline constexpr double kIsosurfaceMargin = 1.0 / 2048;
 
-/// Values at whole coordinates, x fastest, then y, then z. Owns nothing. Fewer than two posts along an axis enclose nothing.
+/// A 3D grid of values at integer coordinates, x fastest, then y, then z. Owns nothing. A grid with fewer than two posts along
+/// an axis has no cells.
 struct VolumeView {
     base::Span<const float> values;  ///< nx * ny * nz; not finite means missing
     std::uint32_t nx = 0, ny = 0, nz = 0;
 };
 
-/// In the coordinates of the grid, 0..n-1 along each axis. Over a grid whose posts are (dx, dy, dz) apart the normal is that of
+/// A vertex in grid coordinates, 0..n-1 along each axis. In a grid with post spacings (dx, dy, dz), world normals are those of
 /// (x/dx, y/dy, z/dz).
 struct IsosurfaceVertex {
     glm::vec3 position;
-    /// Unit length, towards lower values: against the gradient by central differences at the posts (one-sided at borders and
-    /// beside missing values), linear between them; where that is zero, of the first triangle; else +z.
+    /// Unit normal towards lower values: the negative gradient from central differences at the posts (one-sided at borders and
+    /// beside missing values), interpolated linearly; where that is zero the first triangle's normal, else +z.
     glm::vec3 normal;
 };
 
 struct IsosurfaceOutput {
     base::Span<IsosurfaceVertex> vertices;
-    base::Span<std::uint32_t> indices;  ///< three a triangle, counter-clockwise seen from lower values
+    base::Span<std::uint32_t> indices;  ///< three per triangle, counter-clockwise seen from lower values
 };
 
 struct IsosurfaceCounts {
     std::uint32_t vertices = 0;
     std::uint32_t indices = 0;
     std::uint64_t cells = 0;               ///< visited
-    std::uint64_t missing_cells = 0;       ///< of them, left out because a corner is not finite
-    std::uint64_t triangles_left_out = 0;  ///< of visited cells, for want of room
+    std::uint64_t missing_cells = 0;       ///< visited cells left out because a corner is not finite
+    std::uint64_t triangles_left_out = 0;  ///< triangles of visited cells for which there was no room
 };
 
 enum class IsosurfaceError : std::uint8_t { none, side_too_long, wrong_number_of_values, level_not_finite, memory_too_small };
 
-/// `full`: a cell found no room. More steps then only count what is left out.
+/// `full`: there was no room for a cell; further steps only count the triangles left out.
 enum class IsosurfaceProgress : std::uint8_t { more, done, full };
 
 class IsosurfaceBuilder {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t nx, std::uint32_t ny);
-    /// Once, for grids of at most nx * ny posts a slice. False when the arena cannot hold it.
+    /// Allocates memory for grids of at most nx * ny posts per slice; to be called once. Returns false when the arena is too
+    /// small.
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t nx, std::uint32_t ny);
 
-    /// Begins a surface and forgets the one before. Grid and output must stay, and the values unchanged, until it is done.
+    /// Begins a new surface. Grid, values and output must stay valid and unchanged until it is done.
     [[nodiscard]] IsosurfaceError begin(const VolumeView& grid, float level, const IsosurfaceOutput& output);
-    /// Visits the next cells, at most so many.
+    /// Visits at most `max_cells` further cells.
     IsosurfaceProgress step(std::uint64_t max_cells);
 
     [[nodiscard]] const IsosurfaceCounts& counts() const { return counts_; }
@@ -81,7 +85,7 @@ private:
     struct Point {
         std::uint32_t x, y, z;
     };
-    /// Edges that cross the surface by their lower post. An entry counts when its vertex is not older than the edges are.
+    /// The vertex on an edge, stored at the edge's lower post. An entry is valid when its vertex is not older than `oldest`.
     struct EdgeEntry {
         VertexIndex* index;
         VertexIndex oldest;
@@ -98,14 +102,14 @@ private:
     [[nodiscard]] glm::dvec3 gradient(const Point& post) const;
     [[nodiscard]] std::size_t place(const Point& post) const;
 
-    base::Span<VertexIndex> flat_[2];  ///< edges within an even and an odd slice, three a post
-    base::Span<VertexIndex> upright_;  ///< edges from the lower to the upper slice, four a post
+    base::Span<VertexIndex> flat_[2];  ///< edges within an even and an odd slice, three per post
+    base::Span<VertexIndex> upright_;  ///< edges from the lower to the upper slice, four per post
     VolumeView grid_;
     float level_ = 0;
     IsosurfaceOutput output_;
     IsosurfaceCounts counts_;
     std::uint64_t all_cells_ = 0;
-    Point cell_{};                                  ///< the next one, by its lowest post
+    Point cell_{};                                  ///< next cell, by its lowest post
     VertexIndex slab_begin_ = 0, slab_before_ = 0;  ///< vertices before this layer of cells, and before the one below it
     bool is_full_ = false;
 };

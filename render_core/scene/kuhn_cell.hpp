@@ -1,8 +1,9 @@
 /// A cell of a grid cut into Kuhn's six tetrahedra, and the triangles in it between corners inside and outside of a surface.
 ///
-/// Corner n lies at (n & 1, n >> 1 & 1, n >> 2 & 1). Each tetrahedron holds the path from corner 0 to corner 7 along the axes in
-/// one of their six orders, so that every edge runs from a corner to one that is nowhere lower, and neighbouring cells cut the
-/// face between them alike. H. W. Kuhn, Some combinatorial lemmas in topology, IBM Journal of Research and Development 4 (1960).
+/// Corner n lies at (n & 1, n >> 1 & 1, n >> 2 & 1). Each tetrahedron contains a path from corner 0 to corner 7 along the axes
+/// in one of their six orders. So every edge runs from a corner to one with no lower coordinate, and neighbouring cells divide
+/// their common face equally. H. W. Kuhn, Some combinatorial lemmas in topology, IBM Journal of Research and Development 4
+/// (1960).
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct KuhnEdge {
 
 inline constexpr int kMaxKuhnTriangles = 12;
 
-/// Triangles by the edges that their corners lie on; counter-clockwise seen from outside.
+/// The triangles of a case, given by the edges on which their corners lie; counter-clockwise seen from outside.
 struct KuhnCase {
     std::uint8_t triangles = 0;
     KuhnEdge edge[kMaxKuhnTriangles][3]{};
@@ -29,7 +30,7 @@ namespace kuhn {
 
 struct Tetrahedron {
     int corner[4];
-    bool right_handed;  ///< its edges from the first corner
+    bool right_handed;  ///< orientation of its edges from the first corner
 };
 
 constexpr KuhnEdge edge_between(int a, int b) {
@@ -44,7 +45,7 @@ constexpr void add_triangle(KuhnCase& made, KuhnEdge a, KuhnEdge b, KuhnEdge c) 
     made.edge[n][2] = c;
 }
 
-/// The same tetrahedron right-handed, its corners inside before those outside.
+/// The same tetrahedron, with the inside corners before the outside ones, and its handedness.
 struct SortedCorners {
     int corner[4]{};
     int inside = 0;
@@ -57,14 +58,14 @@ constexpr SortedCorners sorted(const Tetrahedron& cut, int inside_bits) {
     for (const int corner : cut.corner) {
         if ((inside_bits >> corner & 1) != 0) {
             made.corner[made.inside++] = corner;
-            if (outsiders % 2 == 1) right_handed = !right_handed;  // it passed so many
+            if (outsiders % 2 == 1) right_handed = !right_handed;  // it moved past this many corners
         } else {
             outside[outsiders++] = corner;
         }
     }
     for (int n = 0; n < outsiders; ++n) made.corner[made.inside + n] = outside[n];
     if (!right_handed) {
-        const int n = made.inside >= 2 ? 0 : 2;  // two of the same kind
+        const int n = made.inside >= 2 ? 0 : 2;  // two corners of the same kind
         const int kept = made.corner[n];
         made.corner[n] = made.corner[n + 1];
         made.corner[n + 1] = kept;
@@ -97,7 +98,7 @@ constexpr std::array<KuhnCase, 256> make_cases() {
 
 }  // namespace kuhn
 
-/// By the corners inside, bit n for corner n.
+/// The cases, indexed by the inside corners: bit n for corner n.
 inline constexpr std::array<KuhnCase, 256> kKuhnCases = kuhn::make_cases();
 
 }  // namespace tedavis::scene

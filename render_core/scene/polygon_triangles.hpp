@@ -1,4 +1,4 @@
-/// Cuts a simple polygon into triangles by its ears (G. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975).
+/// Triangulates a simple polygon by ear clipping (G. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975).
 ///
 /// Units are the caller's. Memory  the caller's. Bounded: the square of the corners' number. Pure; any thread.
 #pragma once
@@ -13,12 +13,12 @@ namespace tedavis::scene {
 
 inline constexpr std::size_t kMaxPolygonCorners = 1024;
 
-/// Twice the signed area; positive when counter-clockwise.
+/// Returns twice the signed area; positive when counter-clockwise.
 [[nodiscard]] double twice_area(base::Span<const glm::dvec2> corners) noexcept;
 
-/// Corner numbers, three a triangle, counter-clockwise whichever way the polygon runs; 3 * (corners - 2) of them at most, for
-/// which there must be room. A polygon that crosses itself is cut as well as it can be. 0 for fewer than three corners, more than
-/// kMaxPolygonCorners, or too little room.
+/// Writes corner indices, three per triangle, counter-clockwise whatever the polygon's orientation, and returns their number,
+/// at most 3 * (corners - 2). A polygon that crosses itself is triangulated approximately. Returns 0 for fewer than three
+/// corners, more than kMaxPolygonCorners, or too little room.
 [[nodiscard]] std::size_t triangulate(base::Span<const glm::dvec2> corners, base::Span<std::uint16_t> triangles) noexcept;
 
 }  // namespace tedavis::scene

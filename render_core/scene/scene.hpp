@@ -1,8 +1,8 @@
 /// A scene database in memory: layers of spatial data with their attributes and uncertainties.
 ///
-/// Memory    all of it from the arena given to load(); nothing is read or allocated later.
-/// Failure   load() verifies every checksum, size, count and range; what it accepts nobody needs to doubt again. On failure the
-///           arena may be partly used: reset it.
+/// Memory    all from the arena passed to load(); nothing is read or allocated later.
+/// Failure   load() verifies every checksum, size, count and range; accepted data need no further checks. On failure the arena
+///           may be partly used: reset it.
 /// Thread    const after load().
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace tedavis::scene {
 
 enum class SdbError : std::uint8_t { none, unreadable, not_an_sdb, wrong_version, truncated, damaged, too_large };
-/// Half a sentence: "is not a scene database".
+/// Returns the predicate of a message: "is not a scene database".
 [[nodiscard]] const char* to_string(SdbError error) noexcept;
 
 struct SdbFailure {
@@ -25,26 +25,26 @@ struct SdbFailure {
     std::uint64_t offset = 0;
 };
 
-/// What, where and what to do, to be put behind the file's name.
+/// Returns what is wrong, where, and what to do, to be appended to the file's name.
 [[nodiscard]] base::FaultText describe(const SdbFailure& failure) noexcept;
 
-/// An attribute of a layer, by feature or by point.
+/// An attribute of a layer, with one value per feature or per point.
 struct Attribute {
     const AttributeEntry* entry = nullptr;
     base::Span<const float> values;
-    base::Span<const Uncertainty> uncertainties;  ///< empty: all alike
-    base::Span<const ValueState> states;          ///< empty: valid where there is a value
+    base::Span<const Uncertainty> uncertainties;  ///< empty: all have the same uncertainty
+    base::Span<const ValueState> states;          ///< empty: all values that are not missing are valid
     base::Span<const char> classes;
     base::Span<const float> members;
 
     [[nodiscard]] std::uint32_t member_count() const { return entry->member_count; }
-    /// One course of an ensemble, 0 .. member_count() - 1: its values with the states and uncertainties of the mean, which are
-    /// the ensemble's.
+    /// Returns one member of an ensemble, 0 .. member_count() - 1: its values, with the states and uncertainties of the mean.
     [[nodiscard]] Attribute member(std::uint32_t number) const;
     [[nodiscard]] ValueState state(std::size_t n) const;
-    /// Whether the data state an uncertainty for any value; where not, none may be shown, sure least of all.
+    /// True where the data state an uncertainty for any value; otherwise none may be shown, and the values must not look
+    /// certain.
     [[nodiscard]] bool states_uncertainty() const;
-    /// As stated, without age. Unknown where the value is missing.
+    /// Returns the stated uncertainty, without the effect of age. Unknown where the value is missing.
     [[nodiscard]] Uncertainty uncertainty(std::size_t n) const;
     [[nodiscard]] std::string_view class_name(std::uint32_t number) const;
 };
@@ -65,9 +65,9 @@ struct Layer {
     base::Span<const Attribute> attributes;
 
     [[nodiscard]] Run points_of(std::uint32_t feature) const;
-    [[nodiscard]] std::string_view name_of(std::uint32_t feature) const;  ///< empty where it has none
+    [[nodiscard]] std::string_view name_of(std::uint32_t feature) const;  ///< empty where the feature has no name
     [[nodiscard]] const Attribute* find(std::string_view attribute) const;
-    /// Of any attribute.
+    /// True where any attribute does.
     [[nodiscard]] bool states_uncertainty() const;
 };
 

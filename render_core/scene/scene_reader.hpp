@@ -1,6 +1,7 @@
 /// Reads a scene database into an arena and verifies all of it (Scene::load).
 ///
-/// A part is accepted when it lies in the file, has the size that its layer's counts ask for, its checksum, and values in range.
+/// A part is accepted when it lies in the file, its size matches the layer's counts, its checksum is right, and its values are
+/// in range.
 #pragma once
 
 #include "render_core/scene/scene.hpp"
@@ -11,7 +12,7 @@ class SceneReader {
 public:
     SceneReader(base::ByteSource& source, base::Arena& arena) : source_(source), arena_(arena) {}
 
-    /// Error `none` when both results are whole.
+    /// Returns the error `none` when both results are complete.
     [[nodiscard]] SdbFailure read(SceneHeader& header, base::Span<const Layer>& layers);
 
 private:
@@ -20,7 +21,7 @@ private:
     [[nodiscard]] SdbFailure read_layer(const LayerEntry& entry, Layer& layer);
     [[nodiscard]] SdbFailure read_attributes(const LayerEntry& entry, Layer& layer);
     [[nodiscard]] SdbFailure read_attribute(const AttributeEntry& entry, Attribute& attribute);
-    /// An empty part is refused where `count` is not 0, unless it may be left out.
+    /// An empty part is refused where `count` is not 0, unless the part is optional.
     template <class T>
     [[nodiscard]] SdbFailure read_part(const ScenePart& part, std::uint64_t count, bool may_be_left_out,
                                        base::Span<const T>& values);

@@ -1,6 +1,6 @@
-/// Frames along a curve that turn about it as little as possible.
+/// Rotation-minimising frames along a curve.
 ///
-/// Units and axes are the caller's. Pure functions; any thread.
+/// Units and axes are chosen by the caller. Pure functions; any thread.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -16,13 +16,14 @@ struct TubeFrame {
     [[nodiscard]] glm::dvec3 binormal() const { return glm::cross(tangent, normal); }
 };
 
-/// The unit vector across a unit tangent that is nearest to `wanted`; where that is zero or along the tangent, nearest to the
-/// axis that is most across it.
+/// Returns the unit vector perpendicular to a unit tangent that is nearest to `wanted`; where that is zero or along the
+/// tangent, nearest to the coordinate axis that is most perpendicular to it.
 [[nodiscard]] glm::dvec3 normal_towards(const glm::dvec3& wanted, const glm::dvec3& tangent) noexcept;
 
-/// The frame after a step along the curve: double reflection (W. Wang, B. Jüttler, D. Zheng, Y. Liu, Computation of rotation
-/// minimizing frames, ACM Transactions on Graphics 27(1), 2008). With the curve's own tangents the error at a given place falls
-/// with the fourth power of the step. A tangent turned round, with the step along it, keeps the normal: a half turn about it.
+/// Returns the frame after a step along the curve, by double reflection (W. Wang, B. Jüttler, D. Zheng, Y. Liu, Computation of
+/// rotation minimizing frames, ACM Transactions on Graphics 27(1), 2008). With the curve's exact tangents the error at a given
+/// point decreases with the fourth power of the step. Where the tangent is reversed along the step, the normal is kept: the
+/// frame rotates about it by a half turn.
 [[nodiscard]] TubeFrame carried(const TubeFrame& frame, const glm::dvec3& step, const glm::dvec3& tangent) noexcept;
 
 }  // namespace tedavis::scene

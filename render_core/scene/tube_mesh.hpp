@@ -1,9 +1,9 @@
-/// Triangles of tubes: flat sides, so that neighbouring sides can carry different scales, and flat ends.
+/// Makes the triangles of tubes with flat sides, so that neighbouring sides can show different scales, and flat ends.
 ///
-/// Tubes are closed; where room ends, so does the tube, with an end of its own, and the rings behind are counted. Chunks keep
-/// indices within 16 bits: a chunk that goes on with a tube repeats the ring where the one before stopped.
+/// Tubes are closed; where the output is full, the tube is closed early, and the remaining rings are counted. Chunks keep
+/// indices within 16 bits: a chunk that continues a tube repeats the last ring of the chunk before.
 ///
-/// Memory  the caller's spans. Bounded: one visit a ring. Pure; any thread.
+/// Memory  the caller's spans. Bounded: each ring is visited once. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 namespace tedavis::scene {
 
 inline constexpr std::uint32_t kDefaultTubeSides = 6, kMinTubeSides = 3, kMaxTubeSides = 24;
-inline constexpr std::uint32_t kMaxChunkVertices = 65535;  ///< one less than 16 bits, which some devices take for a restart
-/// The side of the vertices of flat ends.
+inline constexpr std::uint32_t kMaxChunkVertices = 65535;  ///< some devices take index 65535 for a primitive restart
+/// The `side` of vertices of the flat ends.
 inline constexpr std::uint8_t kTubeEndSide = 0xFF;
 
 struct TubeVertex {
     glm::vec3 position;  ///< m, from the mesh's origin
-    /// Unit length. Of a side: across the ring's tangent, however the radius changes along the tube.
+    /// Unit normal. On a side it is perpendicular to the ring's tangent, even where the radius changes along the tube.
     glm::vec3 normal;
     std::uint32_t source;  ///< the ring's
     std::uint8_t side;     ///< 0 .. sides - 1, from the ring's normal towards its binormal; or kTubeEndSide
@@ -41,11 +41,11 @@ struct TubeMeshOutput {
 struct TubeMeshCounts {
     std::uint32_t vertices = 0, indices = 0, chunks = 0;
     std::uint32_t rings = 0;           ///< meshed
-    std::uint32_t rings_left_out = 0;  ///< for want of room
+    std::uint32_t rings_left_out = 0;  ///< rings for which there was no room
 };
 
-/// Rings as make_tube() leaves them; markers have no tube and are passed over. Side 0 faces along each ring's normal; half a side
-/// beside it the corners begin. `sides` and `chunk_vertices` are brought into their ranges (a chunk holds two rings at least).
+/// Meshes rings as make_tube() writes them; markers are skipped. Side 0 faces along each ring's normal, and the corners are
+/// half a side off it. `sides` and `chunk_vertices` are clamped to their ranges (a chunk holds at least two rings).
 [[nodiscard]] TubeMeshCounts mesh_tube(base::Span<const TubeRing> rings, std::uint32_t sides, const glm::dvec3& origin,
                                        const TubeMeshOutput& output, std::uint32_t chunk_vertices = kMaxChunkVertices) noexcept;
 

@@ -1,7 +1,7 @@
-/// How sure a value is: one level from 0, certain, to 1, and unknown, which is never taken for certain.
+/// The uncertainty of a value: a level from 0 (certain) to 1, or unknown, which is never treated as certain.
 ///
-/// Whatever a source states (standard deviation, interval, percent, class), the desk divides by the attribute's full scale, the
-/// uncertainty that counts as 1; the legend gives it back in its unit. Pure functions; any thread.
+/// The scene builder divides what a source states (standard deviation, interval, percent, class) by the attribute's full scale,
+/// the uncertainty that counts as level 1; the legend shows it in the source's unit. Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace tedavis::scene {
 
-/// What a source means by its uncertainty.
+/// The kind of uncertainty that a source states.
 enum class UncertaintyKind : std::uint8_t { none, standard_deviation, interval, percent, ordinal };
-/// What it holds for.
+/// What a stated uncertainty applies to.
 enum class UncertaintyScope : std::uint8_t { value, point, attribute, data_set };
-/// Where a value comes from.
+/// The origin of a value.
 enum class ValueState : std::uint8_t { valid, interpolated, missing };
 
-/// A level in a byte: 0..254 are 0..1, and 255 is unknown.
+/// A level in one byte: codes 0..254 stand for 0..1, and 255 is unknown.
 class Uncertainty {
 public:
     static constexpr std::uint8_t kUnknown = 255;
@@ -26,12 +26,13 @@ public:
 
     constexpr Uncertainty() = default;  ///< unknown
     [[nodiscard]] static constexpr Uncertainty from_code(std::uint8_t code) { return Uncertainty(code); }
-    /// Rounded up, so that nothing looks more certain than it is; above 1 it is 1, below 0 and NaN unknown.
+    /// Rounds a level up, so that no value looks more certain than it is. Levels above 1 count as 1, those below 0 and NaN as
+    /// unknown.
     [[nodiscard]] static Uncertainty from_level(double level) noexcept;
 
     [[nodiscard]] constexpr bool is_known() const { return code_ != kUnknown; }
     [[nodiscard]] constexpr std::uint8_t code() const { return code_; }
-    /// 0..1; 1 where it is unknown.
+    /// The level 0..1; 1 where it is unknown.
     [[nodiscard]] constexpr double level() const { return is_known() ? code_ / double{kFull} : 1.0; }
 
     friend constexpr bool operator==(Uncertainty a, Uncertainty b) { return a.code_ == b.code_; }
@@ -44,11 +45,11 @@ private:
 };
 static_assert(std::is_trivially_copyable_v<Uncertainty> && sizeof(Uncertainty) == 1);
 
-/// Of a value as old as `age`: the level grows by growth_per_hour each hour, at most to 1. Negative ages count like positive ones
-/// (a forecast is the less sure the farther off it is); a growth that is negative or NaN makes it unknown.
+/// Returns the uncertainty at an age: the level grows by growth_per_hour each hour, at most to 1. Negative ages count like
+/// positive ones (a forecast is less certain the farther ahead it is); a negative growth or NaN makes it unknown.
 [[nodiscard]] Uncertainty aged(Uncertainty uncertainty, base::Duration age, double growth_per_hour) noexcept;
 
-/// Of a value between others: not below the least sure of those that have weight, and unknown when one of these is.
+/// Returns the greater uncertainty of two; unknown where one of them is.
 [[nodiscard]] Uncertainty worse(Uncertainty a, Uncertainty b) noexcept;
 
 }  // namespace tedavis::scene

@@ -1,4 +1,4 @@
-/// When something that was asked for may be used.
+/// When data that were requested become available.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 namespace tedavis::terrain {
 
 enum class ArrivalMode : std::uint8_t {
-    exact,  ///< a stated number of frames later, whatever the machine does: replay waits where it must
-    live,   ///< when it has been read; what is late is drawn coarser
+    exact,  ///< a fixed number of frames later, whatever the machine's speed; a replay waits where necessary
+    live,   ///< when they have been read; until then the terrain is drawn coarser
 };
 
 }  // namespace tedavis::terrain

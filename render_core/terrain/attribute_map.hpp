@@ -1,6 +1,6 @@
-/// Attribute maps of the terrain: which channels there are, what their 8-bit codes mean, and the 16 directions of the
-/// horizon. The builder writes these codes, and shaders repeat the decoding formulas, which all survive the linear filter
-/// of a texture. Angles in radians, directions (east, north, up) at the post.
+/// Attribute maps of the terrain: their channels, the meaning of their 8-bit codes, and the 16 directions of the horizon. The
+/// terrain builder writes these codes, and shaders repeat the decoding formulas. All codes may be filtered linearly. Angles in
+/// radians, directions (east, north, up) at the post.
 ///
 /// | channel              | code → value                          | range       | step                                 |
 /// |----------------------|---------------------------------------|-------------|--------------------------------------|
@@ -14,7 +14,7 @@
 /// | aperture radius      | its cosine = c/255                    | 0..90°      | 0.22° at 90°, 0.45° at 60°           |
 /// | horizon              | its sine = (c/255)²                   | 0..90°      | 0.001° at 0°, 0.06° at 1°, 0.5° at 45° |
 ///
-/// Zero, 90° of openness and the ends of a range have codes of their own: level open ground is coded without error.
+/// Zero, 90° of openness and the ends of a range have exact codes, so level open ground is coded without error.
 #pragma once
 
 #include <array>
@@ -26,19 +26,19 @@
 
 namespace tedavis::terrain {
 
-/// Bytes of a texel in the three RGBA8 maps.
+/// The channels, in the order of the bytes in the three RGBA8 maps.
 enum class AttributeChannel : std::uint8_t {
     normal_east,      ///< of the unit normal
     normal_north,     ///< of the unit normal
-    sky_view,         ///< part of a uniform sky's light that falls on the surface; 1 on level open ground
-    curvature,        ///< mean curvature times post spacing: free of units; positive on ridges
-    light,            ///< lit by one fixed light, the sky and one bounce; 1: direct and sky light in full
+    sky_view,         ///< share of a uniform sky's light that reaches the surface; 1 on level open ground
+    curvature,        ///< mean curvature times post spacing: dimensionless; positive on ridges
+    light,            ///< light from one fixed light, the sky and one bounce; 1: full direct and sky light
     openness_above,   ///< positive openness: 90° on level ground, more on ridges
     local_relief,     ///< height above the mean of its surroundings
     post_class,       ///< class_code()
     aperture_east,    ///< of the unit vector to the middle of the visible sky
     aperture_north,   ///< of the unit vector to the middle of the visible sky
-    aperture_radius,  ///< of the cap that holds as much sky as is visible, as its cosine
+    aperture_radius,  ///< cosine of the radius of a cap as large as the visible sky
     openness_below,   ///< negative openness: 90° on level ground, more in valleys
 };
 inline constexpr int kAttributeChannels = 12;
@@ -47,9 +47,9 @@ inline constexpr int kAttributeMaps = 3;  ///< channel n lies in map n / 4, byte
 inline constexpr float kBrightestLight = 1.25f;
 inline constexpr float kLargestRelief_m = 1000;
 
-/// The nearest whole number of 0..255; halves go up.
+/// Rounds to the nearest integer, halves up; for 0..255.
 [[nodiscard]] inline int nearest_step(float steps) {
-    return static_cast<int>(steps + 0.5f);  // quicker than lround, and below 256 as good. NOLINT(bugprone-incorrect-roundings)
+    return static_cast<int>(steps + 0.5f);  // faster than lround, and equal to it below 256. NOLINT(bugprone-incorrect-roundings)
 }
 
 /// NaN counts as 0.
@@ -68,7 +68,7 @@ inline constexpr float kLargestRelief_m = 1000;
 /// Code 0 is never written and counts as -1.
 [[nodiscard]] inline float decode_signed(std::uint8_t code) { return code == 0 ? -1.0f : static_cast<float>(code - 128) / 127; }
 
-/// As encode_signed, with the root of the size: fine steps near 0.
+/// Like encode_signed(), but of the root of the magnitude, for fine steps near 0.
 [[nodiscard]] inline std::uint8_t encode_signed_root(float value) {
     return encode_signed(std::copysign(std::sqrt(std::fabs(value)), value));
 }
@@ -88,18 +88,18 @@ inline constexpr float kLargestRelief_m = 1000;
 [[nodiscard]] inline float decode_light(std::uint8_t code) { return decode_unit(code) * kBrightestLight; }
 [[nodiscard]] inline std::uint8_t encode_relief(float relief_m) { return encode_signed_root(relief_m / kLargestRelief_m); }
 [[nodiscard]] inline float decode_relief_m(std::uint8_t code) { return decode_signed_root(code) * kLargestRelief_m; }
-/// Of the sine of a horizon's elevation; below the horizontal counts as 0.
+/// Encodes the sine of a horizon's elevation; elevations below the horizontal count as 0.
 [[nodiscard]] inline std::uint8_t encode_horizon(float sine) { return encode_unit(sine > 0 ? std::sqrt(sine) : 0.0f); }
 [[nodiscard]] inline float decode_horizon_sine(std::uint8_t code) { return decode_unit(code) * decode_unit(code); }
 
-/// The steepest slope at a post, radians, from its normal's codes.
+/// Decodes the slope at a post, radians, from its normal's codes.
 [[nodiscard]] inline float decode_slope_rad(std::uint8_t normal_east, std::uint8_t normal_north) {
     const float east = decode_signed(normal_east), north = decode_signed(normal_north);
     const float level = east * east + north * north;
     return std::atan2(std::sqrt(level), std::sqrt(level < 1 ? 1 - level : 0.0f));
 }
 
-/// Far apart, so that a filtered texel near a border still tells them.
+/// Codes are far apart, so that a filtered texel near a border still tells the classes apart.
 [[nodiscard]] constexpr std::uint8_t class_code(PostClass post_class) {
     return static_cast<std::uint8_t>(85 * static_cast<int>(post_class));
 }
@@ -110,12 +110,12 @@ inline constexpr float kLargestRelief_m = 1000;
 /// Horizon maps hold one value for every second post along rows and columns.
 inline constexpr int kHorizonPostStep = 2;
 
-/// A direction on the lattice, in half posts: the larger part is 2, so that every step reaches a row or column of posts.
+/// A direction on the lattice, in half posts: the larger component is 2, so that each step ends on a row or column of posts.
 struct LatticeDirection {
     std::int8_t east2 = 0, north2 = 0;
 };
-/// Clockwise from north. Their azimuths are 0°, 26.6°, 45°, 63.4°, 90° ... on square cells and others elsewhere: see
-/// horizon_azimuth_rad().
+/// The directions, clockwise from north. Their azimuths are 0°, 26.6°, 45°, 63.4°, 90° ... on square cells; see
+/// horizon_azimuth_rad() for others.
 inline constexpr std::array<LatticeDirection, kHorizonDirections> kHorizonDirection = {{{0, 2},
                                                                                         {1, 2},
                                                                                         {2, 2},
@@ -133,7 +133,8 @@ inline constexpr std::array<LatticeDirection, kHorizonDirections> kHorizonDirect
                                                                                         {-2, 2},
                                                                                         {-1, 2}}};
 
-/// Clockwise from north, 0..2π, where posts are `east_m` apart along a row and `north_m` along a column; both positive.
+/// Returns the azimuth, clockwise from north, 0..2π, where posts are `east_m` apart along a row and `north_m` along a column;
+/// both positive.
 [[nodiscard]] inline double horizon_azimuth_rad(int direction, double east_m, double north_m) {
     const LatticeDirection d = kHorizonDirection[static_cast<std::size_t>(direction)];
     const double azimuth = std::atan2(d.east2 * east_m, d.north2 * north_m);

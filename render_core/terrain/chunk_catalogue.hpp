@@ -1,4 +1,4 @@
-/// What a selection of chunks needs to know about a database: entries, and which chunks are in memory.
+/// Port: what the selection of chunks needs from a database: directory entries, and which chunks are in memory.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace tedavis::terrain {
 
-/// A place of a fixed number of places for payloads or attribute pages.
+/// Index of one of a fixed number of slots for payloads or attribute pages.
 using SlotIndex = std::uint16_t;
 inline constexpr SlotIndex kNoSlot = 0xFFFF;
 
 enum class EntryState : std::uint8_t {
     present,
     absent,   ///< the database has no such chunk
-    missing,  ///< it may have one; its directory page is not in memory (yet)
+    missing,  ///< unknown: the chunk's directory page is not in memory yet
 };
 
 struct FoundEntry {
@@ -27,9 +27,9 @@ class ChunkCatalogue {
 public:
     virtual ~ChunkCatalogue() = default;
     [[nodiscard]] virtual const Lattice& lattice() const = 0;
-    /// Asking for an entry that is missing may order its page.
+    /// Returns the chunk's entry; where it is missing, the call may request its directory page.
     [[nodiscard]] virtual FoundEntry find(const ChunkKey& key) = 0;
-    /// The slot that holds the chunk's payload and may be drawn in this frame; kNoSlot otherwise.
+    /// Returns the slot of the chunk's payload if it may be drawn in this frame, else kNoSlot.
     [[nodiscard]] virtual SlotIndex available_slot(const ChunkKey& key) const = 0;
 };
 

@@ -1,7 +1,7 @@
-/// The index lists that selected chunks are drawn with, built from the store one at a time: the same for the drawer, for sight
-/// lines and for what stands on the ground.
+/// Builds the index lists that selected chunks are drawn with, one at a time. Drawing, lines of sight and objects on the ground
+/// use the same lists.
 ///
-/// Memory  one list and the scratch to build it, from an arena at start(). Thread  the store's. Failure  start() gives false.
+/// Memory  one list and the scratch to build it, from an arena at start(). Thread  the store's. Failure  start() returns false.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -18,12 +18,12 @@ struct IndexList {
 
 class ChunkIndices {
 public:
-    /// Indices of the largest chunk.
+    /// Number of indices of the largest chunk.
     static constexpr std::uint64_t kMaxIndices = std::uint64_t{kMaxChunkTriangles} * 3;
 
-    /// The store must outlive this.
+    /// The store must outlive the object.
     [[nodiscard]] bool start(const TerrainStore& store, base::Arena& memory);
-    /// Of a chunk whose payload is available; valid until the next call.
+    /// Returns the list of a chunk whose payload is available; valid until the next call.
     [[nodiscard]] IndexList of(const SelectedChunk& chunk);
 
 private:

@@ -1,4 +1,4 @@
-/// Names a chunk by its level and its place in the level's grid.
+/// Identifies a chunk by its level and its position in the level's grid.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct ChunkKey {
     [[nodiscard]] constexpr ChunkKey child(std::uint32_t quadrant) const {
         return {level - 1, 2 * i + (quadrant & 1u), 2 * j + (quadrant >> 1)};
     }
-    /// Which child of its parent it is.
+    /// The chunk's quadrant in its parent.
     [[nodiscard]] constexpr std::uint32_t quadrant() const { return (i & 1u) | ((j & 1u) << 1); }
 };
 

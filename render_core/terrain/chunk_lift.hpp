@@ -1,9 +1,9 @@
-/// How far the vertices of a chunk are raised so that the drawn surface is nowhere below the true one, alike in all chunks that
-/// share a vertex.
+/// Lifts: how far the vertices of a chunk are raised so that the drawn surface is nowhere below the true one. Chunks that share
+/// a vertex raise it equally.
 ///
-/// A chunk's own lift is below_m, and strip_below_m where that is more and a neighbour is coarser. A border takes the largest of
-/// all leaves along the longer of the edges that meet there, a corner the largest of the leaves round it, a pole the largest of
-/// all leaves that touch it. Pure; any thread.
+/// A chunk's own lift is below_m, and strip_below_m where that is more and a neighbour is coarser. A border's lift is the
+/// largest of all leaves along the longer of the edges that meet there, a corner's the largest of the leaves round it, a pole's
+/// the largest of all leaves that touch it. Pure; any thread.
 #pragma once
 
 #include "render_core/terrain/lod_tree.hpp"
@@ -26,7 +26,7 @@ struct ChunkLift {
     return greatest;
 }
 
-/// A lift and the leaf that asks for it.
+/// A lift and the leaf that requires it.
 struct LiftSource {
     float lift_m = 0;
     NodeIndex leaf = kNoNode;
@@ -42,11 +42,11 @@ struct PoleLifts {
 
 struct LiftedLeaf {
     ChunkLift lift;
-    LiftSource largest;  ///< of own, edges and corners
+    LiftSource largest;  ///< largest of own, edges and corners
 };
 
 [[nodiscard]] float own_lift_m(const ChunkEntry& entry, std::uint8_t coarser_edges);
-/// Gives every leaf its own lift; what follows needs it. Returns those of the poles.
+/// Sets every leaf's own lift, which the functions below need. Returns the lifts of the poles.
 [[nodiscard]] PoleLifts lift_leaves(LodTree& tree);
 [[nodiscard]] LiftedLeaf lift_of_leaf(const LodTree& tree, NodeIndex leaf, const PoleLifts& poles);
 

@@ -1,8 +1,9 @@
-/// Directory pages in a fixed number of slots. The page that was not asked for longest makes room; pages asked for in this frame
-/// and those of the top level stay.
+/// Cache of directory pages in a fixed number of slots. The least recently requested page is replaced; pages requested in this
+/// frame and those of the top level stay.
 ///
-/// exact  a page that is asked for is read at once, so answers never depend on what was asked before
-/// live   a page that is asked for is ordered and `missing` until it arrived
+/// exact  a requested page is read at once, so answers never depend on earlier requests
+/// live   a requested page is read asynchronously and is `missing` until it has arrived
+///
 /// A page that cannot be read or is damaged is `missing`, counted, and tried again after `retry_frames`.
 /// Memory  from the arena at start(). Thread  one.
 #pragma once
@@ -20,7 +21,7 @@ struct DirectorySettings {
     std::uint32_t pages = 0;  ///< slots; at least one more than the top level has pages
     ArrivalMode mode = ArrivalMode::exact;
     std::uint32_t retry_frames = 30;
-    std::uint32_t first_ticket = 0;  ///< of the reader's tickets, one a slot; live only
+    std::uint32_t first_ticket = 0;  ///< first of the reader's tickets, one per slot; live mode only
 };
 
 class DirectoryCache {
@@ -29,10 +30,10 @@ public:
     [[nodiscard]] TdbFailure start(const TerrainDatabase& database, base::AsyncReader* reader, const DirectorySettings& settings,
                                    base::Arena& arena);
     void begin_frame();
-    /// Entries stay where they are until begin_frame().
+    /// Returns a chunk's entry; it stays valid until begin_frame().
     [[nodiscard]] FoundEntry find(const ChunkKey& key);
 
-    [[nodiscard]] std::uint32_t failing() const { return failing_; }    ///< pages that could not be had
+    [[nodiscard]] std::uint32_t failing() const { return failing_; }    ///< pages that could not be read
     [[nodiscard]] std::uint64_t failures() const { return failures_; }  ///< failed reads since start
     [[nodiscard]] const TdbFailure& last_failure() const { return last_failure_; }
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }  ///< pages

@@ -1,8 +1,9 @@
-/// The surface as it is drawn, at a place: what stands on the ground stands on it.
+/// The surface as it is drawn, at a point; objects on the ground are placed on it.
 ///
-/// A place lies in the triangle that holds it in lattice coordinates, and has its weights there; its position is the same mean of
-/// the corners' ECEF positions, lifts included. A triangle with one corner on a pole holds the meridians between its other two.
-/// Vertices are lifted along the ellipsoid's normal at their post. Pure functions; any thread.
+/// A point is located in a triangle by its lattice coordinates; its ECEF position is interpolated from the corners' positions,
+/// lifts included, with the barycentric weights in lattice coordinates. A triangle with one corner on a pole covers the
+/// meridians between its other two corners. Vertices are lifted along the ellipsoid's normal at their post. Pure functions; any
+/// thread.
 #pragma once
 
 #include "render_core/terrain/lod_selection.hpp"
@@ -10,20 +11,20 @@
 
 namespace tedavis::terrain {
 
-/// A chunk as it is drawn: its vertices and the index list for its present coarser edges.
+/// A chunk as it is drawn: its vertices and the index list for its current coarser edges.
 struct DrawnMesh {
     const SelectedChunk* chunk = nullptr;
     base::Span<const ChunkVertex> vertices;
     base::Span<const std::uint16_t> indices;
 };
 
-/// Meshes of the chunks that a frame selected, on the display's thread.
+/// Port: the meshes of the chunks that a frame selected. Called on the display's thread.
 class DrawnMeshes {
 public:
     [[nodiscard]] virtual base::Span<const ChunkVertex> vertices(const SelectedChunk& chunk) = 0;
-    /// As the payload has them; empty for a regular chunk.
+    /// Returns the payload's indices; empty for a regular chunk.
     [[nodiscard]] virtual base::Span<const std::uint16_t> stored_indices(const SelectedChunk& chunk) = 0;
-    /// As they are drawn; valid until the next call.
+    /// Returns the indices that are drawn; valid until the next call.
     [[nodiscard]] virtual base::Span<const std::uint16_t> drawn_indices(const SelectedChunk& chunk) = 0;
 
 protected:
@@ -34,20 +35,20 @@ protected:
 };
 
 struct DrawnPoint {
-    bool found = false;  ///< false: no triangle there
+    bool found = false;  ///< false: there is no triangle at the point
     earth::Ecef position{};
     earth::MslHeight height;
-    PostClass post_class = PostClass::outside;  ///< of the heaviest corner; void_ where a corner is void
+    PostClass post_class = PostClass::outside;  ///< class of the corner with the largest weight; void_ where any corner is void
 };
 
-/// The selected chunk over a lattice point; null when none is.
+/// Returns the selected chunk that contains a lattice point, or null.
 [[nodiscard]] const SelectedChunk* chunk_under(const Lattice& lattice, base::Span<const SelectedChunk> selected,
                                                const LatticePoint& point);
 [[nodiscard]] DrawnPoint drawn_point(const TerrainDatabase& database, const DrawnMesh& mesh, const LatticePoint& point);
 
-/// Metres by which a vertex of a chunk is raised; `posts` is the chunk's range.
+/// Returns the lift of a chunk's vertex, m; `posts` is the chunk's range.
 [[nodiscard]] float vertex_lift_m(const ChunkLift& lift, const PostRange& posts, const ChunkVertex& vertex);
-/// Where a vertex is drawn, from the chunk's centre, m in ECEF axes.
+/// Returns the drawn position of a vertex relative to the chunk's centre, m, ECEF axes.
 [[nodiscard]] glm::dvec3 drawn_position(const Lattice& lattice, const SelectedChunk& chunk, const PostRange& posts,
                                         const ChunkVertex& vertex);
 

@@ -1,16 +1,15 @@
-/// How many pixels a vertical error of the ground is, at most, by flat pieces of the ground in a view.
+/// Upper bound, in pixels, of a vertical error of the ground in a view, from flat pieces of the ground.
 ///
-/// A point drawn at the tangents (x, y) by e above or below the true one, which is z deep, is e * focal * |u_xy - (x, y) u_z| / z
-/// pixels off (projected_error.hpp). The true surface lies within `error_m` of what is included, straight above or below, and
-/// the drawn one within `margin_m` of that. True points nearer than the near plane have no place in the picture. Pure arithmetic;
-/// any thread.
+/// A point drawn at the tangents (x, y) by e above or below the true one, which is z deep, is displaced by e * focal * |u_xy -
+/// (x, y) u_z| / z pixels (projected_error.hpp). The true surface lies vertically within `error_m` of the pieces, and the drawn
+/// one within `margin_m` of that. True points nearer than the near plane do not count. Pure arithmetic; any thread.
 #pragma once
 
 #include "render_core/terrain/view.hpp"
 
 namespace tedavis::terrain {
 
-/// Ranges of places along the view's right, down and ahead, relative to its eye, m. As made it holds nothing.
+/// Ranges along the view's right, down and forward axes, relative to its eye point, m. Empty by default.
 struct ViewBox {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 
@@ -20,12 +19,13 @@ struct ViewBox {
 
 class GroundScan {
 public:
-    /// `down`: the ellipsoid's vertical at the eye, ECEF. Margin and error not below 0, m.
+    /// `down` is the ellipsoid's vertical at the eye point, ECEF. Margin and error are in metres and not negative.
     GroundScan(const View& view, const glm::dvec3& down, double margin_m, double error_m);
 
-    /// Pixels a metre of what lies in a box; 0 where none of it can be drawn in the view.
+    /// Returns the pixels per metre of error for ground in a box; 0 where none of it can be in the view.
     [[nodiscard]] double px_per_m(const ViewBox& box) const;
-    /// The same, and closer, of a flat triangle, by its corners as seen(); infinite for one that is few margins deep.
+    /// Returns a tighter bound for a flat triangle, whose corners are as seen() returns them; infinite for one whose depth is
+    /// only a few margins.
     [[nodiscard]] double px_per_m(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
 private:
@@ -39,7 +39,7 @@ private:
     const Side side_[2];
 };
 
-/// A direction or place relative to the eye along the view's right, down and ahead.
+/// Expresses a direction, or a position relative to the eye point, in the view's axes: right, down, forward.
 [[nodiscard]] glm::dvec3 seen(const View& view, const glm::dvec3& d);
 
 }  // namespace tedavis::terrain

@@ -1,7 +1,7 @@
-/// Height of the true surface at a place: posts of the exact chunk there, two triangles a cell with the fixed diagonal; a cell at
-/// a pole is one triangle with its apex there.
+/// Height of the true surface at a point, from the posts of the exact chunk there: two triangles per cell with the fixed
+/// diagonal; a cell at a pole is one triangle with its apex there.
 ///
-/// Reads what it needs at once and keeps the last few pages and chunks; answers do not depend on what is kept.
+/// Reads what it needs at once and caches the last few pages and chunks; answers do not depend on the cache.
 /// Memory  from the arena at start(). Thread  one.
 #pragma once
 
@@ -14,27 +14,28 @@ enum class HeightStatus : std::uint8_t { land, sea, void_, outside, damaged };
 
 struct HeightAnswer {
     HeightStatus status = HeightStatus::outside;
-    earth::MslHeight height;            ///< only for land and sea
-    earth::GeoidUndulation undulation;  ///< everywhere, clamped to the database's border
+    earth::MslHeight height;            ///< valid for land and sea only
+    earth::GeoidUndulation undulation;  ///< valid everywhere, clamped to the database's border
 };
 
-/// Its vertices are every post of its grid (regular_chunk.hpp).
+/// An exact chunk; its vertices are all posts of its grid (regular_chunk.hpp).
 struct ExactChunk {
-    const ChunkEntry* entry = nullptr;  ///< null: it cannot be had
+    const ChunkEntry* entry = nullptr;  ///< null: it cannot be read
     base::Span<const ChunkVertex> vertices;
 };
 
 class HeightQuery {
 public:
     static constexpr std::uint32_t kKeptChunks = 5;              ///< four round a corner, and the one below the own ship
-    static constexpr std::uint32_t kKeptPages = 2 * kMaxLevels;  ///< the way down from the top, and beside it
+    static constexpr std::uint32_t kKeptPages = 2 * kMaxLevels;  ///< the path from the top level down, and neighbours
 
     [[nodiscard]] bool start(const TerrainDatabase& database, base::Arena& arena);
     [[nodiscard]] HeightAnswer at(double latitude_rad, double longitude_rad);
-    /// The exact chunk over the lattice cell south-east of a post. It stays while no more than kKeptChunks are asked for.
+    /// Returns the exact chunk over the lattice cell south-east of a post. It stays valid while at most kKeptChunks are
+    /// requested.
     [[nodiscard]] ExactChunk exact_chunk(std::uint32_t i, std::uint32_t j);
-    /// The entry of a chunk, without a look at its vertices; until the next question. Null when its page is damaged or there is
-    /// no such chunk.
+    /// Returns the entry of a chunk without reading its vertices; valid until the next call. Null when its page is damaged or
+    /// there is no such chunk.
     [[nodiscard]] const ChunkEntry* entry_of(const ChunkKey& key);
     [[nodiscard]] const Lattice& lattice() const { return database_->lattice(); }
     [[nodiscard]] static std::uint64_t bytes_needed();

@@ -1,6 +1,6 @@
-/// A hash table of fixed capacity from non-zero 64-bit keys to 32-bit values; open addressing with linear steps.
+/// A hash table of fixed capacity from non-zero 64-bit keys to 32-bit values; open addressing with linear probing.
 ///
-/// Memory  from an arena at start(). Bounded: at most half of the places are used, so a search ends. Thread  one.
+/// Memory  from an arena at start(). Bounded: at most half of the places are used, so a search terminates. Thread  one.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ public:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t max_entries);
-    /// kNone when it is not in it.
+    /// Returns the key's value, or kNone.
     [[nodiscard]] std::uint32_t find(std::uint64_t key) const;
-    /// Gives a key that is in it another value.
+    /// Changes the value of a key that is in the table.
     void change(std::uint64_t key, std::uint32_t value);
-    /// False when max_entries are in it. The key must not be in it yet.
+    /// Returns false when the table is full. The key must not be in the table yet.
     [[nodiscard]] bool insert(std::uint64_t key, std::uint32_t value);
-    /// Does nothing when the key is not in it.
+    /// Removes a key; does nothing when it is not in the table.
     void erase(std::uint64_t key);
     void clear();
     [[nodiscard]] std::uint32_t size() const { return size_; }

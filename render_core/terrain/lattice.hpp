@@ -1,7 +1,8 @@
-/// The lattice of posts of a database: places of posts, extents of chunks, neighbours, round the Earth and at the poles.
+/// The lattice of posts of a database: positions of posts, extents of chunks, and neighbours, also round the Earth and at the
+/// poles.
 ///
-/// Post (i, j): longitude west + i*step, latitude north - j*step, but row 0 and the last row are the poles where the header
-/// says so. The closing column of a lattice round the Earth has the very coordinates of column 0.
+/// Post (i, j): longitude west + i*step, latitude north - j*step, but row 0 and the last row are the poles where the header's
+/// flags say so. The closing column of a lattice round the Earth has exactly the coordinates of column 0.
 /// Frames   degrees and radians, WGS84; positions ECEF, metres. Pure functions; any thread.
 #pragma once
 
@@ -21,7 +22,7 @@ struct LatticePoint {
     bool inside = false;
 };
 
-/// A header that TerrainDatabase::open() would not accept must not be given to it.
+/// The header must be one that TerrainDatabase::open() accepts.
 class Lattice {
 public:
     Lattice() = default;
@@ -35,19 +36,20 @@ public:
 
     [[nodiscard]] double latitude_rad(std::uint32_t j) const;
     [[nodiscard]] double longitude_rad(std::uint32_t i) const;
-    /// Of a post at a height above the ellipsoid. Posts of a pole row are one and the same point.
+    /// Returns the ECEF position of a post at a height above the ellipsoid. All posts of a pole row are the same point.
     [[nodiscard]] earth::Ecef position(std::uint32_t i, std::uint32_t j, double ellipsoid_height_m) const;
     [[nodiscard]] LatticePoint point(double latitude_rad, double longitude_rad) const;
 
-    /// Chunks of a level, across and down.
+    /// Numbers of chunks of a level, across and down.
     [[nodiscard]] std::uint32_t grid_columns(std::uint32_t level) const;
     [[nodiscard]] std::uint32_t grid_rows(std::uint32_t level) const;
     [[nodiscard]] bool contains(const ChunkKey& key) const;
     [[nodiscard]] PostRange posts_of(const ChunkKey& key) const;
-    /// The chunk of the same level beyond a side; kNoChunk where the lattice ends. Round the Earth it goes on.
+    /// Returns the chunk of the same level beyond a side, round the Earth where the lattice is closed; kNoChunk where the
+    /// lattice ends.
     [[nodiscard]] ChunkKey neighbour(const ChunkKey& key, EdgeBit side) const;
 
-    /// Directory pages of a level, and the place of a chunk's page in the page table.
+    /// Numbers of directory pages of a level, and the index of a chunk's page in the page table.
     [[nodiscard]] std::uint32_t page_columns(std::uint32_t level) const;
     [[nodiscard]] std::uint32_t page_rows(std::uint32_t level) const;
     [[nodiscard]] std::uint32_t page_index(const ChunkKey& key) const;

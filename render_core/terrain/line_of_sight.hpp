@@ -1,19 +1,20 @@
-/// Whether the surface, as it is drawn, stands between an eye and a place: what it hides can then be hidden whole.
+/// Tests whether the drawn surface hides a point from the eye point, so that a symbol at a hidden point can be left out as a
+/// whole.
 ///
-/// A sight ends at reach() of its way, so that what stands on the ground is not hidden by the triangle that it stands on, and
-/// begins at the near plane. It is blocked where it enters a triangle's front, of the triangles that are drawn: those of the
-/// selected chunks beside coarser neighbours, with their lifts; back faces are culled. Triangles are taken a millimetre wider, so
-/// that no sight slips through between two.
+/// A line of sight begins at the near plane and ends at the share reach() of its length, so that an object on the ground is not
+/// hidden by the triangle that it stands on. It is blocked where it passes through the front of a drawn triangle, that is, of
+/// the selected chunks with their lifts and their coarser edges; back faces are ignored. Triangles are widened by a millimetre,
+/// so that no line passes between two.
 ///
-/// In a chunk whose box the sight passes through, every vertex gets its sides of two planes that meet in the sight; a triangle
-/// that it meets has corners on both sides of both. The index list beside coarser neighbours, which costs most, is asked for only
-/// where the triangles that it replaces reach both sides: they have all the corners of those in their place, and a polygon whose
-/// triangles all stay on one side of a plane stays there.
+/// In a chunk whose box the line intersects, every vertex is classified by its side of two planes whose intersection is the
+/// line; a triangle that the line hits has corners on both sides of both planes. The index list for coarser edges, which costs
+/// most, is built only where the triangles that it replaces reach both sides: otherwise the replacing triangles, which have no
+/// other corners, cannot do so either.
 ///
-/// Where the view's magnifiers move the ground, the sight is taken apart into its ways over the ground as it is.
+/// Where the view's magnifiers move the ground, the line is mapped back to a chain of segments over the undistorted ground.
 ///
-/// Computed in double, from the eye. Pure but for the meshes that are asked. Bounded: a box a chunk, and the vertices and
-/// triangles of the chunks whose boxes are met. No heap; the answer depends on nothing that was asked before.
+/// Computed in double, relative to the eye point. Pure, apart from the meshes that it requests. Bounded: one box per chunk, and
+/// the vertices and triangles of the chunks whose boxes are hit. No heap; answers do not depend on earlier ones.
 /// Thread  the meshes'.
 #pragma once
 
@@ -25,15 +26,15 @@ namespace tedavis::terrain {
 class LineOfSight {
 public:
     static constexpr double kTail = 0.005;
-    /// Share of its way at which a sight ends: all but kTail; of an eye that sees little of the far, but kTail of what it sees
-    /// across there.
+    /// Share of the distance to the point at which the line of sight ends: 1 - kTail * min(w, 1), w being the width of the view
+    /// per unit distance.
     [[nodiscard]] static double reach(const View& view);
 
-    /// Everything must stay, and the selection be of this frame, its payloads in memory.
+    /// All arguments must outlive the object. The selection is that of this frame, and its payloads are in memory.
     LineOfSight(const Lattice& lattice, base::Span<const SelectedChunk> selected, DrawnMeshes& meshes, const View& view)
         : lattice_(lattice), selected_(selected), meshes_(meshes), view_(view) {}
 
-    /// `place` in ECEF, m. False for what does not lie beyond the near plane: nobody looks there; and
+    /// Returns true where the surface hides `place` (ECEF, m). Returns false for a point that is not beyond the near plane, and
     /// over a flat surface, which hides nothing that stands on it.
     [[nodiscard]] bool is_hidden(const glm::dvec3& place);
 
@@ -45,7 +46,7 @@ private:
     base::Span<const SelectedChunk> selected_;
     DrawnMeshes& meshes_;
     const View& view_;
-    const SelectedChunk* built_ = nullptr;  ///< the last chunk whose drawn index list was asked for
+    const SelectedChunk* built_ = nullptr;  ///< the chunk whose drawn index list was requested last
     base::Span<const std::uint16_t> built_indices_;
 };
 

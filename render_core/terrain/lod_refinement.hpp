@@ -1,4 +1,4 @@
-/// One refinement of a tree of chunks from its roots, within budgets; lod_selection.hpp says what for. Thread  one.
+/// Refines a tree of chunks from its roots within budgets; a part of lod_selection.hpp. Thread  one.
 #pragma once
 
 #include "render_core/terrain/lod_selection.hpp"
@@ -6,35 +6,37 @@
 
 namespace tedavis::terrain {
 
-enum class Priority : std::uint8_t { error, seen_error };  ///< seen: times visibility
+enum class Priority : std::uint8_t { error, seen_error };  ///< seen_error: error times visibility
 
 class LodRefinement {
 public:
-    /// All must outlive the refinement; `heap` holds as many as the tree has nodes.
+    /// All arguments must outlive the refinement; `heap` has room for as many nodes as the tree.
     LodRefinement(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind, LodTree& tree,
                   base::Span<NodeIndex> heap)
         : catalogue_(catalogue), view_(view), settings_(settings), kind_(kind), tree_(tree), heap_(heap) {}
 
-    /// Starts anew. Boxes count as in view if they are when stretched upwards by `reach_m`. False when the roots alone do not
-    /// fit; `stop()` says what they exceed. `with_image`: where tau is met everywhere, what budgets leave goes to the image.
+    /// Refines from the roots. Boxes count as in view if they are when stretched upwards by `reach_m`. Returns false when the
+    /// roots alone exceed a budget; stop() names it. With `with_image`, where tau is reached everywhere, the rest of the
+    /// budgets is spent on the image.
     [[nodiscard]] bool run(Priority priority, double reach_m, bool with_image = true);
-    /// The last run split chunks for the sake of the image.
+    /// True where the last run split chunks for the image's resolution.
     [[nodiscard]] bool refined_image() const { return refines_image_; }
 
-    /// Why the error of a leaf is what it is: it, the leaf that raises it or a coarser neighbour of them could not be split.
+    /// Returns why a leaf's error is not smaller: why the leaf, the leaf that raises it, or a coarser neighbour of either could
+    /// not be split.
     [[nodiscard]] LodStop reason_for(NodeIndex leaf, NodeIndex raised_by) const;
-    /// The first budget that forbade a split; `met` when none did.
+    /// Returns the first budget that prevented a split; `met` when none did.
     [[nodiscard]] LodStop stop() const { return stop_; }
     [[nodiscard]] std::uint32_t triangles() const { return static_cast<std::uint32_t>(load_.triangles); }
     [[nodiscard]] double milliseconds() const { return milliseconds(load_); }
-    /// Largest own lift of any chunk that was looked at, whichever its neighbours.
+    /// Largest own lift of all examined chunks, for any combination of neighbours.
     [[nodiscard]] float largest_lift_m() const { return largest_lift_m_; }
     [[nodiscard]] const PoleLifts& poles() const { return poles_; }
 
 private:
     /// 2:1 balance forces at most two more chunks a level.
     static constexpr std::uint32_t kMaxGroup = 4 * kMaxLevels;
-    /// What a selection takes of its budgets.
+    /// The use of the budgets by a selection.
     struct Load {
         std::int64_t triangles = 0, chunks = 0, parts = 0;
     };
@@ -73,7 +75,7 @@ private:
     [[nodiscard]] bool queue(NodeIndex leaf, double error_px);
 
     [[nodiscard]] bool is_in_view(const ChunkEntry& entry) const { return !is_outside_view(entry, view_, reach_m_); }
-    /// What a chunk takes of the budget of triangles.
+    /// A chunk's use of the triangle budget.
     [[nodiscard]] std::int64_t triangles_of(const ChunkEntry& entry) const;
     [[nodiscard]] double mesh_error_px(const ChunkEntry& entry) const;
     [[nodiscard]] double texel_px(const LodNode& node) const;
@@ -97,10 +99,10 @@ private:
     Group group_;
 };
 
-/// What of an error in a chunk is seen through the haze: 0.05..1.
+/// Visibility of a chunk through the haze, 0.05..1.
 [[nodiscard]] double visibility(const ChunkEntry& entry, const View& view, double haze_per_m);
 
-/// Error of a leaf as it is drawn, with its strips where neighbours are coarser; and lifted.
+/// Projected error of a leaf as it is drawn, with its strips beside coarser neighbours; and the same with its lift.
 [[nodiscard]] double drawn_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges);
 [[nodiscard]] double lifted_error_px(const ChunkEntry& entry, const View& view, std::uint8_t coarser_edges, float lift_m);
 

@@ -1,22 +1,23 @@
-/// Chooses the chunks to draw for one view: every place of the database is covered once, neighbours differ by at most one level,
-/// and the projected error stays below tau unless a budget, the data or what has arrived forbids it.
+/// Chooses the chunks to draw for one view: the database is covered once, neighbours differ by at most one level, and the
+/// projected error stays below tau unless a budget, the data or chunks that have not arrived prevent it.
 ///
 /// Refinement  from the roots: the chunk with the largest projected error in view is split first, after the neighbours that this
 ///             forces (2:1 across edges, round the Earth too). A split happens with all that it forces or not at all.
-/// Budgets     of triangles, chunks and milliseconds hold for what is in view, at every moment of the refinement. Where they
-///             forbid tau, refinement starts again and splits by error times visibility; what neighbours do to a chunk counts
-///             among its errors, and splits that do not fit are passed over. So the error stays where it is seen least.
-///             Visibility is exp(-distance * haze_per_m), 0.05 at least.
-/// Coasts      chunks with sea and land are split until half a texel of their attribute page is a tau; this is no part of the
-///             worst error, and comes after true errors where budgets end the refinement.
-/// Image       where a drape is shown and tau is met everywhere, chunks are split whose texels are large in view, the largest
-///             first, with what the budgets leave. Should that take an error over tau, all is chosen again without.
+/// Budgets     of triangles, chunks and milliseconds are held for the chunks in view at every step of the refinement. Where
+///             they prevent tau, refinement restarts and splits by error times visibility; errors caused by neighbours count
+///             too, and splits that do not fit are skipped. So the remaining error is where it is least visible. Visibility is
+///             exp(-distance * haze_per_m), at least 0.05.
+/// Coasts      chunks with sea and land are split until half a texel of their attribute page is at most tau on the screen. This
+///             does not count in the worst error and has lower priority than true errors.
+/// Image       where a drape is shown and tau is reached everywhere, the rest of the budgets is spent on chunks whose texels
+///             are large on the screen, the largest first. Where that raises an error above tau, the selection is repeated
+///             without it.
 /// Lifts       with `conservative_up` every vertex is raised so far that the drawn surface is nowhere below the true one: by its
 ///             chunk's own lift; on borders and corners by the largest of all chunks that share them, so that shared vertices
 ///             agree (chunk_lift.hpp).
-/// Neighbours  what they do to a chunk (strips beside coarser ones, lifts) is judged when all is chosen; where it takes an error
-///             over tau, they are split as well.
-/// Result      depends on view, settings, entries and availability only.
+/// Neighbours  their effect on a chunk (strips beside coarser ones, lifts) is evaluated after the selection; where it raises an
+///             error above tau, they are split as well.
+/// Result      depends only on view, settings, entries and availability.
 /// Memory      from an arena at start(). Thread  one.
 #pragma once
 
@@ -33,16 +34,16 @@
 
 namespace tedavis::terrain {
 
-/// Cells, of two triangles, are not made finer on the screen for the sake of heights alone.
+/// `height_weight` does not refine cells (of two triangles) that are smaller than this on the screen.
 inline constexpr double kFinestCell_px = 3;
 
-/// Predicted time of the terrain pass: measured on the device.
+/// Model of the terrain pass's time, measured on the device.
 struct CostModel {
     double ns_per_triangle = 0;
     double us_per_chunk = 0;
 };
 
-/// An image over the terrain. Chunks are split for its sake while its texels are larger on the screen than kLargestTexel_px.
+/// An image over the terrain. Chunks are split for it while its texels are larger on the screen than kLargestTexel_px.
 struct DrapeDetail {
     double texel_m = 0;       ///< of the finest pages; 0: no image is shown
     std::uint32_t level = 0;  ///< of the finest pages
@@ -53,27 +54,28 @@ struct LodSettings {
     double tau_px = 1;
     std::uint32_t max_triangles = 250000;
     std::uint32_t max_chunks = 512;
-    std::uint32_t max_parts = std::numeric_limits<std::uint32_t>::max();  ///< chunks in view and all above them, without roots
+    std::uint32_t max_parts = std::numeric_limits<std::uint32_t>::max();  ///< chunks in view and their ancestors, without roots
     double max_ms = std::numeric_limits<double>::infinity();
     CostModel cost;
-    /// Chunks whose boxes reach into this span of depth are drawn twice, and cost twice their triangles. Of nothing: none is.
+    /// Chunks whose boxes reach into this span of depth are drawn twice and cost twice their triangles. An empty span: none.
     DepthSpan twice{1, 0};
     double haze_per_m = 0;
     bool conservative_up = false;
-    /// 0..1: how much an error of height counts as such, in pixels of its length, down to kFinestCell_px: where colours and lines
-    /// show heights though their errors do not displace the picture, as on a map. No part of the worst error.
+    /// Weight 0..1 of an error of height itself, as if its length were seen in pixels, down to kFinestCell_px: for pictures
+    /// such as a map, where colours and lines show heights although their errors do not displace the picture. It does not count
+    /// in the worst error.
     double height_weight = 0;
-    /// What budgets leave after tau is spent on it. No part of any error.
+    /// The image that the rest of the budgets is spent on after tau. It does not count in any error.
     DrapeDetail drape;
 };
 
 struct SelectedChunk {
     ChunkKey key = kNoChunk;
     const ChunkEntry* entry = nullptr;  ///< valid in this frame
-    SlotIndex slot = kNoSlot;           ///< of its payload; kNoSlot only in ideal selections
+    SlotIndex slot = kNoSlot;           ///< slot of its payload; kNoSlot only in ideal selections
     std::uint8_t coarser_edges = 0;     ///< EdgeBit
     float error_px = 0;
-    float distance_m = 0;  ///< of the chunk's centre from the eye
+    float distance_m = 0;  ///< from the eye point to the chunk's centre
     ChunkLift lift;        ///< zeros without conservative_up
 };
 
@@ -82,18 +84,18 @@ enum class SelectionKind : std::uint8_t {
     drawn,  ///< a chunk is split only where all its children in view are available
 };
 
-/// What kept the worst chunk from being split.
+/// Why the worst chunk was not split.
 enum class LodStop : std::uint8_t { met, triangles, chunks, milliseconds, nodes, not_arrived, at_data_limit };
 [[nodiscard]] const char* to_string(LodStop reason) noexcept;
 
 struct LodResult {
     std::uint32_t chunks = 0;
-    std::uint32_t triangles = 0;  ///< upper bound, without coarser edges; those drawn twice count twice
+    std::uint32_t triangles = 0;  ///< upper bound, without coarser edges; chunks drawn twice count twice
     double predicted_ms = 0;
     double tau_reached_px = 0;  ///< tau, or the worst error where that is more
     double worst_error_px = 0;
-    double worst_coarse_px = 0;       ///< of chunks that the data would allow to be finer
-    double worst_waiting_px = 0;      ///< of chunks that wait for finer ones to arrive: error times visibility
+    double worst_coarse_px = 0;       ///< worst error of chunks for which the data have a finer level
+    double worst_waiting_px = 0;      ///< the same for chunks that wait for finer ones to arrive: error times visibility
     ChunkKey worst_chunk = kNoChunk;  ///< kNoChunk: nothing in view
     LodStop reason = LodStop::met;
     bool within_budget = false;  ///< false only when the roots in view alone exceed the budgets: nothing may be drawn
@@ -103,16 +105,17 @@ class LodRefinement;
 
 class LodSelector {
 public:
-    /// `nodes`: chunks that one selection may look at, roots and hidden ones included; 4 times the chunks drawn is plenty.
+    /// `nodes` is the number of chunks that one selection may examine, roots and hidden ones included; 4 times the drawn chunks
+    /// suffice.
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t nodes);
 
-    /// `selected` gets the chosen chunks in view, nearest first; its size is one more limit of chunks.
+    /// Writes the chosen chunks in view to `selected`, nearest first; its size is a further limit of the number of chunks.
     [[nodiscard]] LodResult select(ChunkCatalogue& catalogue, const View& view, const LodSettings& settings, SelectionKind kind,
                                    base::Span<SelectedChunk> selected);
 
-    /// What the last selection needs in memory: its chunks in view and all through which it came to them; then their siblings,
-    /// for when the view turns. Most urgent first: by the error that is shown without it, ancestors before their descendants.
-    /// Returns how many; what does not fit is left out at the end.
+    /// Writes the chunks that the last selection needs in memory: its chunks in view and their ancestors; then their siblings,
+    /// for when the view turns. They are sorted by the error that is shown without them, largest first, ancestors before
+    /// descendants. Returns their number; those that do not fit are left out at the end.
     [[nodiscard]] std::uint32_t wanted(base::Span<WantedChunk> out);
 
     [[nodiscard]] const base::ResourceUse& use() const { return tree_.use(); }  ///< nodes

@@ -1,4 +1,4 @@
-/// The part of the quadtree that one selection has looked at: a cover of the whole database by leaves.
+/// The part of the quadtree that one selection has examined; its leaves cover the whole database.
 ///
 /// Invariant  across every edge, leaves differ by one level at most. Memory  from an arena at start(). Thread  one.
 #pragma once
@@ -16,14 +16,14 @@ struct LodNode {
     ChunkKey key;
     NodeIndex parent;  ///< kNoNode: a root
     const ChunkEntry* entry;
-    double error_px;  ///< what the picture owes to its being a leaf: its own error, or that of leaves that it keeps coarse
-    double priority;  ///< the selection's
-    float lift_m;     ///< of a leaf by itself (chunk_lift.hpp)
+    double error_px;  ///< error that remains while it is a leaf: its own, or that of leaves that it keeps coarse
+    double priority;  ///< priority in the selection
+    float lift_m;     ///< a leaf's own lift (chunk_lift.hpp)
     bool is_leaf;
     bool is_visible;
-    bool is_tried;         ///< a split was tried: it has happened or will not
-    bool is_queued;        ///< to be tried
-    std::uint8_t blocked;  ///< LodStop: why it has not
+    bool is_tried;         ///< a split was tried and has succeeded or failed for good
+    bool is_queued;        ///< is in the queue
+    std::uint8_t blocked;  ///< LodStop: why it was not split
 };
 
 class LodTree {
@@ -35,17 +35,17 @@ public:
     [[nodiscard]] std::uint32_t room() const { return static_cast<std::uint32_t>(nodes_.size()) - count_; }
     [[nodiscard]] LodNode& node(NodeIndex index) { return nodes_[index]; }
     [[nodiscard]] const LodNode& node(NodeIndex index) const { return nodes_[index]; }
-    /// kNoNode when the selection has not come to it.
+    /// Returns the node of a chunk, or kNoNode when the selection has not examined it.
     [[nodiscard]] NodeIndex find(const ChunkKey& key) const { return map_.find(key.packed()); }
-    /// A new leaf; there must be room. Parents come before their children.
+    /// Adds a leaf; there must be room. Parents are added before their children.
     NodeIndex add(const ChunkKey& key, const ChunkEntry* entry, NodeIndex parent);
 
     /// Sides of a leaf beyond which the leaves are coarser.
     [[nodiscard]] std::uint8_t coarser_edges(const ChunkKey& key) const;
-    /// The coarser leaf beyond such a side.
+    /// The coarser leaf beyond one of these sides.
     [[nodiscard]] NodeIndex coarser_beyond(const ChunkKey& key, EdgeBit side) const;
-    /// The leaf over a lattice cell (its north-west post); columns go on round the Earth. kNoNode beyond the lattice. Found
-    /// soonest when it is near the level given.
+    /// Returns the leaf over a lattice cell (given by its north-west post); columns wrap round the Earth. Returns kNoNode
+    /// beyond the lattice. The search is fastest when the leaf's level is close to `near_level`.
     [[nodiscard]] NodeIndex leaf_over_cell(std::int64_t i, std::int64_t j, std::uint32_t near_level = 0) const;
 
     [[nodiscard]] const Lattice& lattice() const { return *lattice_; }

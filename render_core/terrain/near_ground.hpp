@@ -1,9 +1,9 @@
-/// How many pixels an error of the surface can be, by the ground round the eye itself.
+/// Upper bound of a surface error in pixels, from the ground round the eye point.
 ///
-/// The box of a coarse chunk that holds the eye says nothing of the ground in it. So boxes are followed down to the exact chunks,
-/// those that could move pixels most first, and in the exact chunks beside the eye to blocks of their posts and to flat triangles
-/// between posts. What is asked of none of them is bounded by what is larger. So steps, voids, insets and the antimeridian need
-/// no assumption about slopes between the eye and what it sees.
+/// The box of a coarse chunk that contains the eye point gives no useful bound. So boxes are refined down to the exact chunks,
+/// those with the largest bound first, and in the exact chunks near the eye point to blocks of posts and to flat triangles
+/// between posts. What is not refined is bounded by its parent. No assumption is made about slopes between the eye point and
+/// the ground, so steps, voids, insets and the antimeridian need no special case.
 #pragma once
 
 #include "render_core/terrain/height_query.hpp"
@@ -11,8 +11,8 @@
 
 namespace tedavis::terrain {
 
-/// Of this view. Without steps for numbers that are not finite. Reads the vertices of four chunks at most, and the directory
-/// pages on the way to them, at once: those that the query has kept are not read again.
+/// Returns the bounds for a view, without steps where its numbers are not finite. Reads the vertices of at most four chunks,
+/// and the directory pages that lead to them, synchronously; cached ones are not read again.
 [[nodiscard]] NearGround near_ground(HeightQuery& heights, const View& view);
 
 }  // namespace tedavis::terrain

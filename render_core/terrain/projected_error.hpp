@@ -1,10 +1,10 @@
-/// How many pixels an error of a chunk can be in a view, and whether a chunk can be in the view at all.
+/// Upper bound of a chunk's error in a view, in pixels, and a conservative test whether a chunk is in the view.
 ///
-/// A point drawn at a place on the screen with off-axis tangents (x, y), by e above or below the true one, lies
-/// e * focal * |u_xy - (x, y) u_z| / z pixels from it: u is the vertical in the view's axes, z the true point's depth
-/// (difference of the two projections). In a flat view boxes are those of what is drawn, and errors still those of the relief:
-/// what is drawn has no more. Where magnifiers of the view reach, boxes are those of what is drawn, too; errors of height stay
-/// what they are. Boxes are ECEF; pure functions; any thread.
+/// A point drawn at a place on the screen with off-axis tangents (x, y), by e above or below the true one, lies e * focal *
+/// |u_xy - (x, y) u_z| / z pixels from it: u is the vertical in the view's axes, z the true point's depth (difference of the
+/// two projections). In a flat view boxes are those of the drawn plane, while errors are still those of the relief, an upper
+/// bound. Where magnifiers of the view reach, boxes are those of the moved ground; errors of height are unchanged. Boxes are
+/// ECEF; pure functions; any thread.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,17 +15,17 @@
 
 namespace tedavis::terrain {
 
-/// True when no point of the chunk's box, stretched upwards by `lift_m`, can be in the view. Never true for a visible one. What
-/// is outside a view is outside every narrower one of the same pose.
+/// Returns true when no point of the chunk's box, stretched upwards by `lift_m`, can be in the view; never for a visible chunk.
+/// A chunk outside a view is outside every narrower one of the same pose.
 [[nodiscard]] bool is_outside_view(const ChunkEntry& entry, const View& view, double lift_m = 0);
 
-/// Largest number of pixels that a vertical error of `error_m` can be anywhere in the picture and in the chunk's box, stretched
-/// upwards by `lift_m`. Exactly 0 for no error; never NaN: what cannot be bounded is infinite.
+/// Returns the largest displacement in pixels of a vertical error of `error_m` anywhere in the picture and in the chunk's box,
+/// stretched upwards by `lift_m`. Exactly 0 for no error; infinite where there is no bound; never NaN.
 [[nodiscard]] double error_in_box_px(const ChunkEntry& entry, const View& view, double error_m, double lift_m);
 
-/// How far up along `up` (unit, parts along the picture's right and down) any point of the chunk's box, stretched upwards by
-/// `lift_m`, is seen: its greatest off-axis tangent. Minus infinity for a box behind the near plane. Never NaN: what cannot be
-/// bounded is infinite.
+/// Returns the greatest off-axis tangent along `up` (a unit vector in the picture: right, down) of any point of the chunk's
+/// box, stretched upwards by `lift_m`. Minus infinity for a box behind the near plane, infinity where there is no bound; never
+/// NaN.
 [[nodiscard]] double highest_tangent(const ChunkEntry& entry, const View& view, const glm::dvec2& up, double lift_m);
 
 /// Least and greatest depth of the chunk's box along the view, stretched by `lift_m` both ways.
@@ -37,15 +37,15 @@ struct DepthSpan {
 }
 [[nodiscard]] DepthSpan depth_span(const ChunkEntry& entry, const View& view, double lift_m);
 
-/// Where the chunk's ground may lie, raised by `lift_m` or not.
+/// Returns a bound of the chunk's ground, with and without `lift_m`.
 [[nodiscard]] earth::GroundExtent extent_of(const ChunkEntry& entry, double lift_m);
-/// Draws that a chunk takes: more than 1 where magnifiers of the view reach it.
+/// Number of draw calls for a chunk: more than 1 where magnifiers of the view reach it.
 [[nodiscard]] std::uint32_t draws_of(const ChunkEntry& entry, const View& view, double lift_m);
 
-/// By how much the view's magnifiers draw a length of the chunk's ground longer at most; 1 where none reaches it.
+/// Largest factor by which the view's magnifiers enlarge lengths of the chunk's ground; 1 where none reaches it.
 [[nodiscard]] double magnification(const ChunkEntry& entry, const View& view);
 
-/// From the eye to the chunk's centre; and to its box, 0 inside.
+/// Distances from the eye point to the chunk's centre and to its box (0 inside).
 [[nodiscard]] float distance_m(const ChunkEntry& entry, const View& view);
 [[nodiscard]] double box_distance_m(const ChunkEntry& entry, const View& view);
 

@@ -1,12 +1,12 @@
-/// Where the posts of a regular chunk stand among its vertices: the border first, clockwise from the north-west corner, then
-/// the others row by row; and which posts of the lattice they are.
+/// The order of posts among the vertices of a regular chunk (the border first, clockwise from the north-west corner, then the
+/// others row by row), and the lattice posts that they are.
 #pragma once
 
 #include <cstdint>
 
 namespace tedavis::terrain {
 
-/// Posts across and down, 2 or more each.
+/// Numbers of posts across and down, 2 or more each.
 struct RegularGrid {
     std::uint32_t columns = 0, rows = 0;
 
@@ -23,8 +23,8 @@ struct RegularGrid {
     }
 };
 
-/// The grid of a regular chunk over `cells_i` x `cells_j` cells of the lattice: every 2^level-th post and the last column and
-/// row.
+/// Returns the grid of a regular chunk over `cells_i` x `cells_j` cells of the lattice: it has every 2^level-th post and the
+/// last column and row.
 [[nodiscard]] constexpr RegularGrid regular_grid(std::uint32_t cells_i, std::uint32_t cells_j, std::uint32_t level) {
     const std::uint32_t spacing = 1u << level;
     return {(cells_i + spacing - 1) / spacing + 1, (cells_j + spacing - 1) / spacing + 1};

@@ -1,4 +1,4 @@
-/// The triangles of a chunk as its payload has them: the index list, or the cells of a regular chunk.
+/// Visits the triangles of a chunk's payload: those of the index list, or the cells of a regular chunk.
 #pragma once
 
 #include "render_core/base/span.hpp"
@@ -7,7 +7,7 @@
 
 namespace tedavis::terrain {
 
-/// The grid of a regular chunk, from its counts; rows 0 when they fit no grid.
+/// Returns the grid of a regular chunk from its counts; `rows` is 0 when they fit no grid.
 [[nodiscard]] inline RegularGrid grid_of(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices) {
     std::uint32_t columns = 1;
     while (columns < vertices.size() && vertices[columns].j == 0) ++columns;
@@ -17,8 +17,8 @@ namespace tedavis::terrain {
     return fits ? grid : RegularGrid{};
 }
 
-/// Calls use(a, b, c) for one triangle after the other until it answers false. False then, and where a regular chunk fits no
-/// grid. Indices of a damaged payload may lie beyond the vertices.
+/// Calls use(a, b, c) for each triangle until it returns false. Returns false then, and where a regular chunk fits no grid.
+/// Indices of a damaged payload may lie beyond the vertices.
 template <class Use>
 [[nodiscard]] bool each_stored_triangle(const ChunkEntry& entry, base::Span<const ChunkVertex> vertices,
                                         base::Span<const std::uint16_t> stored, Use&& use) {
@@ -30,7 +30,7 @@ template <class Use>
     }
     const RegularGrid grid = grid_of(entry, vertices);
     if (grid.rows == 0) return false;
-    // Two triangles a cell, cut along the true surface's diagonal.
+    // Two triangles per cell, cut along the true surface's diagonal.
     for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
         for (std::uint32_t i = 0; i + 1 < grid.columns; ++i) {
             const auto at = [&](std::uint32_t di, std::uint32_t dj) {

@@ -1,6 +1,6 @@
-/// Reads what a page of a database's directory names, as a display would in the course of a flight.
+/// Reads and verifies everything that one directory page of a database names, as a display would in flight.
 ///
-/// Memory  the room it is given. Thread  any, each with a room of its own.
+/// Memory  the caller's VerifyRoom. Thread  any, each with its own room.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace tedavis::terrain {
 
-/// For one page, and one part after the other.
+/// Memory for one page and one part at a time.
 struct VerifyRoom {
     DirectoryPage page;
     alignas(ChunkVertex) std::uint8_t part[std::max({kMaxPayloadBytes, sizeof(AttributePage), sizeof(DrapePage)})];
 };
 
-/// Every checksum, entry and vertex of the page and of its chunks. Adds their number to `chunks`; a page that does not exist has
-/// none. The first fault, if there is one.
+/// Verifies every checksum, entry and vertex of the page and of its chunks, and adds the number of chunks to `chunks`; a page
+/// that does not exist has none. Returns the first fault, if any.
 [[nodiscard]] TdbFailure verify_page(const TerrainDatabase& database, std::uint32_t page_index, VerifyRoom& room,
                                      std::uint64_t& chunks);
 

@@ -1,4 +1,4 @@
-/// A pinhole view as the terrain and the drawers need it: pose in ECEF, pixels, clip planes. Plain data.
+/// A pinhole camera for terrain and drawers: pose in ECEF, picture size in pixels, clip planes. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tedavis::terrain {
 
-/// What is known of the true surface round an eye, for errors of several sizes (near_ground.hpp).
+/// Error bounds from the true surface round the eye point, for errors of several sizes (near_ground.hpp).
 struct NearGround {
     static constexpr int kMaxSteps = 13;
 
@@ -22,7 +22,7 @@ struct NearGround {
     Step steps[kMaxSteps];  ///< by ascending margins
     int count = 0;
 
-    /// Infinite where nothing is known of so large an error.
+    /// Returns the bound in pixels; infinite for an error beyond the last margin.
     [[nodiscard]] double px(double error_m) const {
         for (int n = 0; n < count; ++n)
             if (error_m <= steps[n].margin_m) return error_m * steps[n].px_per_m;
@@ -35,15 +35,15 @@ struct View {
     glm::dvec3 forward;  ///< unit vectors in ECEF
     glm::dvec3 right;
     glm::dvec3 down;
-    double focal_px = 1;  ///< pixels per unit tangent, both axes
+    double focal_px = 1;  ///< focal length, pixels per unit tangent, both axes
     std::uint32_t width = 1, height = 1;
     double near_m = 1;
     double far_m = 400000;
     NearGround ground;  ///< holds for this pose, and for no wider picture (near_ground.hpp)
-    /// Not NaN: the surface is drawn at this height above MSL, wherever it is.
+    /// Not NaN: the surface is drawn as a plane at this height above MSL.
     double flat_msl_m = std::numeric_limits<double>::quiet_NaN();
 
-    earth::Magnifiers magnifiers{};  ///< what is drawn, and placed, is where they show it
+    earth::Magnifiers magnifiers{};  ///< drawing and placing apply them
 
     [[nodiscard]] bool is_flat() const { return flat_msl_m == flat_msl_m; }
     [[nodiscard]] double half_width_tangent() const { return 0.5 * width / focal_px; }

@@ -21,7 +21,7 @@ struct KnownFlight {
     flight::PhaseStatus phase;
 };
 
-/// Plays the whole log.
+/// Replays the whole log.
 [[nodiscard]] KnownFlight play_known_flight(base::Span<const char> log, const bus::BusSettings& settings,
                                             flight::TerrainHeights& heights);
 

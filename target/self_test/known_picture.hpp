@@ -1,7 +1,7 @@
-/// What the picture of the self-test's flight must show: sky above, terrain below the right skyline, symbology on top.
+/// Checks the picture of the self-test's flight: sky above, terrain below the correct skyline, symbology on top.
 ///
-/// Tolerances are wide enough for another driver's rounding and antialiasing, and far narrower than what any missing,
-/// misplaced or mistaken part would change. The numbers hold for 640 x 480 with design `default` on device `es2-small`.
+/// Tolerances allow for the rounding and antialiasing of other drivers; any missing, misplaced or wrong part exceeds them by
+/// far. The numbers hold for 640 x 480 with design `default` on device `es2-small`.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace tedavis::target {
 inline constexpr std::uint32_t kKnownPictureWidth = 640;
 inline constexpr std::uint32_t kKnownPictureHeight = 480;
 
-/// `pixels` are RGBA8, bottom row first, of exactly this size.
+/// `pixels` are RGBA8, bottom row first, of exactly the size above.
 void check_known_picture(base::Span<const std::uint8_t> pixels, SelfTestReport& report);
 
 }  // namespace tedavis::target

@@ -1,4 +1,4 @@
-/// What the core needs to read a database: bytes at an offset. Implemented by platform/files and by tests in memory.
+/// Port: bytes at an offset, from which the core reads a database. Implemented in platform/files, and in memory by tests.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@ class ByteSource {
 public:
     virtual ~ByteSource() = default;
     [[nodiscard]] virtual std::uint64_t size() const = 0;
-    /// Reads exactly `count` bytes at `offset`; false when they are not all there or the medium fails, and then
-    /// `destination` is unspecified. Thread-safe; never allocates.
+    /// Reads exactly `count` bytes at `offset`; returns false when some are missing or the medium fails; `destination` is then
+    /// unspecified. Thread-safe; never allocates.
     [[nodiscard]] virtual bool read(std::uint64_t offset, void* destination, std::size_t count) = 0;
 };
 
