@@ -1,5 +1,57 @@
-# tedavis_module(PATH [CORE] [DEPENDS PATH...]): a static library of every source below PATH, named after it
-# (render_core/earth -> tedavis_render_core_earth). CORE modules are compiled as flight code.
+# Who may include whom is declared here alone: tests/layering compiles the table that tedavis_write_include_table() writes of it,
+# and holds every source to it.
+
+# tedavis_folder(PATH [FLAT] [DEPENDS PATH...] [HEADERS BEGINNING...]): sources below PATH may include what lies below PATH, what the
+# folders it depends on may include, and headers whose paths begin as HEADERS say. FLAT: only what lies in PATH itself is meant.
+function(tedavis_folder path)
+  cmake_parse_arguments(arg "FLAT" "" "DEPENDS;HEADERS" ${ARGN})
+  if(NOT EXISTS ${CMAKE_SOURCE_DIR}/${path})
+    message(FATAL_ERROR "${path} is declared and does not exist; take it out of its CMakeLists.txt")
+  endif()
+  set(reach ${path})
+  foreach(dependency ${arg_DEPENDS})
+    get_property(theirs GLOBAL PROPERTY tedavis_reach_${dependency})
+    if(NOT theirs)
+      message(FATAL_ERROR "${path} depends on ${dependency}, which is not declared before it; change their order")
+    endif()
+    list(APPEND reach ${theirs})
+  endforeach()
+  list(REMOVE_DUPLICATES reach)
+  set_property(GLOBAL PROPERTY tedavis_reach_${path} ${reach})
+  set_property(GLOBAL PROPERTY tedavis_headers_${path} ${arg_HEADERS})
+  set_property(GLOBAL PROPERTY tedavis_flat_${path} ${arg_FLAT})
+  set_property(GLOBAL APPEND PROPERTY tedavis_folders ${path})
+endfunction()
+
+# tedavis_folder_order(ROOT ORDER FOLDER... [DEPENDS PATH...]): each folder (or file) of ROOT may include those that stand before it
+# in the order, the files that lie in ROOT itself, and what ROOT depends on.
+function(tedavis_folder_order root)
+  cmake_parse_arguments(arg "" "" "ORDER;DEPENDS" ${ARGN})
+  tedavis_folder(${root} FLAT DEPENDS ${arg_DEPENDS})
+  set(before ${root})
+  foreach(folder ${arg_ORDER})
+    tedavis_folder(${root}/${folder} FLAT DEPENDS ${before})
+    set(before ${root}/${folder})
+  endforeach()
+endfunction()
+
+# tedavis_write_include_table(FILE): rows of tests/layering/include_rule.cpp, in the order of declaration.
+function(tedavis_write_include_table file)
+  set(rows)
+  get_property(folders GLOBAL PROPERTY tedavis_folders)
+  foreach(folder ${folders})
+    get_property(flat GLOBAL PROPERTY tedavis_flat_${folder})
+    get_property(reach GLOBAL PROPERTY tedavis_reach_${folder})
+    get_property(headers GLOBAL PROPERTY tedavis_headers_${folder})
+    string(TOLOWER "${flat}" flat)
+    list(JOIN reach "\", \"" reach)
+    list(TRANSFORM headers REPLACE "(.+)" "\"\\1\"")
+    list(JOIN headers ", " headers)
+    string(APPEND rows "{\"${folder}\", ${flat}, {\"${reach}\"}, {${headers}}},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${file} CONTENT "${rows}" @ONLY)
+endfunction()
+
 function(tedavis_target_name path out)
   string(REPLACE "/" "_" name ${path})
   set(${out} tedavis_${name} PARENT_SCOPE)
@@ -11,8 +63,21 @@ function(tedavis_compile_jointly)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 endfunction()
 
+# tedavis_link_modules(TARGET SCOPE PATH...)
+function(tedavis_link_modules target scope)
+  foreach(path ${ARGN})
+    tedavis_target_name(${path} name)
+    target_link_libraries(${target} ${scope} ${name})
+  endforeach()
+endfunction()
+
+# tedavis_module(PATH [CORE] [DEPENDS PATH...] [HEADERS BEGINNING...]): a static library of every source below PATH, named after it
+# (render_core/earth -> tedavis_render_core_earth), and its row of the include rule (tedavis_folder). It is linked with the modules
+# that it depends on, and with those that hold its HEADERS. CORE modules are compiled as flight code.
 function(tedavis_module path)
-  cmake_parse_arguments(arg "CORE" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "CORE" "" "DEPENDS;HEADERS" ${ARGN})
+  tedavis_folder(${path} DEPENDS ${arg_DEPENDS} HEADERS ${arg_HEADERS})
+  set_property(GLOBAL APPEND PROPERTY tedavis_modules ${path})
   tedavis_target_name(${path} name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.cpp)
   if(sources)
@@ -33,8 +98,9 @@ function(tedavis_module path)
   else()
     target_link_libraries(${name} ${scope} tedavis_settings)
   endif()
-  foreach(dependency ${arg_DEPENDS})
-    tedavis_target_name(${dependency} dependency_name)
-    target_link_libraries(${name} ${scope} ${dependency_name})
+  tedavis_link_modules(${name} ${scope} ${arg_DEPENDS})
+  foreach(header ${arg_HEADERS})
+    get_filename_component(owner ${header} DIRECTORY)
+    tedavis_link_modules(${name} ${scope} ${owner})
   endforeach()
 endfunction()

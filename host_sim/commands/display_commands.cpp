@@ -1,8 +1,8 @@
 #include "host_sim/commands/command_groups.hpp"
 #include "host_sim/commands/option_checks.hpp"
 #include "host_sim/commands/option_texts.hpp"
-#include "host_sim/commands/replay_config.hpp"
 #include "host_sim/commands/trace_sheet.hpp"
+#include "host_sim/options/replay_config.hpp"
 #include "host_sim/window/window_keys.hpp"
 
 namespace tedavis::host_sim {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
 #include "host_sim/sweep/draw_sweep.hpp"
 #include "render_core/perception/edge_detector.hpp"

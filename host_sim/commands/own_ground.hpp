@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/options/picture_options.hpp"
 
 namespace tedavis::host_sim {
 

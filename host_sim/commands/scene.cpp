@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/sweep/draw_sweep.hpp"
 
 namespace tedavis::host_sim {

@@ -8,9 +8,10 @@
 #include <set>
 
 #include "host_sim/evaluation/clutter_opinions.hpp"
-#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/evaluation/layer_names_beside.hpp"
 #include "host_sim/evaluation/picture_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "host_sim/reports/drawn_sheet.hpp"
 #include "host_sim/user_error.hpp"
 

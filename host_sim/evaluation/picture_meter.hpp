@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "host_sim/evaluation/evaluation_views.hpp"
-#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/picture_measures.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "render_core/perception/saliency_model.hpp"
 #include "render_core/perception/spectral_residual.hpp"
 

@@ -7,8 +7,8 @@
 #include "bus/canaerospace/message_encoder.hpp"
 #include "bus/canaerospace/traffic_profile.hpp"
 #include "bus/candump/candump_log_writer.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/flight_log/message_schedule.hpp"
-#include "host_sim/importers/calendar_time.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/csv_cells.hpp"
-#include "host_sim/importers/calendar_time.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 

@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "render_core/perception/edge_density.hpp"
 
 namespace tedavis::host_sim {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/png_file.hpp"
 #include "host_sim/replay/made_programs.hpp"
 #include "platform/files/file_byte_source.hpp"

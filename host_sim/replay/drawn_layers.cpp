@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "host_sim/png_file.hpp"
 #include "render_core/display/picture_layer.hpp"
 

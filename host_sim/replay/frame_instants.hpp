@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/replay_options.hpp"
 #include "render_core/base/time.hpp"
 
 namespace tedavis::host_sim {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/options/replay_options.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/reports/flight_tally.hpp"

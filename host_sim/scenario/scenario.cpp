@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bus/canaerospace/traffic_profile.hpp"
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/scenario/read_angle.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/scene_builder/stated_number.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"

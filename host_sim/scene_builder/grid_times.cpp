@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster_file.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/scene_builder/derived_attribute.hpp"
 #include "host_sim/scene_builder/fixed_unit.hpp"
 #include "host_sim/user_error.hpp"

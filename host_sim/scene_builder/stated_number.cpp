@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 
 namespace tedavis::host_sim {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "host_sim/evaluation/clutter_opinions.hpp"
 #include "host_sim/evaluation/evaluation_files.hpp"
-#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/picture_meter.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/sweep/swept_ground.hpp"

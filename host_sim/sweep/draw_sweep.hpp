@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/sweep/swept_views.hpp"
 #include "host_sim/sweep/written_files.hpp"
 #include "render_core/flight/flight_phase.hpp"

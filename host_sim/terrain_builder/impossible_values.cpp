@@ -12,17 +12,17 @@ namespace {
 
 constexpr int kMaxSamples = 64;  // a side
 
-struct Sample {
+struct ValueSample {
     std::vector<double> values;
     std::vector<std::uint8_t> is_declared;  ///< 0 where the file marks a void
 };
 
 /// GDAL takes the nearest post of each place.
-Sample sample_of(const RasterSource& source) {
+ValueSample sample_of(const RasterSource& source) {
     const QuietGdal quiet;
     GDALRasterBand& band = *source.dataset->GetRasterBand(1);
     const int columns = std::min(source.columns, kMaxSamples), rows = std::min(source.rows, kMaxSamples);
-    Sample sample;
+    ValueSample sample;
     sample.values.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     sample.is_declared.resize(sample.values.size());
     const bool is_read = band.RasterIO(GF_Read, 0, 0, source.columns, source.rows, sample.values.data(), columns, rows,
@@ -39,7 +39,7 @@ Sample sample_of(const RasterSource& source) {
 
 ImpossibleValues impossible_values(const RasterSource& source, const RasterOptions& options) {
     if (source.encoding) return {};
-    const Sample sample = sample_of(source);
+    const ValueSample sample = sample_of(source);
     ImpossibleValues found{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     double count = 0;
     for (std::size_t n = 0; n < sample.values.size(); ++n) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/replay/load_design.hpp"
 
 namespace tedavis::host_sim {

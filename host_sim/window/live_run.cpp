@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "host_sim/atomic_file.hpp"
-#include "host_sim/commands/replay_config.hpp"
 #include "host_sim/geoid_below.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/options/replay_config.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/window/switch_recording.hpp"
 #include "render_core/earth/wgs84.hpp"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "host_sim/commands/replay.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/options/replay_options.hpp"
 #include "platform/window/window_surface.hpp"
 
 namespace tedavis::host_sim {

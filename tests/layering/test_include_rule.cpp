@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace tedavis::tests::layering::test_include_rule {
 namespace {
 
@@ -37,6 +40,8 @@ INSTANTIATE_TEST_SUITE_P(Folders, RefusedInclude,
                                            Seed{"render_core/scene/a.cpp", "\"render_core/terrain/view.hpp\""},
                                            Seed{"render_core/design/a.cpp", "\"render_core/raytrace/mipmap.hpp\""},
                                            Seed{"render_core/perception/a.cpp", "\"render_core/design/color.hpp\""},
+                                           Seed{"render_core/effects/a.cpp", "\"render_core/raytrace/mipmap.hpp\""},
+                                           Seed{"render_core/policy/a.cpp", "\"render_core/gl/gl.hpp\""},
                                            Seed{"render_core/raytrace/a.cpp", "\"render_core/effects/planner.hpp\""},
                                            Seed{"render_core/effects/a.cpp", "\"render_core/gl/gl.hpp\""},
                                            Seed{"render_core/gl/a.cpp", "\"render_core/terrain/view.hpp\""},
@@ -52,6 +57,18 @@ INSTANTIATE_TEST_SUITE_P(Folders, RefusedInclude,
                                            Seed{"host_sim/a.cpp", "\"target/watchdog.hpp\""},
                                            Seed{"host_sim/a.cpp", "\"tests/support/a.hpp\""},
                                            Seed{"toolchains/a.cpp", "\"render_core/base/span.hpp\""}));
+
+INSTANTIATE_TEST_SUITE_P(FoldersOfTheSimulator, RefusedInclude,
+                         ::testing::Values(Seed{"host_sim/a.cpp", "\"host_sim/options/replay_options.hpp\""},
+                                           Seed{"host_sim/replay/a.cpp", "\"host_sim/commands/replay.hpp\""},
+                                           Seed{"host_sim/replay/a.cpp", "\"host_sim/evaluation/flight_run.hpp\""},
+                                           Seed{"host_sim/reports/a.cpp", "\"host_sim/replay/effect_ledger.hpp\""},
+                                           Seed{"host_sim/flight_log/a.cpp", "\"host_sim/importers/fix_cleaner.hpp\""},
+                                           Seed{"host_sim/terrain_builder/attributes/a.cpp",
+                                                "\"host_sim/terrain_builder/raster.hpp\""},
+                                           Seed{"host_sim/undeclared/a.cpp", "\"host_sim/console.hpp\""},
+                                           Seed{"host_sim/commands/a.cpp", "\"host_sim/undeclared/a.hpp\""},
+                                           Seed{"render_core/undeclared/a.cpp", "\"render_core/base/span.hpp\""}));
 
 INSTANTIATE_TEST_SUITE_P(
     SystemHeaders, RefusedInclude,
@@ -83,12 +100,17 @@ TEST_P(AllowedInclude, IsNoFinding) { EXPECT_THAT(judge(GetParam().path, GetPara
 
 INSTANTIATE_TEST_SUITE_P(Folders, AllowedInclude,
                          ::testing::Values(Seed{"render_core/terrain/a.cpp", "\"render_core/earth/wgs84.hpp\""},
-                                           Seed{"render_core/effects/a.cpp", "\"render_core/raytrace/mipmap.hpp\""},
+                                           Seed{"render_core/policy/a.cpp", "\"render_core/effects/effect_table.hpp\""},
                                            Seed{"render_core/gl/a.cpp", "\"render_core/effects/device_capability.hpp\""},
                                            Seed{"render_core/draw/a.cpp", "\"render_core/draw/generated/shaders.hpp\""},
                                            Seed{"bus/state/a.cpp", "\"render_core/flight/signal.hpp\""},
                                            Seed{"platform/files/a.cpp", "\"render_core/base/ports/byte_source.hpp\""},
                                            Seed{"target/a.cpp", "\"platform/clock/monotonic_clock.hpp\""},
+                                           Seed{"host_sim/a.cpp", "\"host_sim/console.hpp\""},
+                                           Seed{"host_sim/replay/a.cpp", "\"host_sim/options/replay_options.hpp\""},
+                                           Seed{"host_sim/commands/a.cpp", "\"host_sim/replay/display_session.hpp\""},
+                                           Seed{"host_sim/main.cpp", "\"host_sim/commands/command_line.hpp\""},
+                                           Seed{"tests/host_sim/a.cpp", "\"host_sim/commands/replay.hpp\""},
                                            Seed{"tests/target/a.cpp", "\"target/watchdog.hpp\""}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -112,6 +134,16 @@ TEST(OwnHeader, IsIncludedFirst) {
 TEST(OwnHeader, IsReadOnce) {
     EXPECT_THAT(own_header_findings({"bus/frame/a.hpp", "// What it is.\n#pragma once\n"}, {}), IsEmpty());
     EXPECT_THAT(own_header_findings({"bus/frame/a.hpp", "// #pragma once\n"}, {}), ElementsAre(HasSubstr("#pragma once")));
+}
+
+TEST(FoldersOfTheSimulator, StandInTheOrderThatItsPageStates) {
+    std::string order;
+    for (const std::string& folder : folders_below("host_sim")) order += (order.empty() ? "`" : " → `") + folder + "`";
+    const std::filesystem::path page = std::filesystem::path(TEDAVIS_SOURCE_DIR) / "host_sim/README.md";
+    std::ifstream stream(page);
+    std::string text, word;
+    while (stream >> word) text += (text.empty() ? "" : " ") + word;
+    EXPECT_NE(text.find(order), std::string::npos) << page << " does not state the order of host_sim/CMakeLists.txt: " << order;
 }
 
 TEST(IncludeRule, HoldsOverTheTree) {

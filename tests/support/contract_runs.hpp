@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "render_core/display/picture_layer.hpp"
 #include "tests/support/run_folders.hpp"
 

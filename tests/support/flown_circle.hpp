@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "host_sim/commands/replay.hpp"
 #include "host_sim/flight_log/flight_log_writer.hpp"
+#include "host_sim/options/replay_options.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"

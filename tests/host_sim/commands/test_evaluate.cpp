@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/evaluated_flights.hpp"
 #include "tests/support/expect_user_error.hpp"

@@ -6,9 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/shot.hpp"
-#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "render_core/display/picture_layer.hpp"
 #include "tests/support/command_run.hpp"

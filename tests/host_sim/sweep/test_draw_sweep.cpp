@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "host_sim/evaluation/layer_mask.hpp"
 #include "host_sim/evaluation/picture_meter.hpp"
+#include "host_sim/layer_mask.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/user_error.hpp"
 #include "tests/support/expect_user_error.hpp"

@@ -6,7 +6,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "host_sim/commands/replay_config.hpp"
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/replay_config.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"

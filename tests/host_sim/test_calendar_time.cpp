@@ -1,4 +1,4 @@
-#include "host_sim/importers/calendar_time.hpp"
+#include "host_sim/calendar_time.hpp"
 
 #include <gtest/gtest.h>
 #include <time.h>

@@ -27,7 +27,5 @@ void write_layer_mask(const std::string& picture, const GreyView& layers);
 /// Nothing where there is no mask or `names` is empty; throws UserError where it is damaged or has another size than the picture.
 [[nodiscard]] std::optional<LayerMask> read_layer_mask(const std::string& picture, const std::vector<std::string>& names,
                                                        std::uint32_t width, std::uint32_t height);
-/// Names from the record beside a picture that no run wrote; empty without one.
-[[nodiscard]] std::vector<std::string> layer_names_beside(const std::string& picture);
 
 }  // namespace tedavis::host_sim

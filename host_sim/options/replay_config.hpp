@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host_sim/commands/replay.hpp"
+#include "host_sim/options/replay_options.hpp"
 
 namespace tedavis::host_sim {
 

@@ -1,4 +1,4 @@
-#include "host_sim/replay/asked_weights.hpp"
+#include "host_sim/options/asked_weights.hpp"
 
 #include <charconv>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "host_sim/reports/ledger_report.hpp"
+#include "host_sim/replay/ledger_report.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "host_sim/evaluation/layer_mask.hpp"
+#include "host_sim/layer_mask.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,16 +25,6 @@ TEST(LayerMask, HoldsTheValuesOfAGreyPng) {
     EXPECT_FALSE(read_layer_mask(place.file("b.png"), {"terrain"}, 3, 1).has_value());
     test_support::expect_user_error([&] { (void)read_layer_mask(place.file("a.png"), {"terrain"}, 3, 2); },
                                     "3x1 pixels where its picture has 3x2");
-}
-
-TEST(LayerMask, NamesOfASingleShotStandInItsRecord) {
-    const test_support::TemporaryFolder place;
-    (void)place.write("a.json", R"({"frame":0,"layers":["terrain","labels"]})");
-    EXPECT_TRUE(layer_names_beside(place.file("a.png")).empty()) << "without a mask nothing is named";
-    (void)place.write("a.layers.png", "x");
-    EXPECT_THAT(layer_names_beside(place.file("a.png")), ElementsAre("terrain", "labels"));
-    (void)place.write("a.json", "no json");
-    EXPECT_TRUE(layer_names_beside(place.file("a.png")).empty());
 }
 
 }  // namespace

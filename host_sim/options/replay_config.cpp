@@ -1,4 +1,4 @@
-#include "host_sim/commands/replay_config.hpp"
+#include "host_sim/options/replay_config.hpp"
 
 #include <algorithm>
 #include <array>
