@@ -1,4 +1,4 @@
-/// A flight that can be asked for its signals at any instant: a resampled recording or a scenario.
+/// A flight with signals at any instant: a resampled recording or a scenario.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace tedavis::host_sim {
 
-/// Another aircraft, as a receiver on board hears it.
+/// Another aircraft, as a receiver on board reports it.
 struct HeardAircraft {
     std::uint8_t number = 0;  ///< the receiver's of it
     flight::TrafficReport report;

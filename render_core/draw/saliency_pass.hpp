@@ -27,7 +27,7 @@ namespace tedavis::draw {
 
 class SaliencyPass {
 public:
-    /// The surface has this size. `shows_map`, `shows_heat`: what show() may be asked for.
+    /// The surface has this size. `shows_map` and `shows_heat` are the views that show() may be called with.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool shows_map, bool shows_heat);
     [[nodiscard]] bool is_started() const { return map_.valid(); }
