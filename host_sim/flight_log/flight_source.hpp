@@ -27,7 +27,7 @@ public:
     [[nodiscard]] virtual std::optional<SignalSample> at(base::Time time) const = 0;
     /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
     [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
-    /// Other aircraft that are heard at `time`.
+    /// Other aircraft that are received at `time`.
     [[nodiscard]] virtual std::vector<HeardAircraft> traffic(base::Time) const { return {}; }
 };
 

@@ -1,4 +1,4 @@
-/// The pictures of one contact sheet with what was recorded of each: what the sheet's picture, page and JSON are made from.
+/// The pictures of one contact sheet with their records, from which the sheet's picture, page and JSON are made.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// An aircraft that stands still in the air where the user puts it, for single pictures.
+/// An aircraft with a fixed pose given by the user, for single pictures.
 #pragma once
 
 #include "host_sim/scenario/flown_history.hpp"
