@@ -1,5 +1,5 @@
-/// A file that appears whole or not at all: written beside its place as `<path>.part` and renamed by `commit`.
-/// Without a commit (an exception, an early return) the part is removed and what stood at the path before stays.
+/// A file that appears complete or not at all: it is written as `<path>.part` and renamed by commit(). Without a commit (an
+/// exception, an early return) the part is removed and an existing file at the path is kept.
 #pragma once
 
 #include <fstream>

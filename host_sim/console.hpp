@@ -1,4 +1,4 @@
-/// How a command speaks: its result on stdout (text, or JSON with --json), notes and progress on stderr.
+/// The output of a command: its result on stdout (text, or JSON with --json), notes and progress on stderr.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// Cells of comma-separated lines: blanks, quotes and carriage returns round them are dropped.
+/// Splits comma-separated lines into cells; blanks, quotes and carriage returns round them are removed.
 #pragma once
 
 #include <charconv>

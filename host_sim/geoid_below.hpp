@@ -1,4 +1,4 @@
-/// The geoid wherever the simulator places an eye: that of the terrain database, else the installed EGM96 grid.
+/// The geoid at any position in the simulator: that of the terrain database, else the installed EGM96 grid.
 #pragma once
 
 #include <optional>

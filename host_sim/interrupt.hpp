@@ -1,6 +1,7 @@
-/// Ctrl-C and SIGTERM as a question that long loops ask, so that they leave a valid partial result.
+/// Ctrl-C and SIGTERM as a flag that long loops read, so that they end with a valid partial result.
 ///
-/// While a guard lives, the first signal only sets the flag; the second one ends the program at once. One guard at a time.
+/// While a guard exists, the first signal sets the flag; the second one ends the program at once. Only one guard may exist at a
+/// time.
 #pragma once
 
 namespace tedavis::host_sim {

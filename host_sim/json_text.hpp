@@ -1,4 +1,4 @@
-/// JSON as text, whatever bytes the names in it have: what is no UTF-8 is replaced, since names come from files.
+/// Converts JSON to text; bytes that are not valid UTF-8 are replaced, since names come from files.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-/// Which part of the display each pixel of a picture belongs to.
+/// Layer masks: the part of the display to which each pixel of a picture belongs.
 ///
 /// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey a pixel, which count from 0 through the names that the
 /// picture's record has under `layers` (the frame's line of `frames.jsonl`, `P.json` of a `shot`, `sheet.json` of a sheet).
@@ -19,7 +19,7 @@ struct LayerMask {
     std::vector<std::string> names;    ///< of values; larger values belong to no layer
 };
 
-/// Appears whole or not at all; throws UserError.
+/// Writes a mask, complete or not at all; throws UserError.
 void write_layer_mask(const std::string& picture, const GreyView& layers);
 /// "run/frames/000123.layers.png" of "run/frames/000123.png".
 [[nodiscard]] std::string layer_mask_path(const std::string& picture);

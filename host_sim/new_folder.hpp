@@ -1,4 +1,4 @@
-/// A folder for results that appears with them: made with its parents, and gone again where nothing is kept in it.
+/// A folder for results: created with its parents, and removed again where nothing is kept in it.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-/// Keeps GDAL from printing: its faults become our one sentence. While an object lives, this thread's messages are only
-/// remembered.
+/// Keeps GDAL from printing, so that its faults become part of one message. While an object exists, this thread's messages are
+/// only stored.
 #pragma once
 
 #include <cpl_error.h>

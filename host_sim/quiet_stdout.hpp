@@ -1,5 +1,5 @@
-/// Keeps what a library prints out of the command's result: while an object lives, standard output goes nowhere. For one thread
-/// that itself prints nothing meanwhile, because output is the whole process's.
+/// Keeps a library's output out of the command's result: while an object exists, standard output is discarded. For one thread
+/// that prints nothing itself meanwhile, since standard output belongs to the whole process.
 #pragma once
 
 #include <fcntl.h>

@@ -47,7 +47,7 @@ void LiveFlight::start(base::Time now) {
 void LiveFlight::receive(base::Span<const bus::CanFrame> frames) {
     for (const bus::CanFrame& frame : frames) {
         const bus::IdentificationAnswer identity = bus::answer_identification(frame, node_);
-        // An answer that the kernel does not take is asked for again.
+        // An answer that the kernel does not take is dropped: the requesting node repeats its request.
         if (identity.due) static_cast<void>(can_.send(identity.frame));
     }
 }

@@ -79,7 +79,7 @@ DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id,
     return message;
 }
 
-/// Channel 0 alone: whoever assembles reports knows one sender of a number.
+/// Only channel 0: reports are assembled for one sender per number.
 DecodedMessage MessageDecoder::decode_traffic(const CanFrame& frame, MessageId id) {
     DecodedMessage message;
     message.header = read_header(frame);

@@ -1,4 +1,4 @@
-/// `tedavis calibrate`: what everything costs on this machine, as a file for --costs.
+/// `tedavis calibrate`: measures the cost of every effect on this machine and writes a file for --costs.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 namespace tedavis::host_sim {
 
 struct CalibrateOptions {
-    std::string output;  ///< the costs (.toml); beside it the same with what it was measured from, as .json
-    /// Without terrain, the shipped one and the data of the shipped scenario are built first. Its design's own effects are
-    /// measured in it, the others in shipped designs that ask for them.
+    std::string output;  ///< the costs (.toml); a .json file beside it also has the measurements
+    /// Without terrain, the shipped terrain and the data of the shipped scenario are built first. The design's own effects are
+    /// measured in it, the others in shipped designs that request them.
     PictureOptions picture;
-    std::optional<AircraftPose> pose;  ///< needed with terrain; nothing: a view of the shipped one
+    std::optional<AircraftPose> pose;  ///< required with terrain; nothing: a view of the shipped terrain
     std::optional<base::Time> time;
-    std::uint32_t rounds = 15;  ///< frames with and without each effect, in turn
+    std::uint32_t rounds = 15;  ///< pairs of frames with and without each effect
 };
 
 /// Writes both files or none. Returns the exit code; throws UserError and Interrupted.

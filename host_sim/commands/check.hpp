@@ -10,14 +10,14 @@ namespace tedavis::host_sim {
 
 struct CheckOptions {
     std::vector<std::string> files;
-    std::string bus = "canaerospace";  ///< by which logs are read
-    std::string switch_config;         ///< of switch logs; empty: the shipped panel that knows most of a log's lines
-    bool strict = false;               ///< findings end it with kCheckFailedExitCode
-    bool resolved = false;  ///< of one design, named as `--design` does, all that it says and inherits, in place of a verdict
+    std::string bus = "canaerospace";  ///< bus layout for logs
+    std::string switch_config;         ///< for switch logs; empty: the shipped panel that knows most of a log's lines
+    bool strict = false;               ///< findings give kCheckFailedExitCode
+    bool resolved = false;  ///< prints one design, named as by `--design`, with all inherited keys, instead of a result
 };
 
-/// 2 where a file is not sound, with one sentence for each fault on stderr; else 1 where it is strict and there are findings,
-/// else 0. All files are looked at.
+/// Returns 2 where a file is not valid, with one sentence for each fault on stderr; else 1 where it is strict and there are
+/// findings, else 0. All files are checked.
 [[nodiscard]] int run_check(const CheckOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// `bus`: file or shipped name, by which its frames are read. Throws UserError where no line of it is a frame.
+/// `bus` is the file or shipped name of the bus layout. Throws UserError where no line is a frame.
 [[nodiscard]] CheckedFile check_log(const std::string& path, const std::string& bus);
 
 }  // namespace tedavis::host_sim

@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// Read to its last post, as the terrain builder does. Throws UserError where it is no height raster or has no height at all.
+/// Reads every post, as the terrain builder does. Throws UserError where it is not a height raster or has no heights.
 [[nodiscard]] CheckedFile check_raster(const std::string& path);
 
 }  // namespace tedavis::host_sim

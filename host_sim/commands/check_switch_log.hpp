@@ -7,8 +7,8 @@
 
 namespace tedavis::host_sim {
 
-/// `panel`: file or shipped name of its switch config; empty: of the shipped ones the one that knows most of its lines. Throws
-/// UserError where the file is no switch log or a line of it is broken.
+/// `panel` is the file or shipped name of its switch config; empty: the shipped one that knows most of its lines. Throws
+/// UserError where the file is not a switch log or a line is malformed.
 [[nodiscard]] CheckedFile check_switch_log(const std::string& path, const std::string& panel);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// What `check` says of a file that is sound.
+/// The result of `check` for a valid file.
 #pragma once
 
 #include <string>

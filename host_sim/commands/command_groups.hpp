@@ -28,7 +28,7 @@
 
 namespace tedavis::host_sim {
 
-/// Everything that the options write to, and what to run once they are parsed.
+/// The destination of all options, and the command to run after parsing.
 struct CommandLine {
     ConvertOptions convert;
     ScenarioBuildOptions scenario;
@@ -50,12 +50,12 @@ struct CommandLine {
     CalibrateOptions calibrate;
     ShadersOptions shaders;
     std::string replay_config;
-    std::vector<CLI::Option*> replay_config_holds;  ///< what must not stand beside --config
+    std::vector<CLI::Option*> replay_config_holds;  ///< options that must not be combined with --config
     bool json = false;
     std::function<int(Console&)> run;
 };
 
-/// A command with --json; `run` is what the line will run.
+/// Adds a command with --json; `run` is executed after parsing.
 [[nodiscard]] CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
                                     std::function<int(Console&)> run);
 
@@ -77,9 +77,9 @@ Choice choice_from(const std::string& option, const std::string& word, const std
     throw UserError(option + " " + word + ": unknown; choose one of " + names);
 }
 
-/// convert, scenario, scene, terrain: what turns files into what the display reads.
+/// convert, scenario, scene, terrain: commands that make the files that the display reads.
 void add_builders(CLI::App& app, CommandLine& line);
-/// shot, trace, sheet, sweep, calibrate, shaders, replay: what draws.
+/// shot, trace, sheet, sweep, calibrate, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

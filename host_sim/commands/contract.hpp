@@ -1,4 +1,4 @@
-/// `tedavis contract RUN CONTRACT [-o DIR]`: whether the pictures of a run keep the conditions of a perceptual contract.
+/// `tedavis contract RUN CONTRACT [-o DIR]`: tests whether the pictures of a run meet a perceptual contract.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct ContractOptions {
     std::uint32_t threads = 0;  ///< 0: as many as there are processors
 };
 
-/// Into the folder: contract.json, and of each broken condition the views of its worst moment. Returns 0 where the contract
-/// holds, kCheckFailedExitCode where it does not, kInterruptedExitCode with what was judged so far; throws UserError and
+/// Writes to the folder contract.json, and for each broken condition the views of its worst moment. Returns 0 where the
+/// contract holds, kCheckFailedExitCode where it does not, kInterruptedExitCode with the results so far; throws UserError and
 /// Interrupted.
 [[nodiscard]] int run_contract(const ContractOptions& options, Console& console);
 

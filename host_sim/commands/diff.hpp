@@ -1,4 +1,4 @@
-/// `tedavis diff RUN_A RUN_B`: where two runs first differ.
+/// `tedavis diff RUN_A RUN_B`: finds the first difference of two runs.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct DiffOptions {
     std::string run_a, run_b;  ///< folders that replay wrote
 };
 
-/// 0 where all frames and records are the same (`ms` ignored), 1 where they differ; throws UserError for bad input.
+/// Returns 0 where all frames and records are equal (`ms` is ignored), 1 where they differ; throws UserError for bad input.
 [[nodiscard]] int run_diff(const DiffOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// `tedavis evaluate IMAGE...|RUN [RUN] -o DIR`: how cluttered pictures are and what draws the eye in them.
+/// `tedavis evaluate IMAGE...|RUN [RUN] -o DIR`: measures clutter and saliency of pictures.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct EvaluateOptions {
     std::uint32_t threads = 0;                       ///< 0: as many as there are processors
 };
 
-/// Leaves evaluation.json, the views of pictures, and of runs report.html with the views of their peaks. Returns the exit code,
-/// kInterruptedExitCode with a valid result of what was measured so far; throws UserError and Interrupted.
+/// Writes evaluation.json and the views of pictures, for runs report.html with the views of their peaks. Returns the exit code,
+/// kInterruptedExitCode with a valid result so far; throws UserError and Interrupted.
 [[nodiscard]] int run_evaluate(const EvaluateOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -1,13 +1,13 @@
-/// Checks of numbers on the command line that CLI11 does not make as well.
+/// Checks of numbers on the command line, in place of those of CLI11.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace tedavis::host_sim {
 
-/// CLI11's own check lets NaN pass.
+/// Refuses numbers that are not above 0; CLI11's check accepts NaN.
 [[nodiscard]] CLI::Validator above_zero();
-/// CLI11's own check names a largest number of 309 digits.
+/// Refuses negative numbers; the message of CLI11's check contains a number of 309 digits.
 [[nodiscard]] CLI::Validator from_zero();
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// What options say in one text. Each throws UserError with the option, the text and how to write it.
+/// Parses options that are one text. Each function throws UserError with the option, the text and the expected form.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace tedavis::host_sim {
 [[nodiscard]] SweptPlace place_from(const std::string& text);
 /// "3000,6000": metres from `least` to `most`, at most SweepRings::kMaxSteps of them.
 [[nodiscard]] std::vector<double> metres_from(const std::string& option, const std::string& text, double least_m, double most_m);
-/// The name of a phase, as it is.
+/// Checks and returns the name of a phase.
 [[nodiscard]] std::string phase_from(const std::string& name);
 /// "sigma,low,high" of Canny's edges.
 [[nodiscard]] perception::CannySettings canny_from(const std::string& text);

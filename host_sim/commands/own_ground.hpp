@@ -1,5 +1,5 @@
-/// Terrain and spatial data that a command makes for itself when it is given none: built as `terrain build`, `scenario build` and
-/// `scene build` do, into a folder that must outlive their use.
+/// Default terrain and spatial data for commands without such options: built as by `terrain build`, `scenario build` and `scene
+/// build`, into a folder that must outlive their use.
 #pragma once
 
 #include <string>
@@ -14,13 +14,14 @@ inline constexpr const char* kOwnRaster = "/configs/data/jacksboro_srtm3.tif";
 
 struct OwnTerrain {
     std::string raster;
-    bool generated_image = false;  ///< with an invented drape
+    bool generated_image = false;  ///< with a generated drape
 };
 
 /// Each returns the database's path; throws UserError and Interrupted.
 [[nodiscard]] std::string build_own_terrain(const OwnTerrain& terrain, const std::string& folder, Console& console);
 [[nodiscard]] std::string build_own_scenario(const std::string& scenario, const std::string& folder, Console& console);
-/// The shipped terrain and the data of the shipped scenario, where the options name no terrain; `picture` names them then.
+/// Builds the shipped terrain and the data of the shipped scenario where the options name no terrain, and sets their paths in
+/// `picture`.
 void use_own_ground(PictureOptions& picture, const std::string& folder, Console& console);
 [[nodiscard]] std::string build_own_scene(const std::string& scene, const std::string& folder, Console& console);
 

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 /// What values and uncertainties of an attribute are like, over all that it has.
 struct AttributeSummary {
     std::size_t values = 0, missing = 0, interpolated = 0;
-    std::size_t unknown = 0;         ///< values of which nobody knows how sure they are
+    std::size_t unknown = 0;         ///< values of unknown uncertainty
     double least = 1, greatest = 0;  ///< levels of the others
 
     explicit AttributeSummary(const scene::Attribute& attribute) : values(attribute.values.size()) {

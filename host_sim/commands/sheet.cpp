@@ -30,7 +30,7 @@ struct SheetJob {
     bool has_generated_image = false;
 };
 
-/// What a title must add about the image that the design asks for, so that nobody takes the picture for what it is not.
+/// The addition to a title about the design's image, so that the picture is not misunderstood.
 std::string words_about_image(const FrameResult& result, bool is_generated) {
     for (const display::EffectRecord& effect : result.record.effects) {
         if (effect.name.view() != "drape") continue;

@@ -1,4 +1,4 @@
-/// `tedavis sheet NAME`: contact sheets, one labelled picture a technique, all of the same view.
+/// `tedavis sheet NAME`: contact sheets with one labelled picture per technique, all of the same view.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace tedavis::host_sim {
 struct SheetOptions {
     std::string sheet;   ///< shipped name of configs/sheets, or a path
     std::string output;  ///< folder
-    /// Its design is each picture's own. Without terrain, the sheet's raster is built into a database of its own first; so is
-    /// the sheet's scene, unless terrain or scene are given.
+    /// Its design is replaced by that of each picture. Without terrain, a database is built from the sheet's raster first, and
+    /// from the sheet's scene, unless terrain or scene are given.
     PictureOptions picture;
     bool layers = false;               ///< beside every picture which layer each of its pixels is of
     std::optional<AircraftPose> pose;  ///< nothing: the sheet's
     std::optional<base::Time> time;    ///< nothing: the sheet's
 };
 
-/// Leaves each picture, all of them as sheet.png and index.html, and sheet.json; nothing where one of them fails. Returns the
+/// Writes each picture, all of them as sheet.png and index.html, and sheet.json; nothing where one of them fails. Returns the
 /// exit code, 2 also where a part of the terrain failed; throws UserError and Interrupted.
 [[nodiscard]] int run_sheet(const SheetOptions& options, Console& console);
 

@@ -1,4 +1,4 @@
-/// What is on a contact sheet (`configs/sheets/*.toml`): one view, and the pictures of it in groups.
+/// The content of a contact sheet (`configs/sheets/*.toml`): one view, and its pictures in groups.
 #pragma once
 
 #include <map>

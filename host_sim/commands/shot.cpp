@@ -32,7 +32,7 @@ flight::PhaseStatus named_phase(const std::string& name) {
     return flight::stated_phase(phase.phase, flight::PhaseSource::switches);
 }
 
-/// Those that were asked for stand before the design's.
+/// Requested foci come before those of the design.
 void note_hidden_foci(const display::FrameRecord& record, std::size_t asked, Console& console) {
     for (std::size_t n = 0; n < std::min<std::size_t>(asked, record.foci.size()); ++n)
         if (!record.foci[n].is_shown)

@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 
 struct ShotOptions {
     AircraftPose pose;
-    std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
+    std::optional<base::Time> time;  ///< time of the data's age; nothing: data are shown at their own time
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
     bool strict = false;  ///< findings end it with kCheckFailedExitCode

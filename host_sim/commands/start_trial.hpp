@@ -1,4 +1,4 @@
-/// Starts displays on trial, as replays and boards start them, so that a check refuses what a start would.
+/// Starts displays as replays and boards do, so that a check finds everything that a start would refuse.
 ///
 /// Thread  one; draws without a screen, over a small generated terrain in a temporary folder.
 #pragma once

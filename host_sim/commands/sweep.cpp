@@ -30,7 +30,7 @@ SweepJob sweep_job(const SweepOptions& options) {
     return job;
 }
 
-/// Before what is missing is built in a folder whose name nobody needs.
+/// Called before missing inputs are built in a temporary folder.
 void name_ground(SweepJob& job) {
     const bool is_shipped = job.picture.terrain.empty();
     job.terrain_name = is_shipped ? "the shipped terrain" : job.picture.terrain;

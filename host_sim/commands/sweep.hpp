@@ -1,4 +1,4 @@
-/// `tedavis sweep -o DIR`: a place drawn from viewpoints round it, and what meets the eye in each picture.
+/// `tedavis sweep -o DIR`: draws a place from viewpoints round it and measures each picture.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct SweepOptions {
     std::string output;  ///< folder
 };
 
-/// Leaves the pictures, sweep.json and report.html. Returns the exit code, 2 also for a sweep whose terrain failed,
+/// Writes the pictures, sweep.json and report.html. Returns the exit code, 2 also for a sweep whose terrain failed,
 /// kInterruptedExitCode with a valid result of the views so far; throws UserError and Interrupted.
 [[nodiscard]] int run_sweep(const SweepOptions& options, Console& console);
 

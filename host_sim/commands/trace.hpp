@@ -1,4 +1,4 @@
-/// `tedavis trace`: one picture of the terrain by the ray tracer, and what it took.
+/// `tedavis trace`: draws one picture of the terrain by the ray tracer and reports times and memory.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// Which terrain is traced; where neither is named, the shipped raster.
+/// The terrain to trace; where neither is named, the shipped raster.
 struct TraceTerrain {
     std::string database;  ///< .tdb
     std::string heights;   ///< a raster, which is built into a database of its own first

@@ -1,4 +1,4 @@
-/// `tedavis sheet trace`: what the ray tracer's presets and operators cost, and what they give.
+/// `tedavis sheet trace`: cost and quality of the ray tracer's presets and operators.
 #pragma once
 
 #include "host_sim/commands/sheet.hpp"

@@ -1,4 +1,4 @@
-/// Colours that a design's pictures have, in groups that must be told apart.
+/// The colours of a design's pictures in groups that must be distinguishable.
 ///
 ///   ground        of the palette: its stops and eight steps between two; of a plain texture the plain colour
 ///   sea, unknown  as the design states them
@@ -29,7 +29,8 @@ struct ColorGap {
     double difference = 0;  ///< the least one
     std::string words;      ///< which colours, and in which vision
 };
-/// Nothing where no two colours of the design are compared. `groups`: two or more, or warnings alone. `light` 0..1.
+/// Returns the least difference; nothing where no two colours of the design are compared. `groups` has two or more groups, or
+/// warnings alone; `light` is 0..1.
 [[nodiscard]] std::optional<ColorGap> least_color_gap(const design::DesignSettings& design,
                                                       const std::vector<std::string>& groups, double light);
 

@@ -1,4 +1,4 @@
-/// The perceptual contract of a display: conditions that the pictures of a run must keep.
+/// The perceptual contract of a display: conditions that the pictures of a run must meet.
 ///
 ///     title = "Approach under the default design"
 ///     [canny]                            by which edges clutter is measured; absent: 1, 70, 170
@@ -79,10 +79,10 @@ struct Contract {
     std::vector<ContractCondition> conditions;  ///< at least one
 };
 
-/// Whether the condition is to hold in a phase such as "approach.final".
+/// True where the condition applies in a phase such as "approach.final".
 [[nodiscard]] bool applies_in(const ContractCondition& condition, std::string_view phase);
 
-/// Whether it is measured by which layer each pixel is of.
+/// True where its measure needs layer masks.
 [[nodiscard]] bool needs_layers(const ContractCondition& condition);
 
 /// Throws UserError with file and line.

@@ -19,11 +19,11 @@ using DesignGaps = std::map<std::string, std::vector<std::optional<ColorGap>>>;
 
 class ContractMeter {
 public:
-    /// Reads the run's designs where a condition asks for their colours: the files as they are now. Throws UserError where they
-    /// cannot be read.
+    /// Reads the run's designs, the current files, where a condition needs their colours. Throws UserError where they cannot be
+    /// read.
     ContractMeter(const Contract& contract, const FlightRun& run);
 
-    /// Of one frame, a reading a condition. Threads  any number at once, each with a meter of its own.
+    /// Returns the readings of one frame, one per condition. Threads  any number at once, each with its own meter.
     [[nodiscard]] std::vector<ContractReading> readings(PictureMeter& meter, const FlightFrame& frame) const;
 
 private:

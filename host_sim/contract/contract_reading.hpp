@@ -1,4 +1,4 @@
-/// What one picture says of one condition of a contract.
+/// The reading of one picture for one condition of a contract.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +16,17 @@ enum class ReadingState : std::uint8_t {
 
 struct ContractReading {
     ReadingState state = ReadingState::absent;
-    double value = 0;             ///< infinite for a rank that no place has
+    double value = 0;             ///< infinite for an obstacle without a rank
     perception::PixelRegion box;  ///< of the picture; empty: all of it
     std::string region;           ///< in words
-    std::string words;            ///< of `missing` why; else what it is, where the value does not say it
+    std::string words;            ///< for `missing` the reason; else an explanation of the value where needed
 };
 
 [[nodiscard]] inline ContractReading missing_reading(std::string why) {
     return {ReadingState::missing, 0, {}, {}, std::move(why)};
 }
 
-/// "upper left" .. "lower right", by the third that a box's middle lies in.
+/// Returns "upper left" .. "lower right", by the third in which a box's middle lies.
 [[nodiscard]] std::string third_of(const perception::PixelRegion& box, int width, int height);
 
 }  // namespace tedavis::host_sim

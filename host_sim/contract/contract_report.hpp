@@ -1,4 +1,4 @@
-/// A judged contract as JSON that scripts rely on, and as text.
+/// The result of a contract as JSON, a stable format for scripts, and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,9 +13,9 @@ namespace tedavis::host_sim {
 /// time, value and region are those of the first break, under `worst` those of the worst one; null where nothing was measured,
 /// with the reason under `why`. An infinite rank is null.
 [[nodiscard]] nlohmann::ordered_json contract_json(const JudgedContract& judged);
-/// Without a line end.
+/// Returns the text without a line end.
 [[nodiscard]] std::string contract_text(const JudgedContract& judged);
-/// Why a condition is not shown to hold, or is passed over; empty where it was measured.
+/// Returns why a condition could not be measured, or is passed; empty where it was measured.
 [[nodiscard]] std::string condition_gap(const JudgedCondition& judged);
 
 }  // namespace tedavis::host_sim

@@ -1,8 +1,8 @@
-/// Whether a run keeps a contract: readings of its pictures, judged over its time.
+/// Evaluates whether a run meets a contract, from the readings of its pictures over time.
 ///
-/// A picture stands until the next one; the last as long as the one before it. A condition that was not measured is not shown to
-/// hold, and then the contract is not: except an optional one of which the flight had nothing to measure. Where a run lacks what
-/// a measure needs in any picture that it should be taken of, it is not shown either, optional or not.
+/// A picture lasts until the next one, the last one as long as the one before it. A condition that was not measured does not
+/// hold, nor does the contract, except for an optional condition for which the flight had nothing to measure. A condition does
+/// not hold either, optional or not, where the run lacks what its measure needs in any of its pictures.
 #pragma once
 
 #include <string>
@@ -41,11 +41,11 @@ struct JudgedContract {
     bool interrupted = false;     ///< judged by the frames so far
     std::vector<JudgedCondition> conditions;
 
-    /// A contract over a part of the flight is not shown to hold.
+    /// A contract that was evaluated over a part of the flight does not hold.
     [[nodiscard]] bool holds() const;
 };
 
-/// `readings` of the run's first frames, at least one, each with one a condition.
+/// `readings` are those of the run's first frames, at least one, each with one reading per condition.
 [[nodiscard]] JudgedContract judge_contract(const Contract& contract, const FlightRun& run,
                                             const std::vector<std::vector<ContractReading>>& readings);
 

@@ -1,4 +1,4 @@
-/// All that is known of a picture when it is judged.
+/// The data of a picture for its readings.
 #pragma once
 
 #include "host_sim/evaluation/flight_run.hpp"
@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Lives for one picture.
+/// Valid for one picture.
 struct MeasuredFrame {
     const FlightFrame& frame;
     const RgbaPicture& picture;

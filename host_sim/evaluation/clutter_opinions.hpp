@@ -1,4 +1,4 @@
-/// What two other measures say of a picture's clutter, and whether they put pictures in the same order as the edges do.
+/// Two further measures of a picture's clutter, and whether they order pictures as the edges do.
 #pragma once
 
 #include <string>

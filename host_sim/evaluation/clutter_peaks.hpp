@@ -1,4 +1,4 @@
-/// Where a curve over time stands out: its peaks, by how far they rise above their surroundings.
+/// Finds the peaks of a curve over time by their prominence.
 #pragma once
 
 #include <cstddef>

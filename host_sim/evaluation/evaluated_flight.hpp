@@ -1,4 +1,4 @@
-/// A run with what was measured of its pictures, and the moments that stand out.
+/// A run with the measures of its pictures, and its notable moments.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct MomentViews {
     std::string picture, saliency, heat, edges, congestion;
 };
 
-/// What the plan was showing: a term and its words.
+/// The frame's plan: terms with their descriptions.
 using PlanLines = std::vector<std::pair<std::string, std::string>>;
 
 struct FlightMoment {

@@ -1,4 +1,4 @@
-/// `evaluation.json`, which is also what `evaluate --json` says.
+/// Writes `evaluation.json`, which is also the output of `evaluate --json`.
 ///
 /// Of pictures: `pictures` [{`file`, `size`, `clutter`, `clutter_grid` (rows of regions from the upper left), `saliency_map` (a
 /// PNG in the folder), `views`, `saliency_level`, `canny` {`sigma`, `low`, `high`}, `feature_congestion`, `subband_entropy`,

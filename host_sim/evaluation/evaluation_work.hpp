@@ -1,4 +1,4 @@
-/// What the measuring of many pictures shares: threads, the question whether to stop, and progress.
+/// The environment of measuring many pictures: threads, the stop flag, and progress.
 #pragma once
 
 #include <functional>

@@ -1,10 +1,11 @@
-/// Feature Congestion, a second opinion on clutter: how much of the room for colours, contrasts and directions is taken round
-/// each pixel, so that something new would have to be stronger to be noticed. 0 in a flat picture; has no upper end.
+/// Feature Congestion, a second measure of clutter: how much of the feature space of colours, contrasts and directions is
+/// occupied round each pixel, so that a new object would have to be stronger to be noticed. 0 for a uniform picture; there is
+/// no upper limit.
 ///
 /// Source: R. Rosenholtz, Y. Li, L. Nakano, "Measuring visual clutter", Journal of Vision 7(2):17 (2007). At three sizes of the
-/// picture each feature's covariance under a Gaussian window gives an ellipsoid, whose mean radius (a root of its volume) is the
-/// clutter; the greatest of the sizes counts, and the three features add up, each divided by its usual value. README.md of this
-/// folder says what is ours where the paper leaves room.
+/// picture each feature's covariance under a Gaussian window gives an ellipsoid, whose mean radius (a root of its volume) is
+/// the clutter; the greatest of the sizes counts, and the three features add up, each divided by its usual value. README.md of
+/// this folder states the choices that the paper leaves open.
 #pragma once
 
 #include "host_sim/evaluation/evaluation_views.hpp"

@@ -1,4 +1,4 @@
-/// Recorded gaze as CSV: where people looked.
+/// Reads recorded gaze from CSV.
 ///
 /// First line: names of columns, in any order. Required: `x`, `y`, from the picture's top left corner, in pixels, or, where no
 /// value of the file is above 1, in shares of its width and height. Optional: `file` (the picture's name, with or without

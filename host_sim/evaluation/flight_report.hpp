@@ -1,6 +1,6 @@
 /// `report.html` of an evaluated flight, or of two designs over the same flight: clutter over time with phases below it (as in
-/// the thesis, Figure 5.22), the peaks with their pictures, what draws the eye, tables. One file that needs nothing but itself:
-/// pictures as data URIs, the graph as inline SVG; readable without scripts, on a phone and on paper.
+/// the thesis, Figure 5.22), the peaks with their pictures, saliency by layer, tables. One self-contained file: pictures as
+/// data URIs, the graph as inline SVG; readable without scripts, on a phone and on paper.
 #pragma once
 
 #include <string>

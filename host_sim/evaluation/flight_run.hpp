@@ -1,4 +1,5 @@
-/// A run that `replay` left, as far as its evaluation needs it: when each picture was shown, in which phase, and what came first.
+/// The data of a run written by `replay` that its evaluation needs: time and phase of each picture, and the aspect that came
+/// first.
 #pragma once
 
 #include <array>
@@ -10,11 +11,11 @@
 
 namespace tedavis::host_sim {
 
-/// An obstacle on the way, as the display recorded it.
+/// An obstacle near the predicted track, from the record.
 struct FrameObstacle {
     std::string name;             ///< as the scene has it, or its layer and number
     std::string state;            ///< "drawn", "hidden" by terrain, "left_out", "out_of_view"
-    double ahead_s = 0;           ///< of flight, until it is met
+    double ahead_s = 0;           ///< s of flight until it is reached
     std::array<double, 4> box{};  ///< left, top, right, bottom in pixels; of "drawn"
 };
 

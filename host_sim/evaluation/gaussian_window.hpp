@@ -1,5 +1,5 @@
-/// Means, and how two quantities vary together, under a Gaussian round each pixel. Only what lies in the picture counts: beside
-/// its border the weights that are left are as heavy as all of them are elsewhere.
+/// Means and covariances under a Gaussian window round each pixel. Only pixels of the picture count: near its border the
+/// remaining weights are normalised.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-/// A number a pixel, rows from the top.
+/// One number per pixel, rows from the top.
 struct ValueMap {
     int width = 0, height = 0;
     std::vector<double> values;

@@ -1,4 +1,4 @@
-/// How well a saliency map tells where people looked.
+/// Scores how well a saliency map predicts recorded gaze.
 ///
 /// Source: Judd, Durand, Torralba, "A Benchmark of Computational Models of Saliency to Predict Human Fixations",
 /// MIT-CSAIL-TR-2012-001 (AUC); Peters, Iyer, Itti, Koch, Vision Research 45, 2005 (NSS). As in the benchmark, a pixel that was
@@ -15,8 +15,8 @@ namespace tedavis::host_sim {
 
 struct GazeScore {
     std::uint32_t pixels = 0;  ///< that were looked at
-    /// 0 to 1, 0.5 for chance: the probability that such a pixel is more salient than one that nobody looked at, half of ties
-    /// counted. Judd breaks ties by random jitter, which has this mean.
+    /// 0 to 1, 0.5 for chance: the probability that such a pixel is more salient than one without gaze, counting half of ties.
+    /// Judd breaks ties by random jitter, which has this mean.
     double auc = 0;
     std::optional<double> nss;  ///< mean of the map there, in its standard deviations over its mean; nothing for a flat map
 };

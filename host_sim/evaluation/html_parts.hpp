@@ -1,4 +1,4 @@
-/// Pieces that pages of evaluations are put together from. Texts are escaped here; `html` and `rows` are not.
+/// HTML elements of the pages of evaluations. Texts are escaped here; `html` and `rows` are not.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string html_table(const std::string& head_rows, const std::string& rows);
 [[nodiscard]] std::string html_cell(const std::string& text);
 [[nodiscard]] std::string html_number(const std::string& text);
-/// A number that narrow screens leave out.
+/// A number that is hidden on narrow screens.
 [[nodiscard]] std::string html_aside(const std::string& text);
 /// The name after a patch in its colour.
 [[nodiscard]] std::string html_phase(const std::string& phase);
-/// A number large, what it is below.
+/// A large number with its label below.
 [[nodiscard]] std::string html_fact(const std::string& number, const std::string& words);
 /// A PNG's bytes as a picture of the page.
 [[nodiscard]] std::string html_figure(const std::string& png, const std::string& caption, const std::string& spoken);

@@ -1,4 +1,4 @@
-/// A picture's lightness and colours at full size and at smaller ones, as the measures of clutter read it.
+/// A picture's lightness and colours at full and reduced sizes, for the measures of clutter.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// A moment of a flight on the report's page: what stood on the display, what draws the eye, and what the plan was showing.
+/// A moment of a flight on the report's page: the picture, its saliency, and the frame's plan.
 #pragma once
 
 #include <string>

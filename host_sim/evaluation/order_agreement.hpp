@@ -1,4 +1,4 @@
-/// Whether two measures put things in the same order.
+/// Counts in how many pairs two measures give the same order.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 namespace tedavis::host_sim {
 
 struct OrderAgreement {
-    std::size_t pairs = 0;  ///< that differ in the first measure
-    std::size_t alike = 0;  ///< of them, those that differ in the same direction in the second
+    std::size_t pairs = 0;  ///< pairs that differ in the first measure
+    std::size_t alike = 0;  ///< pairs of these that differ in the same direction in the second
 };
 
 /// Both have a value for each thing.

@@ -1,8 +1,7 @@
-/// Pictures of other software, as the eye gets them: colours of 8 bits, opaque.
+/// Reads pictures of other software as they are displayed: 8-bit colours, opaque.
 ///
-/// PNG by libpng; JPEG, TIFF, BMP, GIF and WebP by GDAL, as far as it was built with them. Grey values are colours with three
-/// equal parts, palettes are looked up, 16 bits become the nearest of 8 (no gamma is applied), and what is transparent lies on
-/// black, as on a screen that is off.
+/// PNG by libpng; JPEG, TIFF, BMP, GIF and WebP by GDAL, as far as it was built with them. Grey values give three equal
+/// channels, palettes are resolved, 16 bits are rounded to 8 (without gamma), and transparent pixels are composed over black.
 #pragma once
 
 #include <string>

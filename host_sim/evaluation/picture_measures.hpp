@@ -1,4 +1,4 @@
-/// What is measured of one picture.
+/// The measures of one picture.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,25 @@
 
 namespace tedavis::host_sim {
 
-/// The same for all pictures of an evaluation, so that their numbers can be compared.
+/// Settings of all pictures of an evaluation; equal settings make numbers comparable.
 struct EvaluationSettings {
     perception::CannySettings canny;
     perception::RegionGrid grid;
     int saliency_start_level = 0;  ///< perception/saliency_model.hpp: 0 is the reference
 };
 
-/// Of the frames of a flight: a fifth of the work for nearly the same map. Single pictures and views of moments have the
-/// reference.
+/// Start level for the frames of a flight: a fifth of the work for nearly the same map. Single pictures and views of moments
+/// use the reference.
 inline constexpr int kFlightStartLevel = 2;
 
-/// How much of a picture's saliency lies on the pixels of one layer.
+/// Share of a picture's saliency on the pixels of one layer.
 struct LayerShare {
     std::string layer;
     double share = 0;  ///< 0..1 of all saliency
     double area = 0;   ///< 0..1 of all pixels
 };
 
-/// What other measures say of clutter (feature_congestion.hpp, subband_entropy.hpp).
+/// Other measures of clutter (feature_congestion.hpp, subband_entropy.hpp).
 struct ClutterOpinions {
     double feature_congestion = 0;
     double subband_entropy = 0;  ///< bits

@@ -1,4 +1,4 @@
-/// Measures pictures one after the other, with memory that grows to the largest of them and is used again.
+/// Measures pictures one after another, with memory that grows to the largest of them and is reused.
 ///
 /// Equal pictures give equal numbers, whatever was measured before. Thread  one a meter.
 #pragma once

@@ -1,4 +1,4 @@
-/// What somebody reports of pictures, one compared with another, held against what was measured of ours.
+/// Compares published orderings of pairs of pictures with measured values.
 ///
 ///     title = "Clutter and saliency as the thesis found them"
 ///     [canny]                          by which edges their clutter was measured; absent: the default
@@ -65,7 +65,7 @@ struct JudgedOrdering {
 
 [[nodiscard]] std::vector<JudgedOrdering> judged(const PictureOrderings& orderings, const std::vector<OrderedPicture>& pictures);
 
-/// A line an ordering, in columns.
+/// Text with one line per ordering, in columns.
 [[nodiscard]] std::string orderings_text(const std::vector<JudgedOrdering>& judged);
 /// A list of {`title`, `source`, `measure`, `more`, `less`, `reported`, `ours`, `state`}.
 [[nodiscard]] nlohmann::ordered_json orderings_json(const std::vector<JudgedOrdering>& judged);

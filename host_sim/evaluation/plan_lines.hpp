@@ -1,4 +1,4 @@
-/// What a frame's plan was showing, in words, from its record.
+/// Describes a frame's plan in words, from its record.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-/// The section [canny] of the files that state by which edges clutter is measured: sigma, low, high.
+/// Reads the section [canny] of files that state the edge detector for clutter: sigma, low, high.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// How the flight report looks and answers: its style sheet and its few lines of script.
+/// The style sheet and the script of the flight report.
 #pragma once
 
 namespace tedavis::host_sim {

@@ -1,4 +1,4 @@
-/// A picture taken apart into bands of three sizes and four directions, and what is coarser than they are.
+/// Decomposes a picture into bands of three sizes and four directions, and a coarser residual.
 ///
 /// Source: E. P. Simoncelli, W. T. Freeman, "The steerable pyramid", IEEE ICIP (1995); filters in the plane of frequencies as J.
 /// Portilla, E. P. Simoncelli, International Journal of Computer Vision 40 (2000): raised cosines over an octave, cosines cubed

@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr double kLightnessWeight = 0.84, kColorWeight = 0.08;
-constexpr double kFlatRange = 0.001;  // a tenth of a unit of CIELab: nobody sees it
+constexpr double kFlatRange = 0.001;  // a tenth of a unit of CIELab, invisible
 
 /// Mirrored on at its end up to sides that can be taken apart.
 ValueMap with_whole_sides(const perception::Plane& plane) {

@@ -1,9 +1,9 @@
-/// Subband Entropy, a third opinion on clutter: how many bits a value of the picture's bands has. 0 in a flat picture.
+/// Subband Entropy, a third measure of clutter: the bits per value of the picture's bands. 0 for a uniform picture.
 ///
-/// Source: R. Rosenholtz, Y. Li, L. Nakano, "Measuring visual clutter", Journal of Vision 7(2):17 (2007): the mean entropy of the
-/// bands of a steerable pyramid, 0.84 for lightness and 0.08 for each of the colours' two axes. A band's values are counted in as
-/// many equal steps as the square root of their number says, from the least to the greatest: entropy tells how they are spread,
-/// not how strong they are.
+/// Source: R. Rosenholtz, Y. Li, L. Nakano, "Measuring visual clutter", Journal of Vision 7(2):17 (2007): the mean entropy of
+/// the bands of a steerable pyramid, 0.84 for lightness and 0.08 for each of the colours' two axes. A band's histogram has as
+/// many bins as the square root of the number of its values, from the least to the greatest: entropy measures their
+/// distribution, not their strength.
 #pragma once
 
 #include "host_sim/evaluation/lab_levels.hpp"

@@ -1,4 +1,4 @@
-/// A flight that can be asked for its signals at any instant: a resampled recording or a scenario.
+/// A flight with signals at any instant: a resampled recording or a scenario.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace tedavis::host_sim {
 
-/// Another aircraft, as a receiver on board hears it.
+/// Another aircraft, as a receiver on board reports it.
 struct HeardAircraft {
     std::uint8_t number = 0;  ///< the receiver's of it
     flight::TrafficReport report;
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] virtual std::optional<SignalSample> at(base::Time time) const = 0;
     /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
     [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
-    /// Other aircraft that are heard at `time`.
+    /// Other aircraft that are received at `time`.
     [[nodiscard]] virtual std::vector<HeardAircraft> traffic(base::Time) const { return {}; }
 };
 

@@ -1,4 +1,4 @@
-/// Which signals a generated log carries, as which CANaerospace messages, how often.
+/// The signals of a generated log, with their CANaerospace messages and rates.
 ///
 /// Rates follow the transmission schedule of CANaerospace 1.7 (section 6.2) for what changes slowly; attitude goes out
 /// 50 times a second instead of 80, which the display's frame rate does not tell apart.
@@ -17,7 +17,7 @@ struct ScheduledMessage {
     flight::Signal signal;
     bus::DataType type;
     std::uint16_t period_ms;
-    std::uint16_t offset_ms;  ///< within the period, so that the messages of one rate do not crowd
+    std::uint16_t offset_ms;  ///< within the period, so that messages of the same rate are spread
 };
 
 [[nodiscard]] base::Span<const ScheduledMessage> message_schedule() noexcept;

@@ -41,9 +41,9 @@ struct PictureOptions {
     /// What draws the eye, over the picture; nothing: as the design says. On the design's scale.
     std::optional<design::SaliencyView> saliency;
     std::optional<design::ClutterView> clutter;  ///< edges, or their density by regions, over the picture; likewise
-    effects::EffectSet with, without;  ///< the design is drawn as if it asked for these (effects::with_effect), or did not
-    effects::EffectSet forbidden;      ///< as if the device's file forbade them
-    bool symbology = true;             ///< without it only the legend and the map's own ship and scale are drawn over the terrain
+    effects::EffectSet with, without;            ///< effects added to the design (effects::with_effect), and removed
+    effects::EffectSet forbidden;                ///< as if the device's file forbade them
+    bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 
 }  // namespace tedavis::host_sim

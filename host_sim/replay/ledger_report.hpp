@@ -1,4 +1,4 @@
-/// The ledger of a run, for people and for programs.
+/// The ledger of a run as text and as JSON.
 #pragma once
 
 #include <string>

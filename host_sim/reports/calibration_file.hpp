@@ -1,4 +1,4 @@
-/// The file that effects::read_calibration reads, and the same with what it was measured from as JSON.
+/// Writes the file that effects::read_calibration reads, and the same with the measurements as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// How a run held its frames' deadline: by the model, by what this machine measured, and how often the picture changed for it.
+/// Counts how a run held its frames' deadline: by the model, by measured times, and the changes of quality level.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// The pictures of one contact sheet with what was recorded of each: what the sheet's picture, page and JSON are made from.
+/// The pictures of one contact sheet with their records, from which the sheet's picture, page and JSON are made.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct DrawnSheet {
         std::string file;  ///< name in the sheet's folder
         FrameResult result;
         RgbaPicture pixels;
-        std::vector<std::uint8_t> layers;  ///< of each pixel (replay/drawn_layers.hpp); empty where nobody asked
+        std::vector<std::uint8_t> layers;  ///< layer of each pixel (replay/drawn_layers.hpp); empty where not requested
         std::optional<AspectMeasures> measures;
     };
     struct Group {

@@ -1,5 +1,4 @@
-/// Where a run's frames were, how wrong their terrain and how old their data, gathered frame by frame: what of it misleads is
-/// found at the end.
+/// Collects the positions of a run's frames, their terrain errors and the age of their data; findings are derived at the end.
 #pragma once
 
 #include <cstdint>

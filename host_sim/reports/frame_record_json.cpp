@@ -79,7 +79,7 @@ Json weights_json(const display::FrameRecord& record) {
     return json;
 }
 
-/// Regions that are beyond the budget, or in which something gives way.
+/// Regions above the budget, or in which data are decluttered.
 Json crowded_json(const display::ClutterRecord& clutter) {
     using scene::DetailRegions;
     Json json = Json::array();

@@ -1,4 +1,4 @@
-/// A FrameRecord as the line of `frames.jsonl` that scripts rely on.
+/// Converts a FrameRecord to a line of `frames.jsonl`, a stable format for scripts.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-/// Writes `frames.jsonl`, one record a line. The file appears when the run is finished, or is ended early by Ctrl-C:
-/// after `commit` every line in it is whole.
+/// Writes `frames.jsonl`, one record per line. The file appears when the run is finished or ended by Ctrl-C; after commit()
+/// every line in it is complete.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// The region on Earth that a terrain, a scene or a flight covers, for sentences about what does not fit together.
+/// The region on Earth that a terrain, a scene or a flight covers, for messages about inputs that do not match.
 #pragma once
 
 #include <string>

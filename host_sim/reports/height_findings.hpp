@@ -1,4 +1,4 @@
-/// Whether heights look like ground: what a raster or a database of something else would show as terrain without a word.
+/// Checks whether heights are plausible for ground, to warn of rasters and databases of something else.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-/// `report.html`: a run on one page that needs nothing but itself: pictures as data URIs, charts as inline SVG, no
-/// scripts, no network; readable on a phone and printable.
+/// `report.html`: a run on one self-contained page: pictures as data URIs, charts as inline SVG, no scripts, no network;
+/// readable on a phone and printable.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// Colours of flight phases in reports: one a scenario, light enough for dark text on them.
+/// Colours of flight phases in reports: one per scenario, light enough for dark text.
 #pragma once
 
 #include <array>

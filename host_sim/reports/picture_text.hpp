@@ -1,4 +1,4 @@
-/// Text in pictures that no display draws: labels of reports, in the display's typeface (render_core/draw/font_atlas.hpp).
+/// Text in pictures of reports, such as labels, in the display's typeface (render_core/draw/font_atlas.hpp).
 #pragma once
 
 #include <array>

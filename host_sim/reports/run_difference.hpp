@@ -1,4 +1,4 @@
-/// Where two runs first differ, from the folders they left.
+/// Finds the first difference of two runs from their folders.
 #pragma once
 
 #include <cstdint>

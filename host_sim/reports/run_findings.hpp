@@ -1,5 +1,5 @@
-/// What is wrong with an input or a run although it could be read or drawn to its end: commands print findings as warnings, write
-/// them beside their result, and with --strict end with kCheckFailedExitCode where there is one.
+/// Findings: problems of an input or a run that could be read or drawn completely. Commands print findings as warnings, write
+/// them with their result, and with --strict end with kCheckFailedExitCode where there is one.
 #pragma once
 
 #include <cstdint>

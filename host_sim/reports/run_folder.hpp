@@ -1,4 +1,4 @@
-/// Names inside the folder that a run leaves.
+/// Names of files in the folder of a run.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What the report needs of every frame, gathered while a run goes on, in memory that does not grow with its length.
+/// Collects the report's data during a run, in memory that does not grow with its length.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What a whole run came to: `summary.json`.
+/// The summary of a run: `summary.json`.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ constexpr const char* kStyle =
     ".bad{color:#c22;font-weight:600}"
     "@media print{body{max-width:none;font-size:11px}.sheet{grid-template-columns:repeat(3,1fr)}}";
 
-/// "ambient occlusion: replaced by shade (reason)": what stands in a picture in place of what its design asks for.
+/// "ambient occlusion: replaced by shade (reason)": the replacement in a picture for what its design requests.
 std::string effect_lines(const FrameResult& result) {
     std::string lines;
     for (const display::EffectRecord& effect : result.record.effects) {

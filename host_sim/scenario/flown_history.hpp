@@ -1,6 +1,5 @@
-/// A way that a posed aircraft is taken to have flown, so that single pictures can show what an aircraft knows of its own flight.
-/// Invented, and no recording: straight or in a steady turn, with wind, temperature and accuracy that do not change but for the
-/// one.
+/// A generated flight trail of a posed aircraft, so that single pictures can show the own flight. It is straight or a steady
+/// turn, with constant wind, temperature and accuracy, except for the varied one.
 #pragma once
 
 #include <vector>

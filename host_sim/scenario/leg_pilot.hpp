@@ -1,4 +1,4 @@
-/// Flies one leg after the other: from the aircraft's state to the targets of bank, climb and speed, and when a leg ends.
+/// Flies the legs: computes the targets of bank, climb and speed from the aircraft's state, and the end of a leg.
 #pragma once
 
 #include "host_sim/scenario/scenario.hpp"

@@ -1,5 +1,5 @@
-/// The way that a generated flight flies, as it was planned at its start: the layer "flight", one line, a point every
-/// kPlanStep_s with its time, heights above mean sea level.
+/// The planned path of a generated flight: the layer "flight", one line with a point every kPlanStep_s with its time, heights
+/// above mean sea level.
 ///
 /// The plan is the less sure the farther ahead, but every flight passes the strip: 95 % of flights are within
 ///     position_accuracy = kPlanPosition_m + the less of (kPlanPositionShare x way flown since the start,

@@ -1,4 +1,4 @@
-/// An aircraft that stands still in the air where the user puts it, for single pictures.
+/// An aircraft with a fixed pose given by the user, for single pictures.
 #pragma once
 
 #include "host_sim/scenario/flown_history.hpp"
@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Of single pictures for which nobody names a time: no date, so that data stand at their own first time.
+/// The time of single pictures without a stated time: not a date, so that data are shown at their own first time.
 inline constexpr base::Time kPosedTime{0};
 
 /// As the user writes it: degrees, metres above mean sea level.

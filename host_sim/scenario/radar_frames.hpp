@@ -1,4 +1,4 @@
-/// What a generated radar at the strip sees of the storm: the layer "radar", from the start on every kRadarInterval_s, up to the
+/// The storm as seen by a generated radar at the strip: the layer "radar", from the start on every kRadarInterval_s, up to the
 /// first time that is not before the flight's end (kMaxRadarFrames at most).
 ///
 /// Its attribute "reflectivity" (dBZ) is the strongest echo of the cells (storm_cells.hpp), kNoEcho_dbz where there is none, and

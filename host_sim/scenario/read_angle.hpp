@@ -1,4 +1,4 @@
-/// Angles of scenario files, which speak in degrees, in radians.
+/// Reads angles of scenario files in degrees and returns radians.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-/// The phase switches of a scenario: what the pilot sets on the panel, as a switch log.
+/// The phase switches of a scenario: the pilot's settings as a switch log.
 #pragma once
 
 #include <string>

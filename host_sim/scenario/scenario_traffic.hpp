@@ -1,4 +1,5 @@
-/// Other aircraft of a scenario, which the receiver on board hears: straight on or round in a circle, at an even speed and climb.
+/// Other aircraft of a scenario, which the receiver on board reports: on a straight line or a circle, at constant speed and
+/// climb.
 ///
 ///     [[traffic]]
 ///     callsign = "N172TD"            letters and digits, at most eight; may be left out

@@ -1,5 +1,5 @@
-/// A smooth random function of place: a sum of plane waves whose directions, lengths and phases are drawn. Over space its mean is
-/// 0 and its variance 1; beyond kMax it never is.
+/// A smooth random function of position: a sum of plane waves with random directions, lengths and phases. Its spatial mean is 0
+/// and its variance 1; its magnitude never exceeds kMax.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// Areas as a grid, so that their classes can colour the ground: of land cover that a map states as polygons.
+/// Rasterises areas, such as land cover polygons, so that their classes can colour the ground.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// What a recipe makes of what a source states.
+/// Binds a source's values to an attribute, as a recipe states.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"

@@ -1,4 +1,4 @@
-/// How sure a vector's length, or a part of it, is: from the levels of its two components, whose scales may differ.
+/// The uncertainty of a vector's length, or of a component, from the levels of its two components, whose scales may differ.
 #pragma once
 
 #include "render_core/scene/uncertainty.hpp"

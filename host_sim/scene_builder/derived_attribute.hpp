@@ -1,4 +1,4 @@
-/// Attributes that the desk computes for the points of lines: `variable = "derived:cross_wind"` and its like.
+/// Attributes that the scene builder computes for the points of lines: `variable = "derived:cross_wind"` and its like.
 ///
 /// Speeds and tracks are those between the points before and behind (at a line's ends, and beside points without a time, of what
 /// there is); a track needs at least kMinTrack_m of way. Wind is interpolated (scene/grid_field.hpp) in the layer that

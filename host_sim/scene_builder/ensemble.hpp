@@ -1,4 +1,4 @@
-/// The members of an ensemble, possible courses of the same: their mean and spread, and which of them a scene keeps.
+/// The members of an ensemble: their mean and spread, and the members that a scene keeps.
 #pragma once
 
 #include <cstddef>

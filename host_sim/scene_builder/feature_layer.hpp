@@ -1,4 +1,4 @@
-/// A layer of points, lines or areas from what a file states of them, as its recipe binds it.
+/// Makes a layer of points, lines or areas from the features of a file, as its recipe states.
 ///
 /// The role chooses the shape: lines for trajectories, traffic, roads, rivers and runways, areas for no-go areas, airspaces,
 /// storm cells, land cover and buildings, else points where the file has any; other shapes of the file are left out and noted. Of

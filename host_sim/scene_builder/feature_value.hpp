@@ -1,4 +1,4 @@
-/// What a recipe's attribute is of one feature, or of each of its points.
+/// Evaluates a recipe's attribute for one feature, or for each of its points.
 #pragma once
 
 #include <string>

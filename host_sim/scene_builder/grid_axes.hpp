@@ -1,4 +1,4 @@
-/// Which planes of a raster make a grid: its times, its levels, and how many members an ensemble has.
+/// The planes of a raster that make a grid: its times, its levels, and the number of members of an ensemble.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// A grid layer of a scene from a raster file, as its recipe binds it.
+/// Makes a grid layer of a scene from a raster file, as its recipe states.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"

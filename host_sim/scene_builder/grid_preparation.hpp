@@ -1,4 +1,4 @@
-/// Gaps closed and noise smoothed in one plane of a grid, and what that costs in certainty.
+/// Closes gaps and smooths noise in one plane of a grid, and adds the resulting uncertainty.
 #pragma once
 
 #include <vector>

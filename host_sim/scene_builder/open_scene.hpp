@@ -1,4 +1,4 @@
-/// A scene database on disk, read whole and verified as the board does.
+/// Opens a scene database on disk: it is read completely and verified as on a board.
 #pragma once
 
 #include <memory>

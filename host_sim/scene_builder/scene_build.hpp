@@ -1,4 +1,4 @@
-/// From a scene file to a scene database.
+/// Builds a scene database from a scene file.
 #pragma once
 
 #include <functional>

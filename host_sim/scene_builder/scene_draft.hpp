@@ -1,4 +1,4 @@
-/// A scene on the desk, before it is written: the layers of a .sdb as vectors. SI and radians, as in sdb_format.hpp.
+/// A scene before it is written: the layers of a .sdb as vectors. SI and radians, as in sdb_format.hpp.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-/// What a scene file asks for (`configs/scenes/*.toml`, see configs/scenes/README.md): sources, and how their attributes are
-/// bound.
+/// The content of a scene file (`configs/scenes/*.toml`, see configs/scenes/README.md): sources, and the binding of their
+/// attributes.
 ///
 /// Units of the file are converted where it is read: SI and radians inside, texts of units are for legends only.
 #pragma once

@@ -1,4 +1,4 @@
-/// A thing in the world as some file states it, whatever the format: its places, what is said of it, and of each of its points.
+/// A feature of a file in any format: its points, its fields, and the fields of each point.
 #pragma once
 
 #include <cstdint>

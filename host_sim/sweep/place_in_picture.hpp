@@ -13,7 +13,7 @@ struct PlaceInPicture {
     bool is_inside = false;  ///< its middle lies in the picture, before the eye; the rest is 0 otherwise
     double x_px = 0, y_px = 0, radius_px = 0;
 };
-/// `radius_m`: how far the place reaches; at least kMinRadius_px in the picture, for nobody looks at a single pixel.
+/// `radius_m` is the radius of the place; at least kMinRadius_px in the picture, since a single pixel is not perceived.
 [[nodiscard]] PlaceInPicture place_in_picture(const terrain::View& view, const earth::Ecef& place, double radius_m);
 
 struct PlaceSaliency {

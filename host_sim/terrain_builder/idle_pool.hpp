@@ -1,4 +1,4 @@
-/// Things that are dear to make, such as open files: one a thread at a time, kept for whoever comes next.
+/// A pool of expensive objects, such as open files: each is used by one thread at a time and kept for the next one.
 ///
 /// Memory  as many as were ever in use at once. Thread  any. What is not given back (its user threw) is simply gone.
 #pragma once

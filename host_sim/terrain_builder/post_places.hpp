@@ -13,7 +13,7 @@ namespace tedavis::host_sim {
 /// Sines and cosines of a window's rows and columns, computed once. Places are those of Lattice::position to the last bit.
 class PostPlaces {
 public:
-    /// The window may reach over the seam of a lattice round the Earth; other columns and rows outside are not asked for.
+    /// The window may reach over the seam of a lattice round the Earth; other columns and rows outside are not requested.
     PostPlaces(const terrain::Lattice& lattice, std::int64_t i0, std::int64_t j0, std::uint32_t columns, std::uint32_t rows);
 
     [[nodiscard]] earth::Ecef at(std::int64_t i, std::int64_t j, double surface_m) const;

@@ -16,7 +16,7 @@ namespace tedavis::host_sim {
 
 struct RasterSource {
     std::string file;
-    GdalDataset dataset;  ///< may be closed while nobody reads; open_raster_file opens it again
+    GdalDataset dataset;  ///< may be closed while it is not read; open_raster_file opens it again
     int columns = 0, rows = 0;
     OGRSpatialReference crs;            ///< horizontal; longitude or easting first
     std::array<double, 6> transform{};  ///< GDAL's: pixel corner to coordinates of `crs`

@@ -62,7 +62,7 @@ private:
     HeightQuery query_;
 };
 
-/// One chunk of the file against the same chunk made anew. An empty reason: nothing is wrong.
+/// Compares one chunk of the file with the same chunk built again. An empty reason means no difference.
 class ChunkComparison {
 public:
     ChunkComparison(const WorkFile& file, const OpenDatabase& fresh, ExactHeights& heights, const ChunkEntry& stated,
@@ -120,7 +120,7 @@ private:
     [[nodiscard]] ChunkViolation drape() const {
         Bytes bytes;
         if (const char* fault = read(stated_.drape, bytes); *fault != 0) return {name_ + " drape", fault, 0};
-        // Without the image nobody can say what the drape should be.
+        // Without the image the drape cannot be compared.
         const bool is_known = fresh_.database().header().drape_posts != 0;
         if (is_known && bytes != fresh_.read_part(expected_.drape)) return {name_ + " drape", "differs from the image", 0};
         return {name_, "", 0};

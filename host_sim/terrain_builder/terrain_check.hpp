@@ -1,4 +1,4 @@
-/// Proof of a database against its rasters: every part is made anew from the rasters and compared.
+/// Verifies a database against its rasters: every part is built again from the rasters and compared.
 #pragma once
 
 #include <cstdint>

@@ -33,8 +33,8 @@ public:
     [[nodiscard]] bool closed() const { return controller_.closed(); }
     [[nodiscard]] const WindowController& controller() const { return controller_; }
 
-    /// Writes the folder and, where asked for, the config that replays the session. Once, at the end.
-    /// Returns the exit code, as RunRecorder::finish.
+    /// Writes the folder and, on request, the config that replays the session. To be called once, at the end. Returns the exit
+    /// code, as RunRecorder::finish.
     [[nodiscard]] int finish(bool interrupted);
 
 private:

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const FreeCamera& camera() const { return camera_; }
     /// The pattern that was selected since the last call.
     [[nodiscard]] std::optional<std::uint32_t> take_pattern();
-    /// Whether the keys were asked for since the last call.
+    /// True where the list of keys was requested since the last call.
     [[nodiscard]] bool take_help();
 
 private:

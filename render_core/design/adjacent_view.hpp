@@ -1,7 +1,7 @@
-/// A view beside the picture (thesis 2.3.2, coincident and adjacent): small maps of a field round the own ship, north up, read
-/// from the section [data.adjacent] of a design.
+/// The adjacent view (thesis 2.3.2, coincident and adjacent views): small north-up maps of a field round the own ship, beside
+/// the picture; read from the section [data.adjacent] of a design.
 ///
-/// Uncertainty is shown as a value of its own, 0..1 of what counts as 1; members of an ensemble stand side by side.
+/// Uncertainty is shown as a separate value, level 0..1; members of an ensemble are shown side by side.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace tedavis::design {
 enum class AdjacentShows : std::uint8_t {
     uncertainty,
     value,
-    members,  ///< a map each
+    members,  ///< one map for each member
 };
 inline constexpr std::size_t kAdjacentShows = 3;
 extern const std::array<std::string_view, kAdjacentShows> kAdjacentShowsNames;
@@ -34,15 +34,15 @@ struct AdjacentView {
     base::FixedString<31> attribute;
     AdjacentShows shows = AdjacentShows::uncertainty;
     double range_m = 20'000;                          ///< from the own ship to the edges of a map
-    double size = 5;                                  ///< side of a map in texts, at most; as there is room
-    std::uint32_t cells = kMaxCells;                  ///< across a map, at most; several maps share what there is room for
-    std::uint32_t most_members = scene::kMaxMembers;  ///< of more, so many evenly spaced ones
+    double size = 5;                                  ///< largest side of a map, in text heights
+    std::uint32_t cells = kMaxCells;                  ///< largest number of cells across a map; several maps share the room
+    std::uint32_t most_members = scene::kMaxMembers;  ///< most members shown; of a larger ensemble evenly spaced ones
     double height_m = std::numeric_limits<double>::quiet_NaN();  ///< as in GroundData
-    DataScale scale;                                             ///< of uncertainty over 0..1
+    DataScale scale;                                             ///< for uncertainty over 0..1
 };
 static_assert(std::is_trivially_copyable_v<AdjacentView>);
 
-/// An absent section leaves `view` as it is.
+/// Reads the section; an absent one leaves `view` unchanged.
 void read_adjacent_view(base::ConfigSection section, PaletteSource& palettes, AdjacentView& view);
 
 }  // namespace tedavis::design

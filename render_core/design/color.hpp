@@ -1,4 +1,4 @@
-/// Colours as the design files state them.
+/// Colours as design files state them.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace tedavis::design {
 
-/// 8 bit a channel, sRGB-encoded, straight alpha. These are the values that reach the frame: nothing re-encodes them.
+/// A colour with 8 bits per channel, sRGB-encoded, straight alpha. These values reach the frame unchanged.
 struct Color {
     std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
     friend constexpr bool operator==(Color a, Color b) {
@@ -21,13 +21,14 @@ struct ParsedColor {
     Color color;
     bool ok = false;
 };
-/// "#rrggbb" or "#rrggbbaa", hexadecimal digits of either case.
+/// Parses "#rrggbb" or "#rrggbbaa", hexadecimal digits of either case.
 [[nodiscard]] ParsedColor color_from_text(std::string_view text) noexcept;
 
-/// Between two colours, `share` 0..1 of the second; per channel in the encoded values, rounded to the nearest.
+/// Blends two colours with `share` 0..1 of the second, per channel of the encoded values, rounded to the nearest.
 [[nodiscard]] Color blended(Color first, Color second, double share) noexcept;
 
-/// Linear light 0..1 of an sRGB-encoded channel and its WCAG-style relative luminance (IEC 61966-2-1), for contrast checks.
+/// Linear light 0..1 of an sRGB-encoded channel (IEC 61966-2-1), and relative luminance as WCAG defines it, for contrast
+/// checks.
 [[nodiscard]] double linear_light(std::uint8_t channel) noexcept;
 [[nodiscard]] double relative_luminance(Color color) noexcept;
 

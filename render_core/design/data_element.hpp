@@ -1,5 +1,5 @@
-/// One element of the data aspect: which layer of the scene is shown, by which technique, with which colours and sizes. Read from
-/// the tables [[data.element]] of a design, drawn in their order.
+/// An element of the data aspect: a layer of the scene with the technique, colours and sizes that show it. Read from the tables
+/// [[data.element]] of a design, and drawn in their order.
 ///
 ///     [[data.element]]
 ///     layer = "no_go"              a layer of the scene, or
@@ -37,20 +37,20 @@
 namespace tedavis::design {
 
 enum class DataTechnique : std::uint8_t {
-    tube,        ///< trajectories, and routes: a tube round the way
+    tube,        ///< trajectories and routes: a tube round the path
     space_time,  ///< trajectories whose height is time
     prism,       ///< areas from their floor to their ceiling
-    solid,       ///< obstacles, cables, runways, buildings and models in their shapes
+    solid,       ///< obstacles, cables, runways, buildings and models as solids
     ribbon,      ///< lines on the ground
-    billboard,   ///< icons and names that face the eye
-    diagram,     ///< small diagrams that face the eye
-    arrows,      ///< wind, a glyph a site
+    billboard,   ///< icons and names that face the viewer
+    diagram,     ///< small diagrams that face the viewer
+    arrows,      ///< wind, one glyph per site
     flat_arrows,
     barbs,
     spheres,
     bars,
     isosurface,
-    uncertainty_only,  ///< sites and how unsure they are, by glyphs; the data themselves are shown otherwise
+    uncertainty_only,  ///< the uncertainty of sites, by glyphs; their data are shown by another element
     count
 };
 inline constexpr std::size_t kDataTechniques = static_cast<std::size_t>(DataTechnique::count);
@@ -58,20 +58,20 @@ extern const std::array<std::string_view, kDataTechniques> kDataTechniqueNames;
 
 enum class ElementUncertainty : std::uint8_t {
     none,
-    transparency,  ///< what is less sure is less there
-    saturation,    ///< and greyer
-    widening,      ///< tubes and prisms reach as far as the thing may be
-    ellipsoid,     ///< round a place, where the thing may be
-    circles,       ///< glyphs by their level, redundantly by size and colour
+    transparency,  ///< less certain data are more transparent
+    saturation,    ///< less certain data are greyer
+    widening,      ///< tubes and prisms are widened to all possible positions
+    ellipsoid,     ///< an ellipsoid of possible positions round a point
+    circles,       ///< glyphs for the level, redundantly by size and colour
     triangles,
     tetrahedra,
-    dashed_rim,  ///< round a sign, the more broken the less sure: nothing fades
+    dashed_rim,  ///< round a sign, with longer gaps the less certain it is; nothing fades
     count
 };
 inline constexpr std::size_t kElementUncertainties = static_cast<std::size_t>(ElementUncertainty::count);
 extern const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames;
 
-/// What the own aircraft says instead of a scene.
+/// Data of the own aircraft, shown instead of a layer.
 enum class OwnData : std::uint8_t { none, trail, wind };
 
 inline constexpr std::size_t kMaxDataElements = 12;
@@ -80,7 +80,7 @@ inline constexpr std::size_t kMaxElementLevels = 4;
 
 using DataName = base::FixedString<31>;
 
-/// What an attribute says by colour.
+/// Colour by an attribute.
 struct ColorEncoding {
     DataName attribute;  ///< empty: the plain colour
     DataScale scale;
@@ -89,14 +89,14 @@ struct ColorEncoding {
 };
 
 struct DataElement {
-    DataName layer;  ///< empty: by role, or the own aircraft's
+    DataName layer;  ///< empty: by role, or own data
     scene::LayerRole role = scene::LayerRole::count;
     OwnData own = OwnData::none;
     DataTechnique technique = DataTechnique::solid;
     Color color{255, 255, 255, 255};
     ColorEncoding by_color, by_second_color;
     DataName size_attribute;
-    double size_m = 0;  ///< 0: the technique's own
+    double size_m = 0;  ///< 0: the technique's default
     base::FixedVector<double, kMaxElementHeights> heights_m;
     bool heights_over_ground = false;
     base::FixedVector<double, kMaxElementLevels> levels;
@@ -115,16 +115,16 @@ static_assert(std::is_trivially_copyable_v<DataElement>);
 
 using DataElementList = base::FixedVector<DataElement, kMaxDataElements>;
 
-/// What is shown, as records name it: a layer, a role, or "own trail".
+/// Returns the name used in records: a layer, a role, or "own trail".
 [[nodiscard]] DataName subject_of(const DataElement& element) noexcept;
 
 [[nodiscard]] bool asks_for_own(const DataElementList& elements) noexcept;
-/// By role: other aircraft that the own one hears of are shown without a scene.
+/// True where an element shows the role `traffic`; received traffic is shown without a scene too.
 [[nodiscard]] bool asks_for_traffic(const DataElementList& elements) noexcept;
-/// For the surface grid's lines.
+/// True where an element has the surface grid's lines.
 [[nodiscard]] bool asks_for_grid(const DataElementList& elements) noexcept;
 
-/// `data` is the section [data].
+/// Reads the elements; `data` is the section [data].
 void read_data_elements(base::ConfigSection& data, PaletteSource& palettes, DataElementList& elements);
 
 }  // namespace tedavis::design

@@ -1,19 +1,18 @@
-/// Finds the files that a design names. The core opens none: who reads a design hands over a source of them.
+/// Port: finds the design files that a design names. The core opens no files; the reader of a design passes a source.
 #pragma once
 
 #include "render_core/design/palette.hpp"
 
 namespace tedavis::design {
 
-/// A design file and what stands in it.
+/// A design file's name and content.
 struct DesignText {
     std::string_view text, file_name;
 };
 
 class DesignSource : public PaletteSource {
 public:
-    /// As a design writes it: the name of a shipped design, or a path. Both views hold until the source is asked again. The error
-    /// is one sentence.
+    /// Finds a design by its short name or path. Both views stay valid until the next call. The error is one sentence.
     [[nodiscard]] virtual base::Result<DesignText, base::Error> find_design(const base::StatedFile& design) = 0;
 };
 

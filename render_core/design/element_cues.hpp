@@ -1,6 +1,6 @@
-/// Cues by which the depth of what floats over the ground is seen: vertical lines, projections onto the ground, curtains down to
-/// it (thesis, 4.4.3). Of the technique tube, space_time or ribbon; a ribbon lies on the ground itself, so its cues are those of
-/// the way above it, and it needs no projection. Refused on all others.
+/// Depth cues of elements above the ground: vertical lines, projections onto the ground, and curtains down to it (thesis,
+/// 4.4.3). They are allowed for the techniques tube, space_time and ribbon; a ribbon lies on the ground, so its cues are those
+/// of the path above it, and it has no projection.
 ///
 ///     [data.element.cues]
 ///     line_spacing_m = 1000    vertical lines so far apart along the way over the ground, or

@@ -1,5 +1,5 @@
-/// Focus and context (thesis, 5.2): what the eye is led to, and how the rest steps back. Tables [[focus]] of a design file, each
-/// a focus of its own; several hold at once, and of their degrees the greatest counts.
+/// Focus and context (thesis, 5.2): what is emphasised, and how the rest is reduced. Each table [[focus]] of a design file
+/// defines a focus; where several apply, the greatest degree counts.
 ///
 ///     [[focus]]
 ///     name = "destination"         as the record and the cue for a hidden focus call it
@@ -49,12 +49,13 @@ enum class FocusShape : std::uint8_t { point, path, circle, square, sphere, cubo
 inline constexpr std::array<std::string_view, 7> kFocusShapeNames{"point",  "path",   "circle", "square",
                                                                   "sphere", "cuboid", "data"};
 
-/// Of `hazard`: where the first hazard on the way is met (PrioritySettings); nowhere while there is none.
+/// Where a focus is. `hazard`: where the predicted track reaches the first hazard (PrioritySettings); the focus is empty while
+/// there is none.
 enum class FocusAt : std::uint8_t { own_ship, destination, flight_path, place, position, hazard };
 inline constexpr std::array<std::string_view, 6> kFocusAtNames{"own_ship", "destination", "flight_path",
                                                                "place",    "position",    "hazard"};
 
-/// Which values are in a data focus: those from low to high, or so close to the extreme.
+/// The values of a data focus: an interval, or those close to an extreme.
 enum class FocusValues : std::uint8_t { interval, highest, lowest };
 
 struct FocusOfData {
@@ -62,28 +63,28 @@ struct FocusOfData {
     scene::LayerRole role = scene::LayerRole::count;
     base::FixedString<31> attribute;
     FocusValues values = FocusValues::interval;
-    double low = 0, high = 0;  ///< of an interval; `value` is one, too
-    double within = 0;         ///< of the extreme
-    double similar = 0;        ///< beyond the focus, of the intermediate context
+    double low = 0, high = 0;  ///< limits of an interval; `value` is stored as an interval too
+    double within = 0;         ///< distance from the extreme
+    double similar = 0;        ///< width of the intermediate context beyond the focus
 };
 
-/// Of the ground in the context; in between it is in between.
+/// The look of the ground in the context; in the intermediate context it is interpolated.
 struct FocusTerrain {
-    bool sketch_outside = false;            ///< lines in the place of shaded ground
+    bool sketch_outside = false;            ///< lines instead of shading
     double brightness = 1, saturation = 1;  ///< 0..1
-    double blur_px = 0;                     ///< 0..kMaxBlur_px, growing with the distance from the focus
+    double blur_px = 0;                     ///< 0..kMaxBlur_px, increasing with the distance from the focus
 
     [[nodiscard]] bool is_any() const { return sketch_outside || brightness < 1 || saturation < 1 || blur_px > 0; }
 };
 
-/// What becomes of data beyond the intermediate context.
+/// How data in the context are shown.
 enum class FocusContextData : std::uint8_t { hidden, as_intermediate, shown };
 inline constexpr std::array<std::string_view, 3> kFocusContextDataNames{"hidden", "as_intermediate", "shown"};
 
-/// Of data in the intermediate context, next to the context; towards the focus it is in between.
+/// The look of data in the intermediate context at its outer edge; towards the focus it is interpolated.
 struct FocusData {
     double detail = 1, brightness = 1, saturation = 1, size = 1;  ///< 0..1
-    std::uint32_t aggregate = 1;                                  ///< one glyph for so many by so many
+    std::uint32_t aggregate = 1;                                  ///< one glyph for aggregate x aggregate glyphs
     FocusContextData context = FocusContextData::shown;
 
     [[nodiscard]] bool is_any() const {
@@ -106,7 +107,7 @@ struct FocusSettings {
     base::FixedString<23> name;
     FocusShape shape = FocusShape::circle;
     FocusAt at = FocusAt::own_ship;
-    base::FixedString<23> place;  ///< empty: none is named
+    base::FixedString<23> place;  ///< empty: not stated
     double latitude_rad = 0, longitude_rad = 0;
     double ahead_s = 300;
     double radius_m = 2000;
@@ -118,27 +119,27 @@ struct FocusSettings {
     FocusTerrain terrain;
     FocusData of_data;
     FocusBorder border;
-    std::uint32_t power = 0;  ///< of two, by which the focus is larger than undistorted; 0..kMaxFocusPower
+    std::uint32_t power = 0;  ///< the focus is magnified by 2^power; 0..kMaxFocusPower
 };
 static_assert(std::is_trivially_copyable_v<FocusSettings>);
 
 using FocusList = base::FixedVector<FocusSettings, scene::kMaxFoci>;
 
-/// What the context looks like, which is common to all foci: of the first that states it.
+/// Returns the look of the context, which is common to all foci: that of the first focus that states one.
 [[nodiscard]] const FocusTerrain& terrain_of_context(const FocusList& foci) noexcept;
 [[nodiscard]] const FocusData& data_of_context(const FocusList& foci) noexcept;
-/// Whether one of them changes what the ground looks like.
+/// True where a focus changes the look of the ground.
 [[nodiscard]] bool change_the_ground(const FocusList& foci) noexcept;
 
-/// Where blur is not possible, or given up, the context is so much darker in its place.
+/// Brightness factor of the context where blur is not possible or given up.
 inline constexpr double kBlurAsBrightness = 0.7;
 [[nodiscard]] FocusTerrain darkened_instead_of_blurred(FocusTerrain look) noexcept;
 
-/// `root`: of the design file.
+/// Reads the tables [[focus]]; `root` is the root table of the design file.
 void read_foci(base::ConfigSection& root, FocusList& foci);
 
-/// One focus as a command line states it: the keys of [[focus]] within one line of TOML,
-/// `shape = "point", at = "place", place = "DAVOS", terrain.brightness = 0.5`. The error is one sentence.
+/// Parses one focus from a command line: the keys of [[focus]] within one line of TOML, `shape = "point", at = "place", place =
+/// "DAVOS", terrain.brightness = 0.5`. The error is one sentence.
 [[nodiscard]] base::Result<FocusSettings, base::Error> read_focus(std::string_view line);
 
 }  // namespace tedavis::design

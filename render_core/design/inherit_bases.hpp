@@ -1,12 +1,13 @@
-/// A design that is based on another says only what is its own.
+/// Inheritance of designs: a design that is based on another only contains what differs.
 ///
 ///     based_on = "default"        a name of configs/designs, or a path from this file
 ///     [[data.element]]
 ///     name = "wind"               the base's element of this name, with another size
 ///     size_m = 1200
 ///
-/// What the file does not say is its base's, and so on, at most kMaxBases designs far: tables key by key, lists of tables by the
-/// names of the tables (base::ConfigReader::inherit). `name` and [phases] are each design's own.
+/// Keys that the file does not have are inherited from its base, whose own base may follow, up to kMaxBases designs. Tables are
+/// merged key by key, arrays of tables by the names of the tables (base::ConfigReader::inherit). `name` and [phases] are not
+/// inherited.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +18,10 @@
 
 namespace tedavis::design {
 
-inline constexpr std::size_t kMaxBases = 8;  ///< behind one another
+inline constexpr std::size_t kMaxBases = 8;  ///< longest chain of bases
 
-/// Adds to the reader of a design what its bases say. A base that is missing, that is based on this design, or that is one too
-/// many is a fault at the line that names it. Start-up only (allocates).
+/// Adds the keys of a design's bases to its reader. A base that is missing, a cycle, and too long a chain are faults at the
+/// line that names the base. Start-up only (allocates).
 void inherit_bases(base::ConfigReader& reader, DesignSource& files);
 
 }  // namespace tedavis::design

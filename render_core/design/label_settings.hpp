@@ -1,6 +1,6 @@
-/// Which of the features that have signs get a marker and a name, and how calmly that changes: the table [labels] of a design,
-/// after the thesis's function of interest (5.2.3): the focus has marker and name, the intermediate context its marker, the rest
-/// nothing. Designs are of a phase, so their weights and relevance are the phase's.
+/// Which features get a marker and a name, and how fast that may change: the table [labels] of a design, after the thesis's
+/// function of interest (5.2.3). Features in the focus have a marker and a name, those in the intermediate context a marker,
+/// others nothing. Designs belong to phases, so weights and relevance depend on the phase.
 ///
 ///     [labels]
 ///     distance = 1              weights of the criteria (draw/data/degree_of_interest.hpp); 0: it does not count
@@ -24,12 +24,12 @@
 
 namespace tedavis::design {
 
-/// Not below 0.
+/// Weights of the criteria, not negative.
 struct LabelWeights {
     double distance = 1, population = 0.5, height = 0.5, runway_length = 0.5, relevance = 1;
 };
 
-/// Of roles that have signs, in the order of kLabelRoles.
+/// Roles that have signs; role_relevance has this order.
 inline constexpr std::array kLabelRoles = {scene::LayerRole::sample,   scene::LayerRole::obstacle,   scene::LayerRole::no_go,
                                            scene::LayerRole::airspace, scene::LayerRole::storm_cell, scene::LayerRole::runway,
                                            scene::LayerRole::place,    scene::LayerRole::road,       scene::LayerRole::river,
@@ -43,7 +43,7 @@ struct LabelSettings {
     double most_changes = 2;  ///< a second
     bool show_suppressed = false;
 
-    /// 0.5 of roles that are not listed.
+    /// Returns the relevance of a role; 0.5 for roles that are not listed.
     [[nodiscard]] double relevance_of(scene::LayerRole role) const;
 };
 

@@ -1,10 +1,10 @@
-/// Which design stands for which phase of flight, as the table [phases] of a design says.
+/// Which design is shown in which phase of flight: the table [phases] of a design.
 ///
 ///     [phases]
-///     takeoff = "takeoff"                     # a scenario with all its phases: a name of configs/designs, or a path from this
-///     file "go_around.replanning" = "replanning"   # one phase, which goes before its scenario
+///     takeoff = "takeoff"                       # a scenario with all its phases: a short name, or a path from this file
+///     "go_around.replanning" = "replanning"     # one phase; it has precedence over its scenario
 ///
-/// Phases that are not named have the design itself. A design that another one names has no such table.
+/// Phases that are not named use the design itself. A design that is named in another one's table must not have such a table.
 #pragma once
 
 #include "render_core/base/config_reader.hpp"
@@ -14,7 +14,7 @@
 
 namespace tedavis::design {
 
-inline constexpr std::size_t kMaxNamedPhases = 16;  ///< more than there are
+inline constexpr std::size_t kMaxNamedPhases = 16;  ///< more than there are phases
 
 using DesignFileName = base::FixedString<127>;
 
@@ -24,7 +24,7 @@ struct NamedPhase {
 };
 using NamedPhases = base::FixedVector<NamedPhase, kMaxNamedPhases>;
 
-/// `section` is [phases].
+/// Reads the section [phases].
 void read_named_phases(base::ConfigSection section, NamedPhases& phases);
 
 }  // namespace tedavis::design

@@ -1,20 +1,20 @@
-/// Named colours for values of the terrain and of spatial data: one file of configs/palettes/ each.
+/// A palette: colours for values of the terrain or of spatial data. Each is a file of configs/palettes/.
 ///
 ///     name = "alpine"
-///     title = "GROUND ELEV"        over the legend, upper case, at most 11 characters
+///     title = "GROUND ELEV"      over the legend, upper case, at most 11 characters
 ///     kind = "hypsometric"       heights; "sequential": from little to much; "diverging": both ways from a middle; "nominal":
 ///                                classes that have names and no order
 ///     unit = "m"                 of the values: "m", "deg", "m/s", "dBZ", "K" or "1"
-///     purpose = "terrain"        what it colours: "terrain", "data" on the ground, or "objects" in the air; "terrain" where
-///     absent order = "lightness"        what tells more from less: "lightness" or "hue"
+///     purpose = "terrain"        what it colours: "terrain" (default), "data" on the ground, or "objects" in the air
+///     order = "lightness"        what tells more from less: "lightness" or "hue"
 ///     [[stop]]                   2 to 16, values ascending
 ///     value = 0
 ///     color = "#32443a"
-///     [[class]]                  of a nominal one instead, 2 to 16; it needs no unit and no order
-///     name = "forest"            a class of a scene's attribute has the colour of its own name here
+///     [[class]]                  instead of stops, 2 to 16 for a nominal palette, which needs no unit and no order
+///     name = "forest"            an attribute's class of this name has this colour
 ///     color = "#4f6b43"
 ///
-/// The core opens no files: who reads a design hands over a PaletteSource that finds what it names.
+/// The core opens no files: the reader of a design passes a PaletteSource that finds the palettes.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ namespace tedavis::design {
 
 enum class PaletteKind : std::uint8_t { hypsometric, sequential, diverging, nominal };
 enum class PaletteUnit : std::uint8_t { metres, degrees, one, metres_per_second, reflectivity, kelvin };
-/// As files write it.
+/// Returns the unit as files write it.
 [[nodiscard]] std::string_view unit_name(PaletteUnit unit) noexcept;
 enum class PalettePurpose : std::uint8_t { terrain, data, objects };
 enum class PaletteOrder : std::uint8_t { lightness, hue };
@@ -52,33 +52,34 @@ struct Palette {
     PaletteOrder order = PaletteOrder::lightness;
     PalettePurpose purpose = PalettePurpose::terrain;
     base::FixedVector<ColorStop, kMaxColorStops> stops;        ///< ascending values, at least two
-    base::FixedVector<ClassName, kMaxColorStops> class_names;  ///< of a nominal one, whose stop n has the value n
+    base::FixedVector<ClassName, kMaxColorStops> class_names;  ///< names of a nominal palette's classes; stop n has the value n
 
     [[nodiscard]] bool is_nominal() const { return kind == PaletteKind::nominal; }
 };
 static_assert(std::is_trivially_copyable_v<Palette>);
 
-/// Linear between the stops (of the encoded values), constant beyond them; of a nominal one that of the nearest stop.
+/// Returns the colour of a value: linear between the stops (in encoded values), constant beyond them; for a nominal palette
+/// that of the nearest stop.
 [[nodiscard]] Color color_of_value(const Palette& palette, double value) noexcept;
 
-/// The colour of a class; transparent where a nominal palette has none of this name.
+/// Returns the colour of a class; transparent where a nominal palette has no class of this name.
 [[nodiscard]] Color color_of_name(const Palette& palette, std::string_view name) noexcept;
 
-/// The heights of a display that was given no design; configs/palettes/alpine.toml says the same.
+/// Returns the height palette of a display without a design; it equals configs/palettes/alpine.toml.
 [[nodiscard]] Palette alpine_palette() noexcept;
 
 /// Reads a palette file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
 [[nodiscard]] base::Result<Palette, base::Error> read_palette(std::string_view text, std::string_view file_name);
 
-/// Finds the palettes that a design names.
+/// Port: finds the palettes that a design names.
 class PaletteSource {
 public:
     virtual ~PaletteSource() = default;
-    /// As a design writes it: the name of a shipped palette, or a path. The error is one sentence.
+    /// Finds a palette by its short name or path. The error is one sentence.
     [[nodiscard]] virtual base::Result<Palette, base::Error> find(const base::StatedFile& palette) = 0;
 };
 
-/// A short name names a shipped file; a path has a dot or a slash.
+/// True for the short name of a shipped file; a path contains a dot or a slash.
 [[nodiscard]] bool is_short_name(std::string_view name) noexcept;
 
 }  // namespace tedavis::design

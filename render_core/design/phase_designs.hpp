@@ -1,4 +1,4 @@
-/// The designs of a display by the phase of flight, read from their files (named_phases.hpp). Plain data.
+/// The designs of a display for phases of flight (named_phases.hpp). Plain data.
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
@@ -6,18 +6,19 @@
 
 namespace tedavis::design {
 
-inline constexpr std::size_t kMaxPhaseDesigns = 6;  ///< different ones beside the design itself
+inline constexpr std::size_t kMaxPhaseDesigns = 6;  ///< different designs, without the design itself
 
 class PhaseDesigns {
 public:
-    /// False where there is no room for another design. `name`: as the table says; one name is one design.
+    /// Adds a phase's design. Returns false where there is no room for another design. Equal names in the table mean the same
+    /// design.
     [[nodiscard]] bool add(const NamedPhase& named, const DesignSettings& design);
-    /// The design of that name, where one was added already; null: none.
+    /// Returns the design of a name that was added before, or null.
     [[nodiscard]] const DesignSettings* find(const DesignFileName& name) const;
 
-    /// Place of the phase's design; 0: none is named for it.
+    /// Returns the index of the phase's design, from 1; 0 where none is named for it.
     [[nodiscard]] std::size_t place_of(flight::FlightPhase phase) const noexcept;
-    /// How many there are; places are 1 to that.
+    /// Number of designs; indices are 1 to size().
     [[nodiscard]] std::size_t size() const { return designs_.size(); }
     [[nodiscard]] bool empty() const { return designs_.empty(); }
     [[nodiscard]] const DesignSettings& at(std::size_t place) const { return designs_[place - 1]; }

@@ -1,5 +1,5 @@
-/// Which aspect comes first, beyond one of three (thesis 5.1, table 5.1): a weight for each aspect of the picture, and how much
-/// of its most a technique conveys at a weight.
+/// Priorities of aspects (thesis 5.1, table 5.1): a weight for each aspect of the picture, and the share of its detail that a
+/// technique conveys at a weight.
 ///
 ///     [priority]
 ///     terrain = 0.3                         0..1, as all of them; 1 where nothing is stated
@@ -13,7 +13,7 @@
 ///     [priority.detail]
 ///     shading = [0.3, 0, 0.7, 1]            weight, detail, weight, detail ...: linear between, level beyond
 ///
-/// Plain data, read from a design; a design without the section shows everything as it says.
+/// Plain data, read from a design; a design without the section shows everything in full detail.
 #pragma once
 
 #include <array>
@@ -27,18 +27,18 @@
 
 namespace tedavis::design {
 
-/// The three of the thesis; the parts of the data that have weights of their own follow them.
+/// The three aspects of the thesis; parts of the data with separate weights follow them.
 inline constexpr std::size_t kTerrainAspect = 0, kDataAspect = 1, kUncertaintyAspect = 2, kMainAspects = 3;
 inline constexpr std::size_t kMaxDataParts = 5, kMaxAspects = kMainAspects + kMaxDataParts;
 inline constexpr std::array<std::string_view, kMainAspects> kMainAspectNames{"terrain", "data", "uncertainty"};
 
-/// 0..1 each, by aspect.
+/// Weights 0..1, by aspect.
 struct AspectWeights {
     std::array<double, kMaxAspects> of{1, 1, 1, 1, 1, 1, 1, 1};
     bool operator==(const AspectWeights& other) const { return of == other.of; }
 };
 
-/// Piece-wise linear, level before the first knot and after the last one.
+/// A piecewise linear curve, constant before the first knot and after the last one.
 struct DetailCurve {
     struct Knot {
         double weight, detail;
@@ -51,31 +51,31 @@ struct DetailCurve {
 
 struct DataPart {
     base::FixedString<23> name;
-    std::uint32_t roles = 0;  ///< a bit for each scene::LayerRole
+    std::uint32_t roles = 0;  ///< one bit for each scene::LayerRole
     bool is_hazard = false;
 
     [[nodiscard]] bool has(scene::LayerRole role) const { return (roles >> static_cast<unsigned>(role) & 1u) != 0; }
 };
 
 struct PrioritySettings {
-    bool is_stated = false;  ///< false: nothing else counts
+    bool is_stated = false;  ///< false: the design has no priorities, and the other members have no effect
     AspectWeights weights;
     base::FixedVector<DataPart, kMaxDataParts> parts;
     DetailCurve shading, data, intrinsic, extrinsic;
-    DetailCurve sketch;           ///< empty: always whole
-    double least_difference = 8;  ///< CIEDE2000 that neighbouring classes on the ground keep in its darkest shade, where they can
-    double hazard_weight = 1;     ///< to which what is a hazard raises its aspect's
-    double hazard_ahead_s = 90;   ///< flight in which a hazard begins to count; from half of it on it counts in full
-    double hazard_within_m = 500;    ///< aside of the way, and above and below it a third
-    double clutter_budget = 1;       ///< of a region of the picture, 0..1; 1: none. Never spent on what comes first
-    double stale_uncertainty = 0.6;  ///< weight that stale data raise the uncertainty's to
+    DetailCurve sketch;              ///< empty: always full detail
+    double least_difference = 8;     ///< least CIEDE2000 difference of neighbouring classes on the ground in its darkest shade
+    double hazard_weight = 1;        ///< weight to which a hazard raises its aspect
+    double hazard_ahead_s = 90;      ///< time ahead at which a hazard begins to count; it counts fully from half of it on
+    double hazard_within_m = 500;    ///< lateral distance from the track; a third of it above and below
+    double clutter_budget = 1;       ///< largest clutter of a region of the picture, 0..1; 1: no budget
+    double stale_uncertainty = 0.6;  ///< weight to which stale data raise the aspect uncertainty
 
-    /// That is held: where no weights are stated nothing comes before anything.
+    /// The budget that is held: none where the design states no weights, because no aspect then comes first.
     [[nodiscard]] double held_clutter() const { return is_stated ? clutter_budget : 1; }
     [[nodiscard]] std::size_t count() const { return kMainAspects + parts.size(); }
-    /// Of an element of the data: that of the first part that has its role, else the data's.
+    /// Returns the aspect of an element of the data: the first part that has its role, else the data.
     [[nodiscard]] std::size_t aspect_of(scene::LayerRole role) const noexcept;
-    /// Of these weights: nothing has a larger one.
+    /// True where no aspect has a larger weight.
     [[nodiscard]] bool is_first(std::size_t aspect, const AspectWeights& weighed) const noexcept;
     [[nodiscard]] std::string_view name_of(std::size_t aspect) const;
 };

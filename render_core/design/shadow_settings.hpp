@@ -1,4 +1,4 @@
-/// Shadows of data that stand over the ground, on it and in the air: table [effects.shadows] of a design file.
+/// Shadows that data above the ground cast on the ground and into the air: table [effects.shadows] of a design file.
 ///
 ///     [effects.shadows]
 ///     on_ground = 0.6       # what a whole shadow takes of the first light; 0, or absent: no soft shadows
@@ -16,7 +16,7 @@
 
 namespace tedavis::design {
 
-/// A bit a role.
+/// One bit per role.
 class CasterRoles {
 public:
     constexpr CasterRoles& add(scene::LayerRole role) {
@@ -29,7 +29,8 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-/// Airspaces are no things, and fields have a sign wherever one has room: those cast shadows where a design names them.
+/// The default casters. Airspaces are not objects, and fields have signs wherever there is room: they cast shadows only where a
+/// design names them.
 inline constexpr CasterRoles kThings = CasterRoles()
                                            .add(scene::LayerRole::trajectory)
                                            .add(scene::LayerRole::traffic)

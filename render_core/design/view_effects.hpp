@@ -26,7 +26,7 @@
 ///     [effects.instead]
 ///     silhouettes = []            # nothing takes their place; else names of effects, the first that is possible
 ///
-/// [effects.shadows] has a page of its own (shadow_settings.hpp).
+/// [effects.shadows] is described in shadow_settings.hpp.
 ///
 /// Plain data; pixels of the picture, metres. Reading: start-up only, faults go to the section.
 #pragma once
@@ -45,21 +45,21 @@
 namespace tedavis::design {
 
 inline constexpr double kMaxBlur_px = 8;
-inline constexpr double kLongestFade_s = 2;  ///< what is shown longer than that would be old
+inline constexpr double kLongestFade_s = 2;  ///< a longer fade would show outdated content
 
 struct DepthOfField {
     double blur_px = 0;  ///< 0: everything is sharp
     double focus_near_m = 0, focus_far_m = 10'000;
-    scene::LayerRole focus_role = scene::LayerRole::count;  ///< not count: what is in focus is a part of the data
+    scene::LayerRole focus_role = scene::LayerRole::count;  ///< not `count`: the focus is on data of this role
     bool on_terrain = true, on_data = true;
 };
 
-/// The brightness of the whole display. Every colour is multiplied, symbols and warnings too, so that what stands out by day does
-/// so at night.
+/// The brightness of the whole display. Every colour is multiplied, those of symbols and warnings too, so that contrasts are
+/// the same by day and at night.
 enum class PanelLighting : std::uint8_t { day, dusk, night, automatic };
 inline constexpr std::array<std::string_view, 4> kPanelLightingNames{"day", "dusk", "night", "auto"};
 
-/// A picture for each eye. In an anaglyph colours are not to be trusted: each eye sees a part of them.
+/// Stereo: a picture for each eye. Colours of an anaglyph are not reliable, since each eye sees only a part of them.
 enum class StereoMode : std::uint8_t { none, side_by_side, anaglyph };
 
 struct Stereo {
@@ -67,22 +67,22 @@ struct Stereo {
     double base_m = 2, screen_m = 300;
 };
 
-/// How the saliency map of the picture is shown; a tool for those who judge designs, not for flight.
+/// How the saliency map of the picture is shown; a tool to evaluate designs, not for flight.
 enum class SaliencyView : std::uint8_t { none, heat, map };
-inline constexpr std::array<std::string_view, 2> kSaliencyViewNames{"heat", "map"};  ///< from heat on
+inline constexpr std::array<std::string_view, 2> kSaliencyViewNames{"heat", "map"};  ///< starting with `heat`
 enum class SaliencyScale : std::uint8_t { picture, fixed };
 
 struct Saliency {
-    SaliencyView view = SaliencyView::none;  ///< none: nothing is measured
+    SaliencyView view = SaliencyView::none;  ///< none: saliency is not measured
     SaliencyScale scale = SaliencyScale::picture;
 };
 
-/// How clutter of the picture is shown; likewise a tool. The budget that is held is a matter of priorities (priority.hpp).
+/// How clutter of the picture is shown; also a tool to evaluate designs. The clutter budget is in priority.hpp.
 enum class ClutterView : std::uint8_t { none, edges, regions };
-inline constexpr std::array<std::string_view, 2> kClutterViewNames{"edges", "regions"};  ///< from edges on
+inline constexpr std::array<std::string_view, 2> kClutterViewNames{"edges", "regions"};  ///< starting with `edges`
 
-/// An effect, and what takes its place where a device cannot do it or the time does not suffice: the first that is possible.
-/// Names of render_core/effects; nothing for the empty list.
+/// An effect and its replacements where a device cannot do it or the deadline does not allow it: the first possible one is
+/// used. Names are those of render_core/effects; an empty list means no replacement.
 struct InsteadOf {
     base::FixedString<31> effect;
     base::FixedVector<base::FixedString<31>, 2> instead;
@@ -98,7 +98,7 @@ struct ViewEffects {
     Stereo stereo;
     Saliency saliency;
     ClutterView clutter = ClutterView::none;
-    base::FixedVector<InsteadOf, kMaxInsteadOf> instead;  ///< where another order is wanted than the effects' own
+    base::FixedVector<InsteadOf, kMaxInsteadOf> instead;  ///< replacements that differ from the effects' defaults
     ShadowSettings shadows;
 };
 

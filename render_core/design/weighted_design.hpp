@@ -1,11 +1,11 @@
-/// A design as the weights of its aspects leave it: each technique conveys as much of its most as the design's curves say
-/// (priority.hpp), and what would spoil something else gives way by rule:
+/// Applies the weights of aspects to a design: each technique's detail follows the design's curves (priority.hpp), and
+/// conflicts between techniques are resolved by rules:
 ///
-///   shading      falls where the ground's colours say much: by half where they are continuous and data come before terrain; and
-///                so far that neighbouring classes differ by `least_difference` in its darkest shade
-///   extrinsic    uncertainty is at most 1 - weight of the terrain where terrain comes first, so that no glyph hides it; of an
-///                element that has no more room for it transparency takes its place, of a sign a broken rim
-///   intrinsic    uncertainty never falls below two gradations: what is unsure is never shown as sure
+///   shading      is reduced where the ground's colours convey much: by half where they are continuous and data come before
+///                terrain, and so far that neighbouring classes differ by `least_difference` in its darkest shade
+///   extrinsic    uncertainty is at most 1 - weight of the terrain where terrain comes first, so that no glyph hides the terrain;
+///                for an element that has no room left for it, it is replaced by transparency, for a sign by a dashed rim
+///   intrinsic    uncertainty keeps at least two gradations, so that uncertain data are never shown as certain
 ///
 /// Pure functions; any thread.
 #pragma once
@@ -14,21 +14,21 @@
 
 namespace tedavis::design {
 
-/// 0..1; 0 is no shading at all.
+/// Returns the shading at a strength 0..1; 0 is no shading.
 [[nodiscard]] ShadeSettings at_strength(const ShadeSettings& shade, double strength) noexcept;
 [[nodiscard]] SketchSettings at_strength(const SketchSettings& sketch, double strength) noexcept;
 
-/// The least `ambient`, no less than the shade's own, at which neighbouring classes differ by `least` CIEDE2000 in its darkest
-/// shade; 1 where they never do. Of a continuous scale the shade's own.
+/// Returns the least `ambient`, not below the shade's own, at which neighbouring classes differ by `least` CIEDE2000 in the
+/// darkest shade; 1 where they never do, and the shade's own for a continuous scale.
 [[nodiscard]] double legible_ambient(const ShadeSettings& shade, const DataScale& scale, double least) noexcept;
 
-/// In place, of `design` as it was read.
+/// Applies the weights to `design`, which must be as it was read.
 void weigh(const AspectWeights& weights, DesignSettings& design) noexcept;
-/// By the weights that the design states.
+/// Returns the design with the weights that it states.
 [[nodiscard]] DesignSettings weighted(const DesignSettings& design) noexcept;
 
-/// Strengths, techniques and colours of light that `like`, the design as it was read, shows and `design`, at some weights, does
-/// not, so faint that nobody sees them: both have the same programs.
+/// Gives `design` (after weights) the techniques and coloured lights of `like` (as it was read) that it no longer shows, at
+/// invisible strengths, so that both need the same shader programs.
 void keep_programs(const DesignSettings& like, DesignSettings& design) noexcept;
 
 }  // namespace tedavis::design

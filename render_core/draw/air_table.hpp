@@ -1,12 +1,13 @@
-/// What air does on the way to the eye, as a texture that programs with shaders/air.frag read: by the ray's angle above the
-/// horizon and by the distance, so that all that is in view at one moment shares it.
+/// A table of atmospheric scattering and extinction as a texture, read by programs with shaders/air.frag: by the ray's angle
+/// above the horizon and by the distance. All programs of a frame share it.
 ///
-/// Rows stand closest at the horizon, columns at equal ratios of 1 km + distance up to 800 km, the last one for rays that leave
-/// the air. Light is scaled so that the sky at the horizon, square to the sun, has the brightness that the design asks for, and
-/// hardly more towards the sun: symbols must be seen there. Computed again when the eye has changed its height by kHeightStep_m
-/// or the sun its elevation by kSunStep_rad; by their rounded values, so that a frame does not depend on those before it.
+/// Rows are densest at the horizon; columns are at equal ratios of 1 km + distance up to 800 km, the last one for rays that
+/// leave the air. Light is scaled so that the sky at the horizon, 90 degrees from the sun, has the design's brightness, and
+/// hardly more towards the sun, where symbols must stay visible. The table is computed again when the eye point's height has
+/// changed by kHeightStep_m or the sun's elevation by kSunStep_rad, from rounded values, so that a frame does not depend on
+/// earlier ones.
 ///
-/// Memory    half floats from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
+/// Memory    half floats charged to the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
 
 #include <cstdint>
@@ -21,23 +22,23 @@
 
 namespace tedavis::draw {
 
-/// What a frame tells the programs of its air. Without a map there is none.
+/// The air of a frame, for the programs. Without a map there is none.
 struct AirFrame {
     const gl::Texture* map = nullptr;
-    double molecule_light = 0, aerosol_light = 0;  ///< of the horizon before phase functions, of the most that is wanted
+    double molecule_light = 0, aerosol_light = 0;  ///< light of the horizon before phase functions
     glm::dvec3 towards_sun{0, 0, 1}, up{0, 0, 1};  ///< unit vectors, ECEF
     double dip_rad = 0;                            ///< of the visible horizon
     double eye_height_m = 0;                       ///< above the sea
-    double share = 1;                              ///< 0..1 of the air's effect: less on the way to the map
+    double share = 1;                              ///< 0..1, share of the air's effect; reduced during the transition to the map
 };
 
-/// Of every program that is built with AIR.
+/// Uniforms of every program that is built with AIR.
 inline constexpr std::size_t kAirUniforms = 4;
 inline constexpr const char* kAirUniformNames[kAirUniforms] = {"air_map", "air_sun", "air_up", "air_look"};
 inline constexpr std::uint32_t kAirUnit = 9;  ///< beyond those of smaller devices, which have no such programs
 
-/// The program must be in use; `first` is the place of kAirUniformNames in its list. Columns of `axes`: in what frame its rays
-/// are.
+/// Sets the uniforms; the program must be in use. `first` is the index of kAirUniformNames in its list; the columns of `axes`
+/// are the frame of its rays.
 void set_air_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const AirFrame& air,
                       const glm::dmat3& axes = glm::dmat3(1.0));
 
@@ -49,7 +50,7 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
     void update(gl::Gl& gl, const design::AirSettings& settings, double eye_height_m, double sun_elevation_rad);
-    /// The map and its light; the rest of the frame is the caller's.
+    /// Returns the map and its light; the caller fills the other members.
     [[nodiscard]] AirFrame frame() const;
     void destroy(gl::Gl& gl) { texture_.destroy(gl); }
 
@@ -67,7 +68,7 @@ private:
     double molecule_light_ = 0, aerosol_light_ = 0;
 };
 
-/// Nearest IEEE 754 binary16 of a number 0..65504, ties to even.
+/// Returns the IEEE 754 binary16 nearest to a number 0..65504, ties to even.
 [[nodiscard]] std::uint16_t half_of(double value) noexcept;
 
 }  // namespace tedavis::draw

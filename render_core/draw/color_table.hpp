@@ -1,4 +1,5 @@
-/// The colours of terrain codes (terrain_code.frag), one texel a code, so that no pixel mixes palette and warning bands itself.
+/// The colours of terrain codes (terrain_code.frag), one texel per code, so that palette and warning bands are not mixed per
+/// pixel.
 ///
 /// Rows 0..253 and columns are a height's steps of 1/254 of the span and of 1/255 of such a step: the palette or the plain colour
 /// under the warning bands of the moment. Row 254 is the sea. Row 255 holds in alpha the haze by distance code, and in its
@@ -17,7 +18,7 @@
 
 namespace tedavis::draw {
 
-/// Heights above MSL that codes span.
+/// The range of heights above MSL that codes cover.
 struct HeightSpan {
     double lowest_m = 0, highest_m = 0;
 };
@@ -29,15 +30,16 @@ public:
 
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
-    /// `bands`: all that the design has, or none. `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
+    /// Updates the table. `bands` are all bands of the design, or none. `haze_per_m` is 1 / distance at which haze hides 1 -
+    /// 1/e, 0 for none.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
                 const design::SkySettings& sky, double haze_per_m);
-    /// Of another design: the next update computes everything.
+    /// For a change of the design: the next update computes everything.
     void forget() { known_ = false; }
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
     void destroy(gl::Gl& gl) { texture_.destroy(gl); }
 
-    /// The height that a code stands for.
+    /// Returns the height of a code.
     [[nodiscard]] static double height_m(const HeightSpan& span, std::uint32_t row, std::uint32_t column);
 
 private:

@@ -1,8 +1,8 @@
-/// How a depth buffer of 24 bits serves from the near plane to the farthest mountain: one range where it resolves all, else a far
-/// one and a near one, drawn in this order with the depth cleared between them.
+/// Divides the depth range for a 24-bit depth buffer: one range where it resolves all distances, else a far and a near one,
+/// drawn in this order with the depth cleared between them.
 ///
-/// A gap of 0.3 thousandths of the distance must be told everywhere. A buffer of b bits resolves z^2 / (near * 2^b) at depth z;
-/// a factor of 4 covers interpolation. Pure function; any thread.
+/// A depth difference of 0.0003 of the distance must be resolved everywhere. A buffer of b bits resolves z^2 / (near * 2^b) at
+/// depth z; a factor of 4 covers interpolation. Pure function; any thread.
 #pragma once
 
 #include <cmath>
@@ -18,8 +18,7 @@ struct DepthPlan {
     DepthRange ranges[2];  ///< in drawing order
     std::size_t count = 1;
 
-    /// Where the ranges overlap, what is mixed with the colours below belongs to one of them: from here on to the far one. 0
-    /// where there is one range.
+    /// Where the ranges overlap, blended pieces belong to the far range from this distance on. 0 where there is one range.
     [[nodiscard]] double parting_m() const { return count > 1 ? ranges[1].far_m : 0; }
 };
 

@@ -1,6 +1,6 @@
-/// Multiplies every pixel of the finished display with one colour: the panel's brightness.
+/// Multiplies every pixel of the finished display by one colour, for the panel's brightness.
 ///
-/// Memory    a grid from the line `symbology_vertices`. Thread  the GL thread. Failure  start(): one sentence.
+/// Memory    a grid charged to the line `symbology_vertices`. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -14,7 +14,8 @@ class Dimmer {
 public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
-    /// Of the bound framebuffer; alpha stays. `white`: 0..1. Leaves depth test, culling and blending off.
+    /// Dims the bound framebuffer; alpha is unchanged. `white` is 0..1 per channel. Leaves depth test, culling and blending
+    /// off.
     void draw(gl::Gl& gl, const glm::dvec3& white) const;
     void destroy(gl::Gl& gl);
 

@@ -1,4 +1,5 @@
-/// Drape pages on the GPU: one RGBA8 atlas with a fixed number of page slots, and a transparent place for chunks without a page.
+/// Drape pages on the GPU: one RGBA8 atlas with a fixed number of page slots, and a transparent texel for chunks without a
+/// page.
 ///
 /// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. As the side
 /// is a power of two and pages start at whole texels, a page looks the same to the last bit in every slot: see terrain.frag.
@@ -28,7 +29,7 @@ public:
     void bind(gl::Gl& gl, std::uint32_t unit) const { texture_.bind(gl, unit); }
 
     [[nodiscard]] DrapeOrigin origin(std::uint32_t slot) const;
-    /// Where there is nothing of the image; for sampling at this one place.
+    /// A transparent texel, to be sampled at this position only.
     [[nodiscard]] DrapeOrigin nowhere() const;
     /// One over the side, texels.
     [[nodiscard]] float scale() const;

@@ -1,12 +1,13 @@
-/// Canny's edges of the picture that stands on a surface, made on the GPU, and how dense they are by regions.
+/// Finds Canny's edges of the picture on a surface on the GPU, and their density by regions.
 ///
-/// What is an edge is said by perception/edge_detector.hpp, for its default settings. All sums are whole numbers that a float
-/// holds, so that crests and thresholds are the processor's, pixel by pixel. Only connections are followed less far: through
-/// kTurns blocks of 4 x 4 pixels from a strong edge. README.md says how much that changes. Both lanes find the same.
+/// Edges are defined by perception/edge_detector.hpp with its default settings. All sums are integers that a float represents
+/// exactly, so that gradients, maxima and thresholds equal those of the CPU pixel by pixel. Only hysteresis is limited: weak
+/// edges are followed through kTurns blocks of 4 x 4 pixels from a strong edge. README.md states the resulting difference. Both
+/// lanes give the same result.
 ///
 /// The picture is copied and searched in strips, which overlap by what a pixel's edge depends on; kept of the whole picture are
-/// three times two bits a pixel, twice. Every target has four bytes a texel, as ES 2 draws into. Nothing is blended or dithered,
-/// but what show() lays over the picture. Needs copies of the surface (not `sc2`), and floats of 32 bits in fragment shaders.
+/// three times two bits a pixel, twice. Every target has four bytes a texel, as ES 2 draws into. Nothing is blended or
+/// dithered, except in show(). Needs copies of the surface (not `sc2`), and floats of 32 bits in fragment shaders.
 ///
 /// Memory    the line render_targets: 1.5 bytes a pixel of the picture and 10 a pixel of a strip with its neighbours (64 rows on
 ///           es3, 16 on es2, and 10): 1,928,720 bytes at 1024 x 768 on es3, 620,816 at 640 x 480 on es2. A triangle from
@@ -24,26 +25,26 @@
 
 namespace tedavis::draw {
 
-/// White edges on black instead of the picture, or over it the regions, tinted by their density.
+/// `edges`: white edges on black instead of the picture; `regions`: regions tinted by density over the picture.
 enum class EdgeView : std::uint8_t { edges, regions };
 
 class EdgePass {
 public:
-    /// So many blocks of 4 x 4 pixels far what is connected with a strong edge is followed.
+    /// Number of blocks of 4 x 4 pixels through which weak edges are followed.
     static constexpr int kTurns = 12;
 
-    /// The surface has this size, at most perception::kMaxPictureSide each way. `shows`: show() may be asked for.
+    /// The surface has this size, at most perception::kMaxPictureSide per side. `shows`: show() may be called.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool shows);
     [[nodiscard]] bool is_started() const { return counts_.valid(); }
     [[nodiscard]] bool can_show() const { return programs_.has(EdgeStep::show_edges); }
 
-    /// Of what is on the surface now, which stays as it is and bound.
+    /// Measures the surface's current content, which stays unchanged and bound.
     void measure(gl::Gl& gl, const base::Surface& surface);
-    /// Of the picture that was measured last, the share of edges in each region as perception::region_densities gives it; not
-    /// known before. Waits for the GPU, and reads 192 bytes. The surface is bound.
+    /// Returns the share of edges in each region of the last measured picture, as perception::region_densities does; unknown
+    /// before the first. Waits for the GPU and reads 192 bytes. The surface must be bound.
     [[nodiscard]] effects::ClutterMap densities(gl::Gl& gl, const base::Surface& surface) const;
-    /// Of the picture that was measured last, which there must be, over the surface that is bound.
+    /// Shows the last measured picture's edges over the bound surface; measure() must have been called.
     void show(gl::Gl& gl, EdgeView view) const;
     void destroy(gl::Gl& gl);
 

@@ -1,4 +1,4 @@
-/// The programs that edges are found, counted and shown by, and what they read.
+/// The programs that find, count and show edges, and their inputs.
 ///
 /// Memory  none of ours. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
@@ -28,17 +28,17 @@ enum EdgeUniform : std::size_t {
     kEdgeUniforms
 };
 
-/// How many texels loops read at most: across a part of a region, and of a region's counts. Some devices unroll loops.
+/// Largest loop counts in texels: across a part of a region, and over a region's counts. Some devices unroll loops.
 struct EdgeLoops {
     std::uint32_t blocks = 1, counts = 1;
 };
 
 class EdgePrograms {
 public:
-    /// Those that show something where that is asked for.
+    /// Builds the programs; those for showing only where `shows` is true.
     [[nodiscard]] base::Error start(gl::Gl& gl, const EdgeLoops& loops, bool shows);
     [[nodiscard]] bool has(EdgeStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
-    /// In use from now on, and reads the texture, of a picture of that size.
+    /// Makes the program of a step current, with the texture of a picture of this size as its input.
     [[nodiscard]] const gl::Program& use(gl::Gl& gl, EdgeStep step, const gl::Texture& texture, std::uint32_t width_px,
                                          std::uint32_t height_px) const;
     void destroy(gl::Gl& gl);

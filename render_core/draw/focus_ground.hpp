@@ -1,16 +1,16 @@
-/// What foci change of the ground: what context looks like, and rims. Programs with shaders/focus.frag read it.
+/// The effect of foci on the ground: the look of the context, and rims. Programs with shaders/focus.frag read it.
 ///
-/// A place's degree is found at every pixel, from the place's metres in each focus' plane (scene/focus_region.hpp), which change
-/// evenly over a triangle, and the points of the foci. So rims are exact at any distance, which a field of distances in texels,
-/// or degrees at vertices (triangles may be wider than a focus), would not be. Up to four foci of sixteen points are more than
-/// the sixteen vectors that the smallest device has for a fragment's uniforms: the points lie in a second row of the texture of
-/// the palette, 24 bits a number, whose first row no program reads otherwise for it. A chunk says which of them matter to it.
-/// Chunks that lie in focus as a whole are drawn by the program without foci, chunks in the context look nothing up.
+/// The degree is computed for every pixel from its coordinates in each focus' plane (scene/focus_region.hpp), which are linear
+/// over a triangle, and from the points of the foci. So rims are exact at any distance, unlike a distance field in texels or
+/// degrees at vertices (triangles may be wider than a focus). Four foci of sixteen points exceed the sixteen uniform vectors of
+/// a fragment shader on the smallest device, so the points are stored in a second row of the palette's texture, 24 bits per
+/// number. Each chunk has the list of points that matter to it. Chunks completely in focus are drawn by the program without
+/// foci; chunks completely in the context read no points.
 ///
 /// The context is common to all foci (design::terrain_of_context). Degrees and looks never change warning colours, colours of
 /// values, and ground without data.
 ///
-/// Memory  none of ours but the second row (kRenderTargets). Thread  the GL thread. Failure  none.
+/// Memory  the second row of the texture (kRenderTargets). Thread  the GL thread. Failure  none.
 #pragma once
 
 #include "render_core/design/focus_settings.hpp"
@@ -22,7 +22,7 @@
 
 namespace tedavis::draw {
 
-/// What of it programs are built for.
+/// The variant of foci that programs are built for.
 struct GroundFocusKind {
     std::uint8_t foci = 0;  ///< of the design; 0: none changes the ground
     bool has_paths = false, has_squares = false, has_chebyshev = false;
@@ -30,7 +30,7 @@ struct GroundFocusKind {
     bool sketches = false, blurs = false;
 };
 [[nodiscard]] bool operator==(const GroundFocusKind& a, const GroundFocusKind& b) noexcept;
-/// Whether programs for one show another, too.
+/// True where programs for one variant can show another.
 [[nodiscard]] bool covers(const GroundFocusKind& built, const GroundFocusKind& wanted) noexcept;
 [[nodiscard]] GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept;
 
@@ -38,16 +38,16 @@ struct GroundFocusKind {
 inline constexpr double kSharpCode = 20;
 [[nodiscard]] double sharp_distance_m() noexcept;
 
-/// Of every program that is built with FOCI.
+/// Uniforms of every program that is built with FOCI.
 inline constexpr std::size_t kFocusUniforms = 4;
 inline constexpr const char* kFocusUniformNames[kFocusUniforms] = {"focus_axes", "focus_parts", "focus_look", "focus_least"};
 
 /// The lines of a grid are a round number of metres apart: 1, 2 or 5 times a power of ten, two or more to the focus' radius.
 [[nodiscard]] double focus_grid_spacing_m(double radius_m) noexcept;
 
-/// What a chunk of terrain looks up.
+/// The data of foci for a chunk of terrain.
 struct FocusOfChunk {
-    bool is_in_focus = true;                                          ///< all of it: the program without foci draws it
+    bool is_in_focus = true;                                          ///< the whole chunk: the program without foci draws it
     double least_degree = 0;                                          ///< of all its places
     std::uint8_t first[scene::kMaxFoci]{}, count[scene::kMaxFoci]{};  ///< parts of each focus
 };
@@ -56,11 +56,11 @@ class GroundFocus {
 public:
     static constexpr std::uint32_t kTexelsOfFocus = 64, kTexels = scene::kMaxFoci * kTexelsOfFocus;
 
-    /// Of the frame; both must stay until it is drawn. `regions` null, or none of them valid: all is in focus. `blurs`: false
-    /// where brightness stands for blur.
+    /// Sets the frame's foci; both arguments must stay valid until it is drawn. `regions` null, or none valid: everything is in
+    /// focus. `blurs` is false where brightness replaces blur.
     void set(const scene::FocusRegions* regions, const design::FocusList& foci, bool blurs);
     [[nodiscard]] bool is_any() const { return is_any_; }
-    /// Into a texture's row, where it changed since the last time.
+    /// Uploads the points to a texture's row where they have changed.
     void upload(gl::Gl& gl, gl::Texture& texture, std::uint32_t row);
 
     [[nodiscard]] FocusOfChunk of_chunk(const terrain::ChunkEntry& entry, const terrain::View& view) const;

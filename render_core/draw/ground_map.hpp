@@ -1,4 +1,4 @@
-/// A slice of a scene's grid on the GPU, and the colours of its scale: what terrain programs with ground data read.
+/// A slice of a scene's grid on the GPU, and the colours of its scale, for terrain programs with ground data.
 ///
 /// Memory    GPU, from the budget line scene_ground. Thread  the GL thread. Failure  one sentence.
 #pragma once
@@ -22,15 +22,16 @@ struct GridWindow {
 
 class GroundMap {
 public:
-    /// The largest square of a power of two that the line pays beside the colours.
+    /// Allocates the largest power-of-two square that fits the line besides the colours.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px);
     [[nodiscard]] bool is_started() const { return map_.valid(); }
-    /// Posts across and down for which there is room.
+    /// Number of posts across and down that fit.
     [[nodiscard]] std::uint32_t side() const { return map_.settings().width_px; }
 
-    /// A finished slice, and the scale that its values are coloured by. False, and nothing is shown, where it has no room.
+    /// Uploads a finished slice and the scale of its colours. Returns false, and shows nothing, where it does not fit.
     [[nodiscard]] bool upload(gl::Gl& gl, const scene::GridSlice& slice, const design::GroundData& look);
-    /// The scale alone. With a nominal palette classes have the colours of their names, and those without one are missing.
+    /// Uploads only the scale. With a nominal palette classes have the colours of their names; classes without a colour count
+    /// as missing.
     void set_look(gl::Gl& gl, const design::GroundData& look);
     void clear() { has_data_ = false; }
     [[nodiscard]] bool has_data() const { return has_data_; }

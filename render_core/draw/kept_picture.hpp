@@ -1,4 +1,4 @@
-/// A scene kept off screen, and a part of it put over the whole of what is bound.
+/// Keeps a scene's picture off screen and draws a part of it over the whole bound framebuffer.
 ///
 /// Memory    a colour and depth target from the budget line render_targets, a grid from `symbology_vertices`. Thread  the GL
 ///           thread. Failure  start(): one sentence.

@@ -1,4 +1,4 @@
-/// Volumetric light: what the shadows of data take from the light that air, or haze, scatters towards the eye.
+/// Volumetric light: shadows of data remove light that air, or haze, scatters towards the viewer.
 ///
 /// At half the picture's size each view ray is walked from the eye to what it meets, as far as casters may shade it, in a bounded
 /// number of equal steps. Where a step lies in shadow (shadow_map.hpp) its part of the light is lost: of the same table as aerial

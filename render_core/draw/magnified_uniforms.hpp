@@ -1,6 +1,6 @@
-/// Programs that draw one part of what magnifiers move (earth/magnified_parts.hpp): a draw of the whole mesh by the part's linear
-/// map, of which fragments outside the part are left out (shaders/magnified.vert, magnified.frag). What no magnifier reaches is
-/// drawn once, by programs that know of none.
+/// Uniforms of programs that draw one part of what magnifiers move (earth/magnified_parts.hpp): the whole mesh is drawn with
+/// the part's linear map, and fragments outside the part are discarded (shaders/magnified.vert, magnified.frag). Objects that
+/// no magnifier reaches are drawn once, by programs without magnifiers.
 ///
 /// They have the uniforms of kMagnifierUniformNames, call magnified() and leave_other_parts(), and are built with the line
 /// kMagnifiedDefine. Thread  the GL thread.

@@ -1,8 +1,8 @@
-/// Attribute pages on the GPU: one atlas a map that styles read, a fixed number of page slots in each.
+/// Attribute pages on the GPU: one atlas per map that styles read, each with a fixed number of page slots.
 ///
 /// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. Sides are
-/// powers of two, so that a place in a page has the same fraction of a texel in every slot: see terrain.frag. The
-/// horizon atlas holds the horizon towards one azimuth, mixed from the two nearest baked directions when a page is uploaded.
+/// powers of two, so that a place in a page has the same fraction of a texel in every slot: see terrain.frag. The horizon atlas
+/// holds the horizon towards one azimuth, interpolated from the two nearest stored directions when a page is uploaded.
 /// Memory    GPU, from the budget line terrain_pages. Thread  the GL thread. Failure  one sentence.
 #pragma once
 

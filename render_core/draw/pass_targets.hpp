@@ -1,4 +1,4 @@
-/// Makes the many targets of a pass, and remembers the first that could not be made.
+/// Creates the render targets of a pass and stores the first error.
 #pragma once
 
 #include "render_core/gl/render_target.hpp"
@@ -9,7 +9,7 @@ class PassTargets {
 public:
     PassTargets(gl::Gl& gl, base::BudgetLine& line) : gl_(gl), line_(line) {}
 
-    /// Four bytes a texel, without depth. Does nothing once one could not be made.
+    /// Creates a target with four bytes per texel and without depth. Does nothing after a failure.
     void make(gl::RenderTarget& to, std::uint32_t width_px, std::uint32_t height_px,
               gl::TextureFilter filter = gl::TextureFilter::nearest) {
         if (error_) return;
@@ -20,7 +20,7 @@ public:
         else
             error_ = made.error();
     }
-    /// An empty sentence if all were made.
+    /// The first error; empty if all were created.
     [[nodiscard]] const base::Error& error() const { return error_; }
 
 private:

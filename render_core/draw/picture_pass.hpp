@@ -1,7 +1,7 @@
-/// Makes the picture of terrain that was drawn off-screen: the sky where there is none, colours for its codes, and silhouettes
-/// where the depth jumps (Saito, Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990), found in the distance
-/// code of its alpha. Codes are coloured once a pixel (Deering et al., "The Triangle Processor and Normal Vector Shader",
-/// SIGGRAPH 1988).
+/// Composes the picture from terrain that was drawn off-screen: the sky where there is none, colours for its codes, and
+/// silhouettes where the depth jumps (Saito, Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990), found in the
+/// distance code of its alpha. Codes are coloured once per pixel (Deering et al., "The Triangle Processor and Normal Vector
+/// Shader", SIGGRAPH 1988).
 ///
 /// Memory    a colour and depth target from the budget line render_targets. Thread  the GL thread. Failure  one sentence.
 #pragma once
@@ -31,23 +31,23 @@ struct PictureInput {
 
 class PicturePass {
 public:
-    /// For designs that follow one another; those whose output is TerrainOutput::color have no use for it. The first is drawn
-    /// first.
+    /// Prepares programs for the designs of a display; designs with the output TerrainOutput::color do not use this pass. The
+    /// first design is the initial one.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     DrawnDesigns designs);
-    /// Whether there are the programs that a design needs.
+    /// True where the programs that a design needs exist.
     [[nodiscard]] bool shows(const DrawnDesign& design) const;
-    /// The next picture is of this design.
+    /// Sets the design of the next picture.
     void set_design(const DrawnDesign& design);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
-    /// What is drawn from here on goes off-screen, on a picture of nothing but sky.
+    /// Begins the off-screen picture, which is initialised as sky.
     void begin(gl::Gl& gl) const;
-    /// What was drawn off-screen, or is put there instead: rows from the bottom.
+    /// The off-screen picture, rows from the bottom.
     [[nodiscard]] const gl::Texture& scene() const { return target_.color(); }
-    /// Puts the picture there.
+    /// Composes the picture at `place`.
     void finish(gl::Gl& gl, const gl::DrawPlace& place, const design::DesignSettings& design, const PictureInput& input);
-    /// Paints the ground of the finished picture once more, where the depth there is not empty: near terrain, over what was
-    /// drawn behind it since.
+    /// Draws the ground of the finished picture again where depth has been written: near terrain, over objects that were drawn
+    /// behind it in the meantime.
     void repaint(gl::Gl& gl, const design::DesignSettings& design, const PictureInput& input);
     void destroy(gl::Gl& gl);
 

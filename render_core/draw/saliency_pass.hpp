@@ -1,9 +1,9 @@
-/// The saliency map of the picture that stands on a surface, made on the GPU: the model of perception/saliency_model.hpp, without
-/// anything read back.
+/// Computes the saliency map of the picture on a surface on the GPU, by the model of perception/saliency_model.hpp, without
+/// reading anything back.
 ///
 /// A pixel of the map is 2^level of the picture's across and down. The picture is copied in strips, so that none of its size is
 /// kept. Every target has four bytes a texel, as ES 2 draws into: numbers are packed (shaders/saliency_codes.frag), which costs
-/// some precision: README.md says how well the map agrees with that of the processor.
+/// some precision; README.md states how well the map agrees with that of the CPU.
 ///
 /// Memory    the line render_targets: 50 bytes a pixel of the map and a strip; a triangle from symbology_vertices. Thread  the GL
 ///           thread. Failure  start(): one sentence.
@@ -22,20 +22,20 @@
 
 namespace tedavis::draw {
 
-/// How fine maps of a picture of that size are on a lane: as those of the processor on es3, half as fine on es2.
+/// Level of the map of a picture on a lane: that of the CPU on es3, one coarser on es2.
 [[nodiscard]] int saliency_map_level(effects::Lane lane, std::uint32_t width_px, std::uint32_t height_px) noexcept;
 
 class SaliencyPass {
 public:
-    /// The surface has this size. `shows_map`, `shows_heat`: what show() may be asked for.
+    /// The surface has this size. `shows_map` and `shows_heat` are the views that show() may be called with.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool shows_map, bool shows_heat);
     [[nodiscard]] bool is_started() const { return map_.valid(); }
     [[nodiscard]] bool can_show(design::SaliencyView view) const;
 
-    /// Of what is on the surface now, which stays as it is and bound.
+    /// Measures the surface's current content, which stays unchanged and bound.
     void measure(gl::Gl& gl, const base::Surface& surface, design::SaliencyScale scale);
-    /// The map that was measured last, over the surface that is bound.
+    /// Shows the last map over the bound surface.
     void show(gl::Gl& gl, design::SaliencyView view);
     /// 0..1 in the first two bytes (the first is the higher one), rows from the picture's top.
     [[nodiscard]] const gl::RenderTarget& map() const { return map_; }

@@ -1,4 +1,4 @@
-/// The programs that saliency maps are made and shown by, and what they read.
+/// The programs that compute and show saliency maps, and their inputs.
 ///
 /// Memory  none of ours. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
@@ -64,7 +64,7 @@ public:
     /// for.
     [[nodiscard]] base::Error start(gl::Gl& gl, int level, bool shows_map, bool shows_heat);
     [[nodiscard]] bool has(SaliencyStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
-    /// In use from now on.
+    /// Makes the program of a step current.
     [[nodiscard]] const gl::Program& use(gl::Gl& gl, SaliencyStep step) const;
     void destroy(gl::Gl& gl);
 

@@ -1,4 +1,4 @@
-/// The scene as it was, over the one that is: while another design or other data take their place.
+/// Cross-fade: draws the previous scene over the current one while the design or the data change.
 ///
 /// Memory, thread and failure are those of a KeptPicture.
 #pragma once
@@ -13,9 +13,10 @@ public:
         return picture_.start(gl, budget, width_px, height_px);
     }
     [[nodiscard]] bool is_started() const { return picture_.is_started(); }
-    /// Where the scene that is about to go is drawn once more.
+    /// The target into which the previous scene is drawn once more.
     [[nodiscard]] const gl::RenderTarget& target() const { return picture_.target(); }
-    /// Over the bound framebuffer, whose alpha stays. `share`: 0..1 of what was. Leaves depth test, culling and blending off.
+    /// Draws over the bound framebuffer, whose alpha is unchanged. `share` 0..1 is the opacity of the previous scene. Leaves
+    /// depth test, culling and blending off.
     void draw(gl::Gl& gl, double share) const;
     void destroy(gl::Gl& gl) { picture_.destroy(gl); }
 

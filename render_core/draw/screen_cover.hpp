@@ -1,7 +1,7 @@
-/// Which parts of the picture a batch of quads reaches, in cells: for what must neither cover it nor lie under it.
+/// The cells of the picture that a batch of quads covers, for signs that must not overlap it.
 ///
-/// A cell that a triangle touches is taken, smoothed edges included. Cells have the size that is asked for, or what kMaxCells of
-/// them across the picture take. Thread  one. Memory  its own 2 KiB. Bounded by the batch and the cells.
+/// A cell that a triangle touches is covered, antialiased edges included. Cells have the requested size, but at most kMaxCells
+/// of them are across the picture. Thread  one. Memory  its own 2 KiB. Bounded by the batch and the cells.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ class ScreenCover {
 public:
     static constexpr int kMaxCells = 128;
 
-    /// Nothing is taken.
+    /// Clears all cells.
     void clear(std::uint32_t width, std::uint32_t height, float cell_px);
-    /// `right_px`: how far right of its own place the batch lies in this picture.
+    /// Adds a batch; `right_px` is its offset to the right in this picture.
     void take(const QuadBatch& batch, float right_px = 0);
     [[nodiscard]] bool is_free(const Rect& box) const;
 

@@ -1,4 +1,4 @@
-/// One triangle that covers the whole viewport, for passes that make a picture of pictures.
+/// One triangle that covers the whole viewport, for image passes.
 ///
 /// Its corners are attribute 0 (vec2): (-1, -1), (3, -1), (-1, 3), which are clip coordinates.
 ///

@@ -1,10 +1,10 @@
-/// How the sun of a frame sees the things that cast shadows: the light's own axes, and three nested squares across them that a
-/// map of shadows has a level for each (shadow_map.hpp). Pure; any thread.
+/// The light frame of a frame's shadows: axes along the light, and three nested squares perpendicular to it, one for each level
+/// of the shadow map (shadow_map.hpp). Pure; any thread.
 ///
-/// Places in the light's frame are metres from an anchor: right, up, and towards the sun. The anchor is the nearest knot of a net
-/// of 1/20 degree, the sun's direction that at the anchor, and a level's middle a whole number of its texels from there: while
-/// the eye moves, texels stay where they are in the world, so that no edge crawls. Between two knots (5 km) the sun turns by a
-/// thousandth.
+/// Positions in the light frame are metres from an anchor: right, up, and towards the sun. The anchor is the nearest node of a
+/// 1/20 degree grid, the sun's direction is that at the anchor, and a level's middle is a whole number of its texels from
+/// there: texels stay fixed in the world while the eye point moves, so that shadow edges do not crawl. Between two nodes (5 km)
+/// the direction changes by 0.001 rad.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@
 namespace tedavis::draw {
 
 inline constexpr std::size_t kShadowLevels = 3;
-/// Each level is so many times wider than the one before.
+/// Ratio of the widths of consecutive levels.
 inline constexpr double kLevelRatio = 4;
-/// Of the sun's disc.
+/// Angular radius of the sun.
 inline constexpr double kSunRadius_rad = 0.00465;
-/// Places farther from the anchor, towards the sun or away from it, are in no map.
+/// Positions farther from the anchor, towards the sun or away from it, are not in the map.
 inline constexpr double kShadowReach_m = 400'000;
 
-/// A ball with what casts a shadow in it.
+/// A bounding sphere of a shadow caster.
 struct CasterBall {
     glm::dvec3 middle{0};  ///< ECEF
     double radius_m = 0;
@@ -47,7 +47,7 @@ struct ShadowFrame {
     /// Casters lie between these places of the light's frame; while there are none, the first is beyond the second.
     glm::dvec3 low_m{kShadowReach_m}, high_m{-kShadowReach_m};
     double top_m = -kShadowReach_m;  ///< no caster is higher over the ellipsoid
-    double on_ground = 0;            ///< what a whole shadow takes of the light; 0: none is drawn
+    double on_ground = 0;            ///< share of the light that a full shadow removes; 0: no shadows are drawn
 
     [[nodiscard]] glm::dvec3 in_light(const glm::dvec3& place) const { return (place - anchor) * axes; }
 };
@@ -64,7 +64,7 @@ struct ShadowView {
 /// One more of them.
 void add_caster(ShadowFrame& frame, const CasterBall& ball);
 
-/// Whether anything that the ball may shade, down to `lowest_m` over the ellipsoid, may be in the picture.
+/// True where anything that the sphere may shade, down to `lowest_m` above the ellipsoid, may be in the picture.
 [[nodiscard]] bool shades_the_view(const ShadowFrame& frame, const terrain::View& view, const CasterBall& ball, double lowest_m);
 
 /// Edge of a texel of a level.

@@ -1,9 +1,9 @@
-/// A map of what hides the sun: drawn from there, by who owns the casters, and read by programs with shaders/shadow.frag.
+/// A shadow map of data: casters are drawn from the sun's direction by their owners; programs with shaders/shadow.frag read it.
 ///
-/// Three levels, one above the other: how far towards the sun the caster stands, in 24 bits of red, green and blue (steps of
-/// 5 cm), and in alpha how much of the light it takes. The terrain is not in it. So it never shades itself, and the bias has to
-/// bear nothing but rounding (kShadowBias_m), however low the sun. scene::Ground that stands out of a caster is lit from half a
-/// texel over it on.
+/// It has three levels, stored one above the other: the caster's distance towards the sun in 24 bits of red, green and blue
+/// (steps of 5 cm), and in alpha the share of light that it blocks. The terrain is not in the map, so it never shades itself,
+/// and the bias only covers rounding (kShadowBias_m), however low the sun. Ground above a caster is lit from half a texel above
+/// it.
 ///
 /// Penumbrae after Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005, sketches, with the disc of the sun: what stands d
 /// metres towards the sun from a place shades it through a disc of d times the sun's radius. Wide ones are read from a coarser
@@ -22,12 +22,12 @@ namespace tedavis::draw {
 
 inline constexpr double kShadowBias_m = 0.5;
 
-/// Of every program that is built with SHADOWS.
+/// Uniforms of every program that is built with SHADOWS.
 inline constexpr std::size_t kShadowUniforms = 4;
 inline constexpr const char* kShadowUniformNames[kShadowUniforms] = {"shadow_map", "shadow_axes", "shadow_levels", "shadow_look"};
 inline constexpr std::uint32_t kShadowUnit = 10;  ///< beyond those of smaller devices, which have no such programs
 
-/// What a frame reads of it; without a map there are no shadows.
+/// The shadow map of a frame; without a map there are no shadows.
 struct ShadowRead {
     const gl::Texture* map = nullptr;
     const ShadowFrame* frame = nullptr;
@@ -47,9 +47,9 @@ public:
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] std::uint32_t level_px() const { return level_px_; }
     [[nodiscard]] const gl::Texture& texture() const { return target_.color(); }
-    /// What is drawn next casts shadows into an empty level; depth test on, culling and blending off.
+    /// Begins an empty level, into which casters are drawn; depth test on, culling and blending off.
     void begin_level(gl::Gl& gl, std::size_t level) const;
-    /// After the last one. The framebuffer and its viewport are the caller's to set again.
+    /// To be called after the last level. The caller must set framebuffer and viewport again.
     void end(gl::Gl& gl) const;
     void destroy(gl::Gl& gl) { target_.destroy(gl); }
 

@@ -1,4 +1,4 @@
-/// Draws sky and ground over the whole screen, the horizon computed for every pixel from its view ray.
+/// Draws sky and ground over the whole screen; the horizon is computed for every pixel from its view ray.
 ///
 /// The horizon is the geometric one: the tangent from the eye to the mean sphere, below the horizontal by the dip. Without
 /// terrain the picture is the plain blue over brown of an attitude indicator, without dip.

@@ -1,4 +1,4 @@
-/// A picture for each eye, put on the surface side by side or as an anaglyph.
+/// Stereo: composes the pictures of both eyes on the surface, side by side or as an anaglyph.
 ///
 /// Each eye's scene is drawn, one after the other, into one picture that is wider than the screen by a margin on either side; the
 /// part that is shown is moved against it. So two parallel views become the off-axis views of two eyes behind one screen
@@ -23,15 +23,16 @@ public:
                                     std::uint32_t margin_px);
     [[nodiscard]] bool is_started() const { return picture_.is_started(); }
     [[nodiscard]] std::uint32_t margin_px() const { return margin_px_; }
-    /// Where an eye's scene is drawn.
+    /// The target for one eye's scene.
     [[nodiscard]] const gl::RenderTarget& target() const { return picture_.target(); }
     /// Where the screen begins in an eye's picture, pixels from its left edge. `shift_px`: of each eye's picture towards its own
     /// side, -margin..margin.
     [[nodiscard]] static std::int32_t screen_begins_px(std::uint32_t margin_px, EyeSide side, std::int32_t shift_px);
-    /// Puts what was drawn last into the place that the eye has on the surface: side by side its half, in an anaglyph its colours
-    /// (red for the left eye), with no mode all of it.
+    /// Copies the last drawn picture to the surface: to the eye's half (side by side), to its colour channels (anaglyph, red
+    /// for the left eye), or to the whole surface (no mode).
     void put(gl::Gl& gl, const base::Surface& surface, design::StereoMode mode, EyeSide side, std::int32_t shift_px);
-    /// What both eyes see in the screen's plane is drawn into one half now; without sides the surface is whole again.
+    /// Restricts drawing to one half of the surface, for symbology in the screen's plane; without a side the whole surface is
+    /// used again.
     static void begin_half(gl::Gl& gl, const base::Surface& surface, EyeSide side);
     static void end_halves(gl::Gl& gl, const base::Surface& surface);
     void destroy(gl::Gl& gl) { picture_.destroy(gl); }

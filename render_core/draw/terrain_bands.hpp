@@ -1,4 +1,4 @@
-/// The warning bands that a chunk of terrain can meet, as its shader wants them.
+/// The warning bands that a chunk of terrain may intersect, in the shader's format.
 #pragma once
 
 #include <cstdint>

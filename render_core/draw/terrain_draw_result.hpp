@@ -1,4 +1,4 @@
-/// What drawing the terrain took. Plain data.
+/// Counters of drawing the terrain. Plain data.
 #pragma once
 
 #include <cstdint>

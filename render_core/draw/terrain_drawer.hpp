@@ -56,28 +56,28 @@ public:
     /// anywhere, and of one that magnifies for what is magnified.
     static constexpr std::size_t kMaxStyles = 8 * (design::kMaxPhaseDesigns + 1);
 
-    /// For designs that follow one another while it runs; the first is drawn first.
-    /// Store and index lists must outlive it.
+    /// Prepares the designs that a running display changes between; the first is the initial one. Store and index lists must
+    /// outlive the drawer.
     [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainStore& store, terrain::ChunkIndices& indices,
                                     DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging);
-    /// Whether there are the programs and maps that a design needs.
+    /// True where the programs and maps that a design needs exist.
     [[nodiscard]] bool shows(const DrawnDesign& design) const;
-    /// From here on another design, which shows() has said it can.
+    /// Changes to another design, for which shows() must be true.
     void set_design(gl::Gl& gl, const DrawnDesign& design);
 
-    /// A finished slice of the scene's field that the design colours the ground by; null: there is none, and the ground is as it
-    /// is. False where it has no room.
+    /// Sets a finished slice of the field that colours the ground; null: none. Returns false where it does not fit.
     [[nodiscard]] bool set_ground_data(gl::Gl& gl, const scene::GridSlice* slice);
-    /// Posts across and down for which there is room; 0 where the design does not ask for data on the ground. After start().
+    /// Number of posts across and down that fit; 0 where the design does not request data on the ground. Valid after start().
     [[nodiscard]] std::uint32_t ground_side() const { return ground_.is_started() ? ground_.side() : 0; }
 
-    /// Uploads what is missing of available chunks. False when a chunk contradicts its format: nothing of it may be drawn.
+    /// Uploads available chunks that are missing on the GPU. Returns false when a chunk contradicts its format; the terrain
+    /// must then not be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input);
-    /// Draws what prepare() made ready, as far as it reaches into the range of depths, into the bound framebuffer with depth
-    /// test and culling as the caller set them.
+    /// Draws the prepared chunks that reach into the range of depths into the bound framebuffer, with the caller's depth test
+    /// and culling.
     void draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
               const DepthRange& range, TerrainDrawResult& result);
-    /// Whether the style, or a coast in the database, asks for attribute pages; after start().
+    /// True where the style, or a coast in the database, needs attribute pages; valid after start().
     [[nodiscard]] bool reads_pages() const;
     void destroy(gl::Gl& gl);
 

@@ -22,7 +22,7 @@ namespace tedavis::draw {
 enum TerrainAttribute : GLuint { kTerrainPosition, kTerrainHeight, kTerrainNormal, kTerrainKind, kTerrainPlace };
 inline constexpr GLuint kTerrainAttributes = 5;
 
-/// Places in the program's list of uniforms; -1 where the style has no use for one.
+/// Indices in the program's list of uniforms; a uniform that the style does not use has location -1.
 enum TerrainUniform : std::size_t {
     kChunkOffset,
     kViewProjection,
@@ -85,7 +85,7 @@ enum TerrainUniform : std::size_t {
     kTerrainUniforms = kTerrainMagnifier + kMagnifierUniforms
 };
 
-/// What a terrain program writes. All but the first go off-screen, for the picture pass.
+/// What a terrain program writes. All except `color` are drawn off-screen, for the picture pass.
 enum class TerrainOutput : std::uint8_t {
     color,               ///< the picture
     color_and_distance,  ///< the distance in alpha: silhouettes are found in it; with blur round a focus how sharp it is
@@ -102,7 +102,7 @@ using DrawnDesigns = base::Span<const DrawnDesign>;
 /// Whether the distances in the picture serve volumetric light alone: then warning colours say that they are near, so that no
 /// shaft makes them darker, and the picture needs no pass of its own before the others.
 [[nodiscard]] bool has_shafts_only(const design::DesignSettings& design) noexcept;
-/// Whether there is blur round a focus, whose degrees stand where distances else do.
+/// True where there is blur round a focus; degrees of focus are then written instead of distances.
 [[nodiscard]] bool blurs_context(const DrawnDesign& design) noexcept;
 /// The cheapest that shows the style and the data on a device that has off-screen depth or not; `focus`: what is drawn of foci.
 [[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth,
@@ -135,7 +135,7 @@ struct TerrainVariant {
 
 inline constexpr std::size_t kMaxTerrainDefines = 1023;
 using TerrainDefines = base::FixedString<kMaxTerrainDefines>;
-/// The techniques of a style as the preprocessor's lines.
+/// The techniques of a style as preprocessor lines.
 [[nodiscard]] TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant);
 
 [[nodiscard]] base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,

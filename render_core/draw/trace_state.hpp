@@ -1,4 +1,4 @@
-/// Whether terrain that a design wants traced can be, and why not. Pure functions; any thread.
+/// Whether terrain can be ray-traced for a design that requests it, and why not. Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tedavis::draw {
 
-/// What becomes of terrain that a design wants traced.
+/// The state of ray tracing for a design that requests it.
 enum class TraceState : std::uint8_t {
     not_asked_for,
     traced,
@@ -23,13 +23,13 @@ enum class TraceState : std::uint8_t {
     database_damaged,
     place_too_polar,  ///< of the eye, in this frame
 };
-/// Why the rasterizer draws; empty where it does not stand in.
+/// Returns why the rasterizer draws instead; empty where it does not.
 [[nodiscard]] std::string_view reason_of(TraceState state);
 
-/// Whether the tracer can draw a design at all, wherever.
+/// Tests whether the tracer can draw a design, regardless of the position.
 [[nodiscard]] TraceState trace_state_of(const DrawnDesign& design);
 
-/// Whether rays from a view can be traced over the whole of a database.
+/// True where rays of a view can be traced over the whole database.
 [[nodiscard]] bool can_trace(const terrain::TerrainDatabase& database, const terrain::View& view);
 
 }  // namespace tedavis::draw

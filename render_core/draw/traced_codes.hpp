@@ -1,8 +1,8 @@
-/// What the tracer met in a picture as the codes that terrain programs write (terrain_code.frag): height, light and distance of
-/// every pixel in four bytes.
+/// Converts the hits of a traced picture to the codes that terrain programs write (terrain_code.frag): height, light and
+/// distance of every pixel in four bytes.
 ///
-/// Light comes from the corners of the triangle that was met, as a rasterizer takes it from a triangle's vertices. A pixel is sea
-/// where more than half of what is near it in its cell is, and unknown where a corner of its triangle is.
+/// Light is interpolated from the corners of the triangle that is hit, as in rasterization. A pixel is sea where more than half
+/// of the nearby posts of its cell (by weight) are, and unknown where a corner of its triangle is.
 ///
 /// Pure. Thread  uses the workers; the codes do not depend on their number.
 #pragma once
@@ -33,7 +33,7 @@ struct CodeInput {
     CodedLight light;
 };
 
-/// The code of what was drawn nowhere: sky.
+/// The code of a pixel without terrain: sky.
 inline constexpr std::uint8_t kNothingCode = 255;
 
 /// `codes`: width x height of the view, four bytes each, rows from the bottom, as pictures of GL lie.

@@ -1,9 +1,9 @@
-/// All posts of a terrain database in memory, as the tracer reads them: exact heights with their bounds, and what each post looks
-/// like. Posts between those of coarser exact chunks lie on the very triangles of these, and where chunks of two levels meet on
-/// those of the finer one.
+/// All posts of a terrain database in memory for the tracer: exact heights with their bounds, and the look of each post. Posts
+/// between those of coarser exact chunks lie on the very triangles of these, and where chunks of two levels meet on those of
+/// the finer one.
 ///
-/// scene::Ground without data has the heights that the database fills it with, and is known by the class of its posts: it is
-/// drawn as unknown, as the other renderer draws it.
+/// Ground without data has the database's interpolated heights and is marked by the class of its posts: it is drawn as unknown,
+/// as by the rasterizer.
 ///
 /// Memory    from an arena at start(). Thread  reading any. Failure  start() says which; nothing of such a ground may be used.
 #pragma once
@@ -32,7 +32,7 @@ enum class TracedGroundFault : std::uint8_t {
 class TracedGround {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(const terrain::Lattice& lattice);
-    /// Reads the whole database that the query answers from; what it keeps are other chunks then.
+    /// Reads the whole database through the query, whose cache then contains other chunks.
     [[nodiscard]] TracedGroundFault start(terrain::HeightQuery& database, base::Workers& workers, base::Arena& arena);
 
     [[nodiscard]] raytrace::TracedField<float> field() const { return {&maxima_, nullptr, raytrace::CellSurface::two_triangles}; }

@@ -1,7 +1,7 @@
-/// Draws the terrain by the heightfield ray tracer in the place of the rasterizer: the same codes into the same picture, and the
-/// same depths for what is drawn over it. Nothing is simplified: what is drawn is the surface that the database has.
+/// Draws the terrain with the heightfield ray tracer instead of the rasterizer: the same codes into the same picture, and the
+/// same depths for objects drawn over it. The database's surface is drawn without simplification.
 ///
-/// A picture is traced when it is asked for and another one was traced before.
+/// A picture is traced again only where it differs from the last one.
 ///
 /// Memory    posts and a picture from the arena, textures from the budget line traced_pictures. Thread  the GL thread, and the
 ///           workers within a call. Failure  start(): one sentence; what keeps it from tracing is no failure, but said.

@@ -1,4 +1,4 @@
-/// A picture's rays over traced ground, and what they meet: the tracer with memory for one picture.
+/// Traces the rays of a picture over the ground: the tracer with memory for one picture.
 ///
 /// Memory    an arena at start(). Thread  trace() uses the workers; what is met does not depend on their number.
 #pragma once
@@ -12,13 +12,13 @@ namespace tedavis::draw {
 class TracedView {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t width, std::uint32_t height);
-    /// False where the arena has no room.
+    /// Allocates memory; returns false where the arena is too small.
     [[nodiscard]] bool start(std::uint32_t width, std::uint32_t height, base::Arena& arena);
     /// The view has the size at start. t is the depth along the view's axis, metres.
     void trace(const TracedGround& ground, const raytrace::GroundSpace& space, const terrain::View& view, base::Workers& workers);
-    /// As if nothing were there.
+    /// Clears all hits.
     void clear();
-    /// Of the view traced last.
+    /// The hits of the last traced view.
     [[nodiscard]] const raytrace::HitPicture& hits() const { return hits_; }
 
 private:

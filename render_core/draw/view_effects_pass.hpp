@@ -16,7 +16,7 @@
 
 namespace tedavis::draw {
 
-/// What is sharp, as distances from the eye.
+/// The range of distances from the eye point that is sharp.
 struct FocusRange {
     bool is_known = false;
     double near_m = 0, far_m = 0;
@@ -32,14 +32,14 @@ struct ViewEffectsInput {
 /// Code of a distance as shaders write it into alpha, 0..254/255.
 [[nodiscard]] double distance_code(double distance_m) noexcept;
 
-/// What alpha takes of a distance's code: from the first to the second. Nothing of it (1, 1), all of it (0, 1), or one code.
+/// The range to which distance codes in alpha are limited: none (1, 1), the whole range (0, 1), or one code.
 struct DistanceLeft {
     double least = 1, most = 1;
 
     [[nodiscard]] bool is_left() const { return least < 1; }
 };
 
-/// Effects that frames may ask for.
+/// Effects that frames may request.
 struct PictureEffects {
     bool smooths = false, blurs = false, has_shafts = false;
 };
@@ -50,7 +50,8 @@ public:
                                     const PictureEffects& effects, bool with_air = false);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
-    /// Puts the target's picture where it belongs, whole. At least one effect is asked for, and was at start().
+    /// Draws the target's picture with the effects to `place`. At least one effect must be requested, and must have been
+    /// announced at start().
     void finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewEffectsInput& input);
     void destroy(gl::Gl& gl);
 

@@ -1,8 +1,7 @@
-/// Where directions of the world lie on the screen: the perspective that terrain, sky and conformal symbols share.
+/// Projects directions of the world to the screen: the perspective that terrain, sky and conformal symbols share.
 ///
-/// The eye looks along the aircraft's forward axis; the middle of the screen is the vanishing point of that axis. The
-/// focal length in pixels is the same both ways (square pixels): the field of view is stated over the width, so a
-/// portrait screen sees as wide and higher. Pixels as in rect.hpp.
+/// The view is along the aircraft's forward axis, whose vanishing point is the middle of the screen. The focal length in pixels
+/// is equal in both directions (square pixels); the field of view applies to the width. Pixels as in rect.hpp.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -39,8 +38,8 @@ struct ProjectedPoint {
 /// Unit vector of a heading from north and an elevation above the horizontal.
 [[nodiscard]] glm::dvec3 direction_of(double heading_rad, double elevation_rad) noexcept;
 
-/// Angle by which the visible horizon lies below the horizontal for an eye so high above the sphere: acos(R / (R + h)),
-/// with the Earth's mean radius; 0 for heights at or below the surface. No refraction.
+/// Dip of the visible horizon below the horizontal for an eye point at a height above the sphere: acos(R / (R + h)), with the
+/// Earth's mean radius; 0 for heights at or below the surface. No refraction.
 [[nodiscard]] double horizon_dip_rad(double height_m) noexcept;
 
 }  // namespace tedavis::draw

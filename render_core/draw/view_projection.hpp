@@ -1,4 +1,5 @@
-/// From metres relative to the eye, in ECEF axes, to clip space (OpenGL's, z -1..1). Pure functions; any thread.
+/// Projection from metres relative to the eye point, in ECEF axes, to clip space (OpenGL's, z -1..1). Pure functions; any
+/// thread.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -1,4 +1,4 @@
-/// The costs of one device on one machine, as `tedavis calibrate` measured them: a file beside the device's.
+/// The costs of one device on one machine: a calibration file that `tedavis calibrate` writes.
 ///
 ///     device = "es3-mid"              name in the device file
 ///     renderer = "llvmpipe (...)"     as the driver calls itself
@@ -20,7 +20,7 @@
 
 namespace tedavis::effects {
 
-/// For whom costs were measured.
+/// The device, renderer and size for which costs were measured.
 struct CalibrationSubject {
     base::FixedString<31> device;
     base::FixedString<127> renderer;
@@ -33,9 +33,9 @@ struct Calibration {
     CostTable costs;
 };
 
-/// A file without one of the tables, or with costs below 0, is refused.
+/// Reads a calibration file; one that lacks a table or has costs below 0 is refused.
 [[nodiscard]] base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name);
-/// Also one that was measured for another device, renderer or size than `display`.
+/// The same; also refuses a file that was measured for another device, renderer or size than `display`.
 [[nodiscard]] base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name,
                                                                       const CalibrationSubject& display);
 

@@ -1,5 +1,6 @@
-/// What a frame costs, as numbers: ms = fixed + a megapixel's * megapixels + a thousand things' * things / 1000, summed over what
-/// runs. The coefficients belong to one device on one machine, and come from its calibration; without them a cost is not known.
+/// The cost model of a frame: ms = fixed + ms_per_megapixel * megapixels + ms_per_thousand * things / 1000, summed over what is
+/// computed. The coefficients belong to one device on one machine and come from its calibration; without them costs are
+/// unknown.
 ///
 /// Pure. Thread  any. Memory  none; the table is of fixed size.
 #pragma once
@@ -10,18 +11,18 @@
 
 namespace tedavis::effects {
 
-/// Milliseconds, from 0 on.
+/// Milliseconds, not negative.
 struct CostLine {
     double fixed_ms = 0;
     double ms_per_megapixel = 0;
     double ms_per_thousand = 0;
 };
 
-/// What a frame costs beside the effects of the table.
+/// Costs of a frame that are not effects of the table.
 enum class Overhead : std::uint8_t {
-    frame,     ///< sky, symbology and everything that no other line has
-    elements,  ///< data over the terrain, a thousand features
-    glyphs,    ///< of fields, a thousand glyphs
+    frame,     ///< sky, symbology and everything that has no other line
+    elements,  ///< data over the terrain, per thousand features
+    glyphs,    ///< glyphs of fields, per thousand glyphs
     count_
 };
 inline constexpr std::size_t kOverheads = static_cast<std::size_t>(Overhead::count_);
@@ -37,22 +38,22 @@ struct CostTable {
 };
 static_assert(std::is_trivially_copyable_v<CostTable>);
 
-/// How much of everything a frame has.
+/// The counts of a frame that costs depend on.
 struct FrameCounters {
     double megapixels = 0;  ///< of the picture
     double triangles = 0;   ///< of the terrain
-    double maps = 0;        ///< beside the picture
-    double elements = 0;    ///< features that are drawn over the terrain, but for glyphs of fields
+    double maps = 0;        ///< adjacent maps
+    double elements = 0;    ///< features drawn over the terrain, without glyphs of fields
     double glyphs = 0;
 };
 
-/// What an effect's cost grows with beside pixels.
+/// The count, besides pixels, that an effect's cost depends on.
 enum class CostThing : std::uint8_t { none, triangles, maps };
 inline constexpr std::array<std::string_view, 3> kCostThingNames{"", "triangles", "maps"};
 [[nodiscard]] CostThing thing_of(Effect effect) noexcept;
 
 [[nodiscard]] double modelled_ms(const CostLine& line, double megapixels, double things) noexcept;
-/// Of a frame with everything that the plan runs.
+/// Returns the cost of a frame with the effects that the plan runs, ms.
 [[nodiscard]] double modelled_ms(const CostTable& table, const FramePlan& plan, const FrameCounters& counters) noexcept;
 
 }  // namespace tedavis::effects

@@ -1,5 +1,5 @@
-/// Which effects a design asks for, the design with one more or one less of them, and the design as a device can show it; by the
-/// rows of effect_table.cpp. Pure; any thread.
+/// The effects that a design requests, the design with one effect added or removed, and the design as a device can show it, by
+/// the rows of effect_table.cpp. Pure; any thread.
 #pragma once
 
 #include "render_core/effects/device.hpp"
@@ -7,25 +7,26 @@
 
 namespace tedavis::effects {
 
-/// Effects that a design asks for, whether or not they are possible.
+/// Returns the effects that a design requests, whether or not they are possible.
 [[nodiscard]] EffectSet asked_effects(const design::DesignSettings& design) noexcept;
 
-/// The design as if it asked for an effect that needs nothing but to be asked for: air, blur of what is out of focus, smooth
-/// edges. Others change nothing.
+/// Returns the design with a further effect requested. Only effects that need no other settings can be added, such as air,
+/// depth of field and antialiasing; others change nothing.
 [[nodiscard]] design::DesignSettings with_effect(const design::DesignSettings& design, Effect effect) noexcept;
-/// The design as if it did not ask for an effect.
+/// Returns the design without a request for an effect.
 [[nodiscard]] design::DesignSettings without_effect(const design::DesignSettings& design, Effect effect) noexcept;
 
-/// Something else is found in the distances of the picture, so that there is no blur round foci.
+/// True where another effect uses the picture's distance buffer, so that blur round foci is not available.
 [[nodiscard]] bool reads_distances(const design::DesignSettings& design) noexcept;
 
-/// What can take another's place in a running display of this design, as possible_design() gives it: what is compiled in anyway.
+/// Returns the effects that can replace others in a running display of this design (as possible_design() returns it), because
+/// their programs are compiled in.
 [[nodiscard]] EffectSet effects_in_reserve(const design::DesignSettings& possible) noexcept;
 
-/// What takes an effect's place, by the design; a display's start refuses one that cannot be had.
+/// Returns the design's replacements of effects; a display's start refuses impossible ones.
 [[nodiscard]] ReplacementOrder order_of(const design::DesignSettings& design) noexcept;
 
-/// The design with what a device cannot do, or must not, in the way that stands for it there.
+/// Returns the design with every effect that the device cannot do, or must not, changed to its replacement.
 [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design, const DeviceSettings& device);
 
 }  // namespace tedavis::effects

@@ -41,30 +41,30 @@ inline constexpr std::string_view kSceneGlyphVertices = "scene_glyph_vertices";
 inline constexpr std::string_view kSceneBillboards = "scene_billboards";
 inline constexpr std::string_view kSceneBillboardVertices = "scene_billboard_vertices";
 
-/// Lines that a device has where it has room for traced terrain.
+/// Optional lines, present where the device has room for ray-traced terrain.
 inline constexpr std::string_view kTracedTerrain = "traced_terrain";    ///< cpu
 inline constexpr std::string_view kTracedPictures = "traced_pictures";  ///< gpu
 
 struct DeviceSettings {
     base::FixedString<31> name;
     DeviceCapability capability;
-    EffectSet forbidden;         ///< by `forbid` of [effects]
+    EffectSet forbidden;         ///< effects listed by `forbid` in [effects]
     std::uint32_t width_px = 0;  ///< default picture size
     std::uint32_t height_px = 0;
     double frame_rate_hz = 0;
-    double deadline_ms = 0;                        ///< of a frame, held where the costs are known; 0: none
-    std::uint32_t triangle_budget = 0;             ///< terrain triangles a frame
+    double deadline_ms = 0;                        ///< frame deadline, held where the costs are known; 0: none
+    std::uint32_t triangle_budget = 0;             ///< terrain triangles per frame
     std::uint32_t max_chunk_slots = 0;             ///< terrain chunks resident at once, drawn ones and their ancestors
-    std::uint32_t attribute_pages = 0;             ///< baked pages resident at once; 0: none are read, vertex normals must do
+    std::uint32_t attribute_pages = 0;             ///< attribute pages resident at once; 0: only vertex normals are used
     std::uint32_t drape_pages = 0;                 ///< pages of an image drape resident at once; 0: none are read
-    std::uint32_t arrival_frames = 2;              ///< in replay a chunk arrives so many frames after it was asked for
+    std::uint32_t arrival_frames = 2;              ///< in a replay, chunks arrive this many frames after they are requested
     double terrain_ms = 0;                         ///< budget of the terrain pass; 0: none
-    double ns_per_triangle = 0, us_per_chunk = 0;  ///< what terrain costs on this device, for that budget
-    base::BudgetTable budget;                      ///< `use.capacity` of every line is its bytes
+    double ns_per_triangle = 0, us_per_chunk = 0;  ///< cost of terrain on this device, for the budget terrain_ms
+    base::BudgetTable budget;                      ///< `use.capacity` of a line is its bytes
 };
 
-/// `text` is the file's content, `file_name` how messages call it. A file without one of the lines above, with a line
-/// twice, or with an unknown key is refused.
+/// Reads a device file; `text` is its content, `file_name` its name in error messages. A file that lacks one of the lines
+/// above, has a line twice, or has an unknown key is refused.
 [[nodiscard]] base::Result<DeviceSettings, base::Error> read_device_settings(std::string_view text, std::string_view file_name);
 
 }  // namespace tedavis::effects

@@ -1,5 +1,5 @@
-/// What a device can do, as its file says: which GL calls exist there and with what arguments, and how deep its depth
-/// buffer is. Plain data; the GL layer enforces it and the planner asks it.
+/// The capabilities of a device, from its file: the available GL calls and their arguments, and the depth buffer's bits. Plain
+/// data; the GL layer enforces it and the planner reads it.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ enum class Lane : std::uint8_t { es2, es3 };
 enum class CallClass : std::uint8_t { es2, es3, sc2 };
 
 using CallName = base::FixedString<31>;            ///< without the `gl` prefix
-inline constexpr std::size_t kMaxNamedCalls = 16;  ///< that a device file names beside its class
-/// Those, and the calls of a compiler that makes its programs (gl/program.hpp).
+inline constexpr std::size_t kMaxNamedCalls = 16;  ///< calls that a device file names besides its class
+/// Capacity for those and for the calls of the compiler that makes the device's programs (gl/program.hpp).
 inline constexpr std::size_t kMaxCallExceptions = 2 * kMaxNamedCalls;
 using FaultName = base::FixedString<31>;
 inline constexpr std::size_t kMaxIgnoredFaults = 4;
@@ -28,7 +28,7 @@ struct GlRules {
     base::FixedVector<CallName, kMaxCallExceptions> also;   ///< calls beyond the class
     base::FixedVector<CallName, kMaxCallExceptions> never;  ///< calls of the class that this device must not use
     base::FixedVector<FaultName, kMaxIgnoredFaults>
-        ignored_faults;                   ///< known ones of drivers (gl/driver_fault.hpp) that it has not
+        ignored_faults;                   ///< known driver faults (gl/driver_fault.hpp) that this device does not have
     std::uint32_t max_texture_px = 2048;  ///< largest texture and render target edge
     std::uint32_t max_attributes = 8;
     std::uint32_t max_texture_units = 8;
@@ -37,10 +37,10 @@ struct GlRules {
 struct DeviceCapability {
     Lane lane = Lane::es2;
     GlRules gl;
-    std::uint32_t surface_depth_bits = 24;  ///< the surface must have at least so many
+    std::uint32_t surface_depth_bits = 24;  ///< least depth bits of the surface
     bool depth24_targets = true;            ///< off-screen targets need 24-bit depth (OES_depth24 on ES 2.0)
-    std::uint32_t off_screen_pictures = 1;  ///< pictures of the device's size, with depth, that it has room and time for
-    std::uint32_t shadow_map_px = 0;        ///< edge of each of the three levels of a map of shadows; 0: it has none
+    std::uint32_t off_screen_pictures = 1;  ///< number of off-screen pictures of the device's size, with depth, that it can hold
+    std::uint32_t shadow_map_px = 0;        ///< edge of each of the three levels of the shadow map; 0: none
 };
 static_assert(std::is_trivially_copyable_v<DeviceCapability>);
 

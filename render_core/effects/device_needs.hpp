@@ -1,4 +1,4 @@
-/// What an effect may need of a device, and whether the device has it. Pure; any thread.
+/// Device capabilities that effects need, and whether a device has them. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tedavis::effects {
 
-/// What the device must be able to do.
+/// A capability that an effect needs.
 enum class Need : std::uint8_t {
     nothing,
     depth24_target,
@@ -20,7 +20,7 @@ enum class Need : std::uint8_t {
 };
 
 [[nodiscard]] bool has(const DeviceCapability& device, Need need) noexcept;
-/// A clause: "the device has no ...".
+/// Returns a clause: "the device has no ...".
 [[nodiscard]] std::string_view lack_of(Need need) noexcept;
 
 }  // namespace tedavis::effects

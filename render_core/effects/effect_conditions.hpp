@@ -1,5 +1,5 @@
-/// When effects are applicable to a frame, for the rows of effect_table.cpp: those that take more than a comparison. Pure; any
-/// thread.
+/// Conditions under which effects are applicable to a frame, for the rows of effect_table.cpp that need more than a comparison.
+/// Pure; any thread.
 #pragma once
 
 #include "render_core/effects/effect_facts.hpp"
@@ -11,7 +11,8 @@ inline constexpr EffectRequest kFromFarAway{EffectRequest::Kind::not_applicable,
 
 [[nodiscard]] EffectRequest always(const EffectFacts&) noexcept;
 [[nodiscard]] EffectRequest where(const InputState& input) noexcept;
-/// `is_forbidden`: then nothing of it was built, and the planner says so.
+/// Returns the request for a depth cue. `is_forbidden`: the device forbids it, so no geometry was built, and the planner states
+/// the reason.
 [[nodiscard]] EffectRequest cue_request(const CueState& state, bool is_forbidden) noexcept;
 [[nodiscard]] EffectRequest sun_request(const EffectFacts& facts) noexcept;
 [[nodiscard]] EffectRequest beside_request(const EffectFacts& facts) noexcept;

@@ -1,6 +1,5 @@
-/// Which effects a frame computes: those that are asked for, that the scene and the view call for, and that the device can do.
-/// Everything else is replaced or left out, each for a reason that the frame's record tells. So is what the time does not suffice
-/// for.
+/// Decides which effects a frame computes: those that are requested, applicable to scene and view, possible on the device and
+/// within the deadline. The others are replaced or left out, each for a reason that the frame's record states.
 ///
 /// Pure. Thread  any. Memory  none; the plan is of fixed size.
 #pragma once
@@ -12,16 +11,16 @@
 
 namespace tedavis::effects {
 
-/// What scene, view and data say to one effect.
+/// The state of one effect for scene, view and data.
 struct EffectRequest {
     enum class Kind : std::uint8_t {
-        not_asked_for,  ///< by the design; the plan leaves it out and does not speak of it
+        not_asked_for,  ///< not requested by the design; the plan leaves it out without a reason
         applicable,
-        not_applicable,  ///< nothing in scene or view is changed by it
-        no_input,        ///< what it shows is not there
+        not_applicable,  ///< it would not change anything in scene or view
+        no_input,        ///< its input is not available
     };
     Kind kind = Kind::not_asked_for;
-    std::string_view why;  ///< static storage; of the two last kinds. Of `applicable`: why it runs, or empty
+    std::string_view why;  ///< static storage; for the last two kinds the reason. For `applicable`: why it runs, or empty
     /// Upper bound of its visible contribution in this frame, in the unit of its Contribution.
     double bound = std::numeric_limits<double>::infinity();
 };
@@ -31,11 +30,11 @@ enum class PlanState : std::uint8_t { not_asked_for, run, replaced, skipped };
 struct PlannedEffect {
     PlanState state = PlanState::not_asked_for;
     std::string_view reason;              ///< static storage
-    Effect replaced_by = Effect::count_;  ///< where it is replaced
-    double bound = 0;                     ///< where it is skipped for being unseen: what is not seen
+    Effect replaced_by = Effect::count_;  ///< its replacement, if any
+    double bound = 0;                     ///< where it is skipped as invisible: the bound of its contribution
 };
 
-/// Effects that may not run, whatever the device can do.
+/// A set of effects.
 class EffectSet {
 public:
     void add(const EffectSet& effects) { bits_ |= effects.bits_; }
@@ -51,10 +50,10 @@ private:
 struct PlanInput {
     std::array<EffectRequest, kEffectCount> requests{};
     EffectSet forbidden;   ///< by the device's file
-    EffectSet too_costly;  ///< for the frame's deadline; replaced by what is in reserve, or left out
-    EffectSet in_reserve;  ///< what can take another's place within a running display: its programs are there
+    EffectSet too_costly;  ///< effects given up for the frame's deadline; replaced by one in reserve, or left out
+    EffectSet in_reserve;  ///< effects that can replace others in a running display, because their programs are loaded
     ReplacementOrder order;
-    bool is_forced = false;  ///< nothing is left out for being unseen: what a picture without this planner would cost
+    bool is_forced = false;  ///< no effect is left out as invisible, to measure the cost without this planner
 
     [[nodiscard]] EffectRequest& operator[](Effect effect) { return requests[static_cast<std::size_t>(effect)]; }
 };
@@ -62,9 +61,9 @@ struct PlanInput {
 class FramePlan {
 public:
     [[nodiscard]] const PlannedEffect& operator[](Effect effect) const { return effects_[static_cast<std::size_t>(effect)]; }
-    /// Whether it is computed: asked for by itself, or in another's place.
+    /// True where an effect is computed, requested or as a replacement.
     [[nodiscard]] bool runs(Effect effect) const;
-    /// Sum of the bounds of what changes colours and is left out.
+    /// Returns the sum of the bounds of colour effects that are left out.
     [[nodiscard]] double unseen_color() const;
 
 private:
@@ -75,7 +74,7 @@ static_assert(std::is_trivially_copyable_v<FramePlan>);
 
 [[nodiscard]] FramePlan plan_effects(const PlanInput& input, const DeviceCapability& device) noexcept;
 
-/// What stands for `effect` on a device: itself, its first replacement that is possible there, or count_ for none.
+/// Returns the effect that a device shows for `effect`: itself, its first possible replacement, or count_ for none.
 [[nodiscard]] Effect possible_effect(Effect effect, const EffectSet& forbidden, const DeviceCapability& device,
                                      const ReplacementOrder& order) noexcept;
 

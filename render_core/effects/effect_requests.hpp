@@ -1,12 +1,12 @@
-/// What a frame's facts say to every effect, for the planner of effects: not asked for, applicable, not applicable, or without
-/// its input, by the rows of effect_table.cpp. Pure; any thread.
+/// Evaluates the rows of effect_table.cpp for a frame's facts: each effect is not requested, applicable, not applicable, or
+/// without its input. Pure; any thread.
 #pragma once
 
 #include "render_core/effects/effect_facts.hpp"
 
 namespace tedavis::effects {
 
-/// Why an effect of what may not be shown now is left out.
+/// Reason why an effect is left out that belongs to something that may not be shown.
 inline constexpr std::string_view kRemovedByPolicy = "removed by the failure policy";
 
 [[nodiscard]] PlanInput effect_requests(const EffectFacts& facts) noexcept;

@@ -1,4 +1,4 @@
-/// States a row of effect_table.cpp word by word; what is not stated is EffectRow's own. A constant expression.
+/// Builds a row of effect_table.cpp; members that are not stated have EffectRow's defaults. A constant expression.
 #pragma once
 
 #include "render_core/effects/effect_planner.hpp"

@@ -1,7 +1,6 @@
-/// Every effect that a picture may have, a row each: which key of a design asks for it, what the device must have, what it costs,
-/// what takes its place, and when it is applicable to scene and view. effect_planner decides by the rows; no other place lists
-/// effects for these questions, so that a new effect is one row here, its painter, and its test (CONTRIBUTING.md, "A new
-/// effect").
+/// The table of effects, one row each: the design key that requests it, the capability that it needs, its cost, its
+/// replacements, and the condition under which it is applicable to scene and view. effect_planner decides by these rows only,
+/// so a new effect is one row here, its painter, and its test (CONTRIBUTING.md, "A new effect").
 ///
 /// Pure. Thread  any. Memory  none.
 #pragma once
@@ -48,23 +47,23 @@ enum class Effect : std::uint8_t {
 };
 inline constexpr std::size_t kEffectCount = static_cast<std::size_t>(Effect::count_);
 
-/// What an effect changes, and so in what its bound is stated and where it may be left out unseen.
+/// What an effect changes; it determines the unit of its bound and when it may be left out as invisible.
 enum class Contribution : std::uint8_t {
-    content,   ///< information: never left out for being small
-    color,     ///< bound in parts of full scale, 0..1; bounds of all that are left out add up
-    geometry,  ///< places or sharpness: bound in pixels
+    content,   ///< information: never left out as invisible
+    color,     ///< bound as a share of full scale, 0..1; bounds of all omitted effects are added
+    geometry,  ///< positions or sharpness: bound in pixels
 };
 inline constexpr std::array<std::string_view, 3> kContributionNames{"content", "color", "geometry"};
 
-/// Sum of the bounds of effects on colour that a frame may leave out: one step of eight bits.
+/// Largest sum of the bounds of colour effects that a frame may leave out: one step of eight bits.
 inline constexpr double kUnseenColor = 1.0 / 255;
-/// Bound of an effect on geometry that may be left out.
+/// Largest bound of a geometry effect that may be left out.
 inline constexpr double kUnseenPixels = 0.5;
 
 struct EffectRequest;
 struct EffectFacts;
 
-/// No rung of the quality ladder gives it up.
+/// The effect is not given up at any quality level.
 inline constexpr std::uint8_t kNeverGivenUp = 255;
 
 struct EffectRow {
@@ -72,31 +71,32 @@ struct EffectRow {
 
     Effect effect = Effect::count_;
     std::string_view name;        ///< as in records and files
-    std::string_view design_key;  ///< that asks for it: "[table] key"; empty: nothing does, or every design
+    std::string_view design_key;  ///< key that requests it: "[table] key"; empty: none, or every design requests it
     Contribution contribution = Contribution::content;
     Need need = Need::nothing;
     bool may_be_forbidden = false;                                       ///< by a device's file
-    std::string_view bound;                                              ///< of what its bound is made; empty: it has none
+    std::string_view bound;                                              ///< what its bound is made of; empty: it has none
     std::string_view cost;                                               ///< what it adds to a frame
     std::array<Effect, 2> replacements{Effect::count_, Effect::count_};  ///< in order; count_ for none
-    std::uint8_t given_up_from = kNeverGivenUp;                          ///< rung of the quality ladder
-    bool distracts = false;     ///< from the recovery out of an unusual attitude: not shown during it
+    std::uint8_t given_up_from = kNeverGivenUp;                          ///< first quality level (rung) without it
+    bool distracts = false;     ///< it distracts from a recovery and is not shown in an unusual attitude
     bool needs_terrain = true;  ///< it is not shown where terrain is not
 
     /// Null: it only takes the place of others.
     bool (*is_asked)(const Design&) = nullptr;
-    /// Makes a design ask for it. Null: it needs more than to be asked for.
+    /// Makes a design request it. Null: it needs further settings.
     void (*ask)(Design&) = nullptr;
-    /// Makes a design ask for it no more. Null: nothing does.
+    /// Removes a design's request for it. Null: it cannot be removed.
     void (*take_out)(Design&) = nullptr;
-    /// Makes a design show `by` (count_: nothing) in its place, as `asked` wants it. Null: take_out() does.
+    /// Makes a design show `by` (count_: nothing) instead, with the settings of `asked`. Null: take_out() is used.
     void (*replace)(const Design& asked, Effect by, Design& possible) = nullptr;
-    /// What scene and view say to it, where a design asks for it and it may be shown. Null: it only takes the place of others.
+    /// Whether it is applicable to scene and view, where a design requests it and it may be shown. Null: it is only a
+    /// replacement.
     EffectRequest (*request)(const EffectFacts&) = nullptr;
 };
 
 [[nodiscard]] const EffectRow& row_of(Effect effect) noexcept;
-/// count_ for no such name.
+/// Returns the effect of a name, or count_.
 [[nodiscard]] Effect effect_of(std::string_view name) noexcept;
 
 }  // namespace tedavis::effects

@@ -1,13 +1,11 @@
-/// Holds a frame's deadline by choosing a rung of quality_ladder.hpp. Deterministic: it knows the source's time and modelled
-/// costs and reads no clock, so that a replay decides what the flight did.
+/// Holds a frame's deadline by choosing a quality level of quality_ladder.hpp. It is deterministic: it uses the source's time
+/// and modelled costs and reads no clock, so a replay decides as the flight did.
 ///
-/// - A frame that is modelled dearer than `act_at` of the deadline goes at once to the richest rung below `aim_at` of it, not
-/// rung
-///   by rung; costs that grow steadily are taken for what they will be when the next change is due.
-/// - A richer rung comes back when it has been below `relax_at` for the time of the dwell without a break; after a return that
-/// did not
-///   last the wait is doubled, up to `most_patience` times the dwell.
-/// - Between two changes the dwell passes. A frame that is too dear meanwhile says so, as does one on the last rung.
+/// - A frame whose modelled cost exceeds `act_at` of the deadline changes at once to the richest level below `aim_at` of it,
+///   without intermediate levels; costs that grow steadily are extrapolated to the time of the next possible change.
+/// - A richer level returns when its cost has been below `relax_at` without interruption for the dwell; after a return that
+///   did not last the wait is doubled, up to `most_patience` times the dwell.
+/// - The dwell must pass between two changes. A frame that is too expensive meanwhile is reported, as is one at the last level.
 ///
 /// Pure. Thread  any. Memory  none; the state is plain data of fixed size.
 #pragma once
@@ -27,22 +25,22 @@ struct GovernorSettings {
 
 enum class GovernorWhy : std::uint8_t {
     no_deadline,
-    cost_unknown,     ///< no calibration: it rests
+    cost_unknown,     ///< no calibration: nothing is reduced
     fits,             ///< the design's own picture
-    too_dear,         ///< changed to a cheaper rung in this frame
-    cheaper_for_now,  ///< a richer rung would be too dear, or has not been cheap enough for long enough
-    relaxed,          ///< changed to a richer rung in this frame
-    waits,            ///< too dear, but the last change was less than the dwell ago
+    too_dear,         ///< changed to a cheaper level in this frame
+    cheaper_for_now,  ///< a richer level would be too expensive, or has not been cheap enough for long enough
+    relaxed,          ///< changed to a richer level in this frame
+    waits,            ///< too expensive, but the last change was less than the dwell ago
     cheapest_is_too_dear,
     count_
 };
-/// For records and reports.
+/// Returns the text for records and reports.
 [[nodiscard]] std::string_view to_string(GovernorWhy why) noexcept;
 
 struct GovernorInput {
-    base::Time now;  ///< the source's; earlier than the last one begins anew, the same one decides the same frame again
+    base::Time now;  ///< the source's time; an earlier one than the last resets, the same one decides the same frame again
     double deadline_ms = 0;
-    std::array<double, kRungs> ms{};  ///< modelled cost of this frame on every rung, falling
+    std::array<double, kRungs> ms{};  ///< modelled cost of this frame at every level, descending
 };
 
 struct GovernorDecision {
@@ -51,11 +49,11 @@ struct GovernorDecision {
     GovernorWhy why = GovernorWhy::no_deadline;
 };
 
-/// How fast a cost grows, in spite of jumps: the median of the last steps.
+/// The growth rate of a cost, robust against jumps: the median of the last steps.
 class CostTrend {
 public:
     void take(base::Time now, double ms);
-    /// At least 1: by how much the cost will have grown after `ahead`.
+    /// Returns the factor, at least 1, by which the cost will have grown after `ahead`.
     [[nodiscard]] double growth(double ms, base::Duration ahead) const;
 
 private:
@@ -71,20 +69,20 @@ private:
 class FrameGovernor {
 public:
     FrameGovernor() = default;
-    /// That has decided for `rung` and knows nothing else.
+    /// A governor that has chosen `rung` and has no history.
     explicit FrameGovernor(std::size_t rung) { now_.rung = static_cast<std::uint8_t>(rung); }
-    /// Once a frame. The deadline is above 0.
+    /// Decides the level of a frame; to be called once per frame, with a deadline above 0.
     GovernorDecision decide(const GovernorInput& input, const GovernorSettings& settings = {});
-    /// Of the last decision.
+    /// Level of the last decision.
     [[nodiscard]] std::size_t rung() const { return now_.rung; }
 
 private:
     struct State {
         bool has_begun = false, has_changed = false, has_relaxed = false;
         std::uint8_t rung = 0;
-        std::uint32_t patience = 1;  ///< dwells for which a richer rung must have been cheap enough
+        std::uint32_t patience = 1;  ///< number of dwells for which a richer level must have been cheap enough
         base::Time time, last_change, last_relaxed;
-        std::array<base::Time, kRungs> cheap_since{};  ///< of richer rungs
+        std::array<base::Time, kRungs> cheap_since{};  ///< for richer levels
         CostTrend trend;
     };
     void begin(const GovernorInput& input);
@@ -94,7 +92,7 @@ private:
     GovernorDecision change(std::size_t rung, GovernorWhy why, base::Time now);
     [[nodiscard]] bool may_change(base::Time now, const GovernorSettings& settings) const;
 
-    State now_, before_;  ///< before_: when the frame of now_.time had not been decided yet
+    State now_, before_;  ///< before_: the state before the frame of now_.time was decided
 };
 static_assert(std::is_trivially_copyable_v<FrameGovernor>);
 

@@ -1,6 +1,7 @@
-/// What takes an effect's place, in order: that of its row (effect_table.hpp), or what a design says instead. Pure; any thread.
+/// The replacements of an effect, in order: those of its row (effect_table.hpp), or those that a design states. Pure; any
+/// thread.
 ///
-/// A design may leave out what the row names and put it in another order; nothing else can take the place of an effect.
+/// A design may omit or reorder the row's replacements; no other effect can be a replacement.
 #pragma once
 
 #include <array>
@@ -12,11 +13,11 @@
 
 namespace tedavis::effects {
 
-using Replacements = std::array<Effect, 2>;  ///< count_ for none, which come last
+using Replacements = std::array<Effect, 2>;  ///< count_ for none; these come last
 
 class ReplacementOrder {
 public:
-    ReplacementOrder();  ///< the rows'
+    ReplacementOrder();  ///< the order of the rows
     [[nodiscard]] const Replacements& of(Effect effect) const { return order_[static_cast<std::size_t>(effect)]; }
 
 private:
@@ -25,7 +26,7 @@ private:
     std::array<Replacements, kEffectCount> order_;
 };
 
-/// Refused in one sentence: names that are no effects, and effects that cannot take the place of that one.
+/// Makes the order of a design. Fails with one sentence for unknown names and for effects that cannot be replacements.
 [[nodiscard]] base::Result<ReplacementOrder, base::FixedString<255>> replacement_order(
     base::Span<const design::InsteadOf> stated) noexcept;
 

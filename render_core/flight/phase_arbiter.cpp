@@ -19,7 +19,7 @@ PhaseVotes collect(const PhaseInputs& inputs, base::Time now, const PhaseArbiter
             PhaseVote{PhaseSource::motion, inputs.motion}};
 }
 
-/// The statement with the highest authority; source none when nobody states anything.
+/// The statement with the highest authority; source `none` without any statement.
 PhaseVote highest(const PhaseVotes& all) {
     for (const PhaseVote& vote : all)
         if (vote.statement.stated) return vote;

@@ -1,7 +1,7 @@
-/// A vertex or index buffer with its one storage, paid from a budget line.
+/// A vertex or index buffer with fixed storage, charged to a budget line.
 ///
-/// Memory    GPU bytes of the line. Thread  the GL thread. Lifetime  the line must outlive the buffer; `destroy` gives the
-/// bytes back (where the device can delete), a buffer that is only dropped lives until its context goes.
+/// Memory    GPU bytes of the line. Thread  the GL thread. Lifetime  the line must outlive the buffer; destroy() releases the
+/// bytes (where the device can delete); a buffer that is not destroyed lives as long as its context.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] GLuint id() const { return id_; }
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     void bind(Gl& gl) const;
-    /// False, and nothing happens, when the range is not inside the buffer. Leaves the buffer bound.
+    /// Uploads a range. Returns false, and does nothing, when the range is not inside the buffer. Leaves the buffer bound.
     [[nodiscard]] bool upload(Gl& gl, std::uint64_t offset, const void* data, std::uint64_t count) const;
     void destroy(Gl& gl);
 
@@ -38,7 +38,7 @@ private:
     base::BudgetLine* line_ = nullptr;
 };
 
-/// Start stage only. Content is undefined until uploaded.
+/// Creates a buffer; start stage only. Its content is undefined until uploaded.
 [[nodiscard]] base::Result<Buffer, base::Error> make_buffer(Gl& gl, base::BudgetLine& line, BufferKind kind, BufferUse use,
                                                             std::uint64_t bytes);
 

@@ -220,7 +220,7 @@ const char* CallRule<&CallTable::RenderbufferStorage>::refusal(CallState& state,
                                                                GLsizei height) {
     if (target != GL_RENDERBUFFER) return kTarget;
     const bool color = one_of(format, {GL_RGBA4, GL_RGB5_A1, GL_RGB565}) || (state.es3() && format == GL_RGBA8);
-    // A 16-bit depth buffer cannot separate near from far terrain, so it is never asked for.
+    // A 16-bit depth buffer cannot separate near from far terrain, so it is never requested.
     const bool depth = !state.sc2() && format == GL_DEPTH_COMPONENT24;
     if (!color && !depth && format != GL_STENCIL_INDEX8) return kFormat;
     return size_refusal(state, width, height);

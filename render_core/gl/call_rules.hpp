@@ -1,8 +1,7 @@
-/// What the arguments of a call may be on a device. `CallRule<&CallTable::X>::refusal` answers null when the call may go
-/// to the driver, else a few words why not; calls without limits use the general rule, which refuses nothing.
+/// The arguments that a device allows for a call. `CallRule<&CallTable::X>::refusal` returns null when the call may go to the
+/// driver, else a short reason; calls without limits use the general rule, which refuses nothing.
 ///
-/// The rules also follow the little state that they need: bound buffers, buffers that have their storage, and the
-/// counts of the frame.
+/// The rules also track the state that they need: bound buffers, buffers that have storage, and the frame's counts.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +13,11 @@
 
 namespace tedavis::gl {
 
-/// What one frame cost in GL; the ledger that the frame record reads.
+/// GL calls and draws of one frame, read by the frame record.
 struct FrameCounts {
     std::uint64_t uploaded_bytes = 0;
     std::uint32_t draws = 0;
-    std::uint64_t indices = 0;  ///< vertices of DrawArrays count as well, those of instances each time
+    std::uint64_t indices = 0;  ///< indices drawn; includes vertices of DrawArrays, and counts each instance
 };
 
 inline constexpr std::size_t kMaxBuffers = 256;
@@ -27,7 +26,7 @@ struct CallState {
     effects::GlRules rules;
     GLuint array_buffer = 0;
     GLuint element_buffer = 0;
-    base::FixedVector<GLuint, kMaxBuffers> stored_buffers;  ///< have had their one BufferData
+    base::FixedVector<GLuint, kMaxBuffers> stored_buffers;  ///< buffers that have received their only BufferData
     FrameCounts frame;
 
     [[nodiscard]] bool es3() const { return rules.calls == effects::CallClass::es3; }

@@ -1,4 +1,4 @@
-/// The table of GL entry points and what is known about each call; both are generated from gl_calls.inc.
+/// The table of GL entry points and the properties of each call; both are generated from gl_calls.inc.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ inline constexpr std::size_t kCallCount = static_cast<std::size_t>(CallId::count
 enum class CallDevices : std::uint8_t { all, es, es3, sc2, es3_sc2 };
 /// When a call may be made.
 enum class CallStage : std::uint8_t { start, both, teardown };
-/// What a driver must offer to have a call.
+/// The version or extension that a driver must offer to have a call.
 enum class CallOrigin : std::uint8_t { es20, es30, storage, binary, robust };
 
 struct CallDescription {
@@ -48,9 +48,9 @@ inline constexpr CallDescription kCalls[kCallCount] = {
 
 [[nodiscard]] constexpr const CallDescription& describe(CallId id) { return kCalls[static_cast<std::size_t>(id)]; }
 
-/// CallId::count when no call is so named.
+/// Returns the call of a name, or CallId::count.
 [[nodiscard]] CallId find_call(std::string_view name);
-/// Whether the device's list holds the call: its class, plus `also`, less `never`.
+/// True where the device's list contains the call: its class, plus `also`, minus `never`.
 [[nodiscard]] bool device_has(const effects::GlRules& rules, CallId id);
 
 }  // namespace tedavis::gl

@@ -7,14 +7,14 @@
 
 namespace tedavis::gl {
 
-/// Part of the bound index buffer; indices are 16 bits and lie in [0, last_vertex].
+/// A range of the bound index buffer; indices are 16 bits and lie in [0, last_vertex].
 struct IndexRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     std::uint32_t last_vertex = 0;
 };
 
-/// Nothing happens for a count of 0.
+/// Draws a range; does nothing for a count of 0.
 void draw_triangles(Gl& gl, const IndexRange& range);
 
 }  // namespace tedavis::gl

@@ -1,6 +1,6 @@
-/// Faults of drivers that are known: each has a name, a story, and says on which drivers it shows. Facts are in
-/// capability_probe.hpp; what is done about a fault stands where it is done, and asks Gl::suffers() by the fault's name. A device
-/// file whose driver is proved good switches one off: `ignore_faults = ["adreno-program-binaries"]` in its table [gl].
+/// Known faults of drivers: each has a name, a description, and a test for the drivers that have it. Facts are in
+/// capability_probe.hpp; a workaround is at the place of use, which calls Gl::suffers() with the fault's name. A device file
+/// whose driver does not have a fault disables it: `ignore_faults = ["adreno-program-binaries"]` in its table [gl].
 ///
 /// Pure. Any thread.
 #pragma once
@@ -18,13 +18,13 @@ enum class DriverFault : std::uint8_t { adreno_program_binaries, powervr_program
 struct KnownFault {
     DriverFault fault;
     std::string_view name;
-    const char* story;  ///< what goes wrong, what is done about it, who reported it
+    const char* story;  ///< what goes wrong, the workaround, and who reported it
     bool (*shows_on)(const DriverFacts&);
 };
 
 /// In the order of DriverFault.
 [[nodiscard]] base::Span<const KnownFault> known_faults() noexcept;
-/// DriverFault::count where there is none of that name.
+/// Returns the fault of a name, or DriverFault::count.
 [[nodiscard]] DriverFault find_fault(std::string_view name) noexcept;
 
 }  // namespace tedavis::gl

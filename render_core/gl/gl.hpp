@@ -1,11 +1,12 @@
-/// The one way to GL: `gl->Clear(...)` goes through a table that holds only the calls that the device file allows.
+/// The only access to GL: `gl->Clear(...)` calls through a table that contains only the calls that the device file allows.
 ///
-/// A call that the device does not have, or not in this stage, or not with these arguments, is not executed: it returns
-/// zero and is counted under its name. Stages go one way: start (creation, compilation, storage), run (after `seal()`),
-/// stopped (after `retire()`: deletion only).
+/// A call that the device does not have, or not in this stage, or not with these arguments, is not executed: it returns zero
+/// and is counted under its name. Stages follow in this order: start (creation, compilation, storage), run (after seal()),
+/// stopped (after retire(), deletion only).
 ///
 /// Thread    one; the surface must be current. Memory  none; driver calls are marked with base::DriverScope.
-/// Lifetime  one Gl a context; it must not outlive its surface. Not movable: the guards find the active one of the thread.
+/// Lifetime  one Gl per context; it must not outlive its surface. Not movable: the guards use a pointer to the thread's active
+/// Gl.
 #pragma once
 
 #include <cstddef>
@@ -50,34 +51,34 @@ public:
     /// Loads the table for the current surface and makes this Gl the thread's active one, in the start stage. Refuses a
     /// driver that lacks an allowed call or is below the device's requirements, and a device file that names no call.
     [[nodiscard]] base::Result<DriverFacts, base::Error> open(base::Surface& surface, const effects::DeviceCapability& device);
-    /// Where programs are found on a device that has no compiler, and kept on one that has; null for none. Before or after
-    /// open(); it must outlive the start stage.
+    /// Sets the store of linked programs: read on a device without a shader compiler, filled on one that has it; null for none.
+    /// May be called before or after open(); the store must outlive the start stage.
     void use_programs(base::ProgramStore* store) { programs_ = store; }
     [[nodiscard]] base::ProgramStore* programs() const { return programs_; }
-    /// Ends the start stage; there is no way back.
+    /// Ends the start stage for good.
     void seal();
-    /// Ends the run: only deletion is left.
+    /// Ends the run stage: only deletion is allowed from here.
     void retire();
-    /// Again the thread's active Gl, after another surface was current.
+    /// Makes this the thread's active Gl again, after another surface was current.
     void activate();
 
     [[nodiscard]] const CallTable* operator->() const;
     [[nodiscard]] Stage stage() const { return stage_; }
     [[nodiscard]] const effects::DeviceCapability& device() const { return device_; }
     [[nodiscard]] const DriverFacts& driver() const { return facts_; }
-    /// Whether the driver has a known fault that the device file does not ignore.
+    /// True where the driver has a known fault that the device file does not ignore.
     [[nodiscard]] bool suffers(DriverFault fault) const;
-    /// Null, or what forbids programs to be made of binaries and binaries of programs.
+    /// The fault that forbids program binaries, or null.
     [[nodiscard]] const KnownFault* binaries_fault() const;
-    /// The driver's own names, and its known faults that something is done about.
+    /// The driver's names, and its known faults with workarounds.
     [[nodiscard]] base::FixedString<383> driver_text() const;
     [[nodiscard]] const DeniedReport& denied() const { return denied_; }
-    /// Whether the device's list holds the call and the driver has it.
+    /// True where the device's list contains the call and the driver has it.
     [[nodiscard]] bool has(CallId call) const;
 
     void begin_frame() { state_.frame = {}; }
     [[nodiscard]] const FrameCounts& frame() const { return state_.frame; }
-    /// The first pending GL error, 0 for none; clears all.
+    /// Returns the first pending GL error, 0 for none, and clears all.
     [[nodiscard]] GLenum take_error() const;
 
 private:
@@ -97,7 +98,7 @@ private:
     base::ProgramStore* programs_ = nullptr;
     DriverFacts facts_;
     CallTable loaded_{};  ///< the driver's entry points
-    CallTable table_{};   ///< what callers see: guards and denials
+    CallTable table_{};   ///< the table that callers use: guards and denials
     CallState state_;
     DeniedReport denied_;
     Stage stage_ = Stage::closed;

@@ -1,4 +1,4 @@
-/// Takes GPU bytes from a line of the budget table and gives them back.
+/// Charges GPU bytes to a line of the budget table and releases them.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace tedavis::gl {
 
-/// False (and one more refusal on the line) when the line has not so many bytes left.
+/// Charges bytes to a line. Returns false, and counts a refusal on the line, when too few are left.
 [[nodiscard]] bool try_take(base::BudgetLine& line, std::uint64_t bytes);
 void give_back(base::BudgetLine& line, std::uint64_t bytes);
-/// "the budget line 'font_atlas' has 10 of 20 bytes left, 30 are needed; raise it in the device file"
+/// Returns "the budget line 'font_atlas' has 10 of 20 bytes left, 30 are needed; raise it in the device file".
 [[nodiscard]] base::Error over_budget(const base::BudgetLine& line, std::uint64_t needed);
 
 }  // namespace tedavis::gl

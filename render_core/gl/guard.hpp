@@ -1,5 +1,5 @@
-/// What stands in the table that callers see: `Guard` checks the arguments and calls the driver, `Deny` counts.
-/// Only gl.cpp includes this.
+/// The functions in the table that callers use: `Guard` checks the arguments and calls the driver, `Deny` counts. Only gl.cpp
+/// includes this.
 #pragma once
 
 #include "render_core/base/driver_scope.hpp"
@@ -7,7 +7,7 @@
 
 namespace tedavis::gl {
 
-/// The Gl of the current context of this thread; null before open().
+/// The Gl of this thread's current context; null before open().
 inline thread_local Gl* active_gl = nullptr;
 
 template <auto Member>

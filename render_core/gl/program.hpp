@@ -1,6 +1,6 @@
-/// A linked vertex and fragment shader, built from one text for both lanes (see shader_prefix.hpp).
+/// A linked vertex and fragment shader, built from the same source text for both lanes (shader_prefix.hpp).
 ///
-/// Memory    none of ours. Thread  the GL thread. Failure  one sentence with the compiler's message.
+/// Memory    none outside the driver. Thread  the GL thread. Failure  one sentence with the compiler's message.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct ProgramSource {
     const char* name = "";              ///< for messages
     std::string_view vertex, fragment;  ///< without #version
     base::Span<const AttributeBinding> attributes;
-    base::Span<const char* const> uniforms;  ///< looked up once; Program::uniform(i) is the i-th
-    bool some_unused = false;                ///< a program of many variants: uniforms that this one lacks are -1
+    base::Span<const char* const> uniforms;  ///< located once at build; Program::uniform(i) is the i-th
+    bool some_unused = false;                ///< the program has variants: uniforms that this one lacks have location -1
 };
 
 class Program;
@@ -51,15 +51,17 @@ private:
     base::FixedVector<GLint, kMaxUniforms> uniforms_;
 };
 
-/// In the start stage: compiled and linked in the device's lane, and kept in the Gl's store of programs if there is one. On a
-/// device without a compiler it is found in that store; a missing, changed or foreign binary is refused. A named uniform that
-/// the program does not use is an error, since a misspelt name looks the same.
+/// Builds a program; start stage only. It is compiled and linked for the device's lane, and stored in the Gl's program store if
+/// there is one. On a device without a compiler it is read from that store; a missing, damaged or foreign binary is refused. A
+/// named uniform that the program does not use is an error, since a misspelt name looks the same.
 [[nodiscard]] base::Result<Program, base::Error> build_program(Gl& gl, const ProgramSource& source);
 
-/// Under which a program is kept: of its text, lane and attributes, and of the driver, whose binaries only it can read.
+/// Returns the key of a program in the store: a hash of its text, lane and attributes, and of the driver, since only that
+/// driver can load its binaries.
 [[nodiscard]] std::uint64_t program_key(const Gl& gl, const ProgramSource& source);
 
-/// The same device with the calls that compile and hand out binaries: what makes programs for one that lacks them.
+/// Returns the device with the calls that compile programs and read their binaries, to make programs for a device that lacks
+/// them.
 [[nodiscard]] effects::DeviceCapability with_compiler(effects::DeviceCapability device);
 [[nodiscard]] bool has_compiler(const effects::DeviceCapability& device);
 

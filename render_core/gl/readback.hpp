@@ -1,4 +1,4 @@
-/// Reads what was drawn into memory of the caller.
+/// Reads drawn pixels into the caller's memory.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace tedavis::gl {
 
-/// RGBA8, bottom row first, tightly packed, from the bound framebuffer's lower left corner. Waits for the drawing.
-/// False when `pixels` has not exactly width*height*4 bytes or GL reports an error; the pixels are then unspecified.
+/// RGBA8, bottom row first, tightly packed, from the bound framebuffer's lower left corner. Waits until drawing is complete.
+/// Returns false when `pixels` does not have exactly width*height*4 bytes or GL reports an error; the pixels are then
+/// unspecified.
 [[nodiscard]] bool read_pixels(Gl& gl, std::uint32_t width, std::uint32_t height, base::Span<std::uint8_t> pixels);
 
 }  // namespace tedavis::gl

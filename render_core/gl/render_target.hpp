@@ -1,6 +1,6 @@
-/// An off-screen picture that a pass draws into and a later one reads: an RGBA8 texture and, if asked, 24-bit depth.
+/// An off-screen render target: an RGBA8 texture and, on request, 24-bit depth.
 ///
-/// Memory    4 bytes a pixel of the line, 8 with depth. Thread  the GL thread. Lifetime  as Buffer.
+/// Memory    4 bytes per pixel of the line, 8 with depth. Thread  the GL thread. Lifetime  as Buffer.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] bool valid() const { return framebuffer_ != 0; }
     [[nodiscard]] const Texture& color() const { return color_; }
-    /// Draws go here, over the whole target.
+    /// Binds the target for drawing, with a viewport over the whole of it.
     void bind(Gl& gl) const;
     void destroy(Gl& gl);
 
@@ -36,15 +36,15 @@ private:
     base::BudgetLine* line_ = nullptr;
 };
 
-/// Start stage only. `color.format` must be rgba8. A device whose call list has no 24-bit depth format (sc2) is refused
-/// when depth is asked for.
+/// Creates a target; start stage only. `color.format` must be rgba8. Fails where depth is requested and the device's call list
+/// has no 24-bit depth format (sc2).
 [[nodiscard]] base::Result<RenderTarget, base::Error> make_render_target(Gl& gl, base::BudgetLine& line,
                                                                          const TextureSettings& color, TargetDepth depth);
 
-/// Draws go to the surface, over the whole of it.
+/// Binds the surface for drawing, with a viewport over the whole of it.
 void bind_surface(Gl& gl, const base::Surface& surface);
 
-/// Where a pass leaves its picture: the surface or a target. Refers to it.
+/// The destination of a pass: a reference to the surface or to a target.
 class DrawPlace {
 public:
     DrawPlace(const base::Surface& surface) : surface_(&surface) {}  // NOLINT(google-explicit-constructor): it is one

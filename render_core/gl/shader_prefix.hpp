@@ -1,4 +1,4 @@
-/// The first lines of every shader, so that one text builds in both lanes.
+/// The first lines of every shader, which let the same text compile in both lanes.
 ///
 /// A shader file has no #version and writes:
 ///   vertex    VERTEX_IN vec3 position;   VARYING vec4 tint;   void main() { gl_Position = ...; }
@@ -16,7 +16,7 @@ namespace tedavis::gl {
 
 enum class ShaderStage : unsigned char { vertex, fragment };
 
-/// Ends so that the compiler's line numbers are those of the shader file.
+/// Returns the prefix; it ends so that the compiler's line numbers are those of the shader file.
 [[nodiscard]] std::string_view shader_prefix(effects::Lane lane, ShaderStage stage);
 
 }  // namespace tedavis::gl

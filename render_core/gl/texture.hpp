@@ -1,4 +1,4 @@
-/// A two-dimensional texture with one level and one storage, paid from a budget line.
+/// A two-dimensional texture with one level and fixed storage, charged to a budget line.
 ///
 /// Memory    GPU bytes of the line. Thread  the GL thread. Lifetime  as Buffer: the line must outlive it.
 /// Edges are clamped, which every lane allows at any size.
@@ -12,9 +12,9 @@
 
 namespace tedavis::gl {
 
-/// `r8` reads back in a shader as .r in every lane (ES 2.0 has it as luminance; do not read the other components).
-/// `rgba16f` (half floats, filtered) is ES 3's only. `rgb8` holds copies of a surface, whether or not that has alpha; it counts
-/// four bytes a texel, as drivers store it.
+/// `r8` is read in a shader as .r in every lane (ES 2.0 stores it as luminance; do not read the other components). `rgba16f`
+/// (half floats, filtered) exists on ES 3 only. `rgb8` is for copies of a surface, with or without alpha; it counts as four
+/// bytes per texel, as drivers store it.
 enum class TextureFormat : std::uint8_t { r8, rgb8, rgba8, rgba16f };
 enum class TextureFilter : std::uint8_t { nearest, linear };
 
@@ -25,7 +25,7 @@ struct TextureSettings {
     std::uint32_t height_px = 0;
 };
 
-/// A part of a texture, in texels from its first row.
+/// A rectangle of a texture, in texels from its first row.
 struct TexelRect {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
 };
@@ -43,10 +43,11 @@ public:
     [[nodiscard]] const TextureSettings& settings() const { return settings_; }
     /// Binds to a texture unit, 0..max_texture_units-1.
     void bind(Gl& gl, std::uint32_t unit) const;
-    /// Tightly packed rows, the first one at y. False, and nothing happens, when the part is not inside the texture.
-    /// Leaves the texture bound to unit 0.
+    /// Uploads tightly packed rows, the first one at y. Returns false, and does nothing, when the rectangle is not inside the
+    /// texture. Leaves the texture bound to unit 0.
     [[nodiscard]] bool upload(Gl& gl, const TexelRect& part, const void* texels) const;
-    /// Rows of what is bound for drawing, from its left edge, over rows of this one from `to_row` on. Where the device can copy.
+    /// Copies rows of the bound framebuffer, from its left edge, to rows of this texture from `to_row` on. Only where the
+    /// device can copy.
     void copy_rows(Gl& gl, std::uint32_t to_row, std::uint32_t from_row, std::uint32_t rows) const;
     void destroy(Gl& gl);
 
@@ -57,7 +58,7 @@ private:
     base::BudgetLine* line_ = nullptr;
 };
 
-/// Start stage only. Content is undefined until uploaded or drawn into.
+/// Creates a texture; start stage only. Its content is undefined until uploaded or drawn into.
 [[nodiscard]] base::Result<Texture, base::Error> make_texture(Gl& gl, base::BudgetLine& line, const TextureSettings& settings);
 
 }  // namespace tedavis::gl

@@ -1,8 +1,8 @@
-/// Where a feature differs from its surroundings: differences between finer and coarser levels of its pyramid, added across
-/// scales (thesis, 5.3.3; Itti, Koch, Niebur 1998: centres two to four levels below the picture, surrounds three and four levels
+/// Centre-surround differences: differences between finer and coarser levels of a feature's pyramid, added across scales
+/// (thesis, 5.3.3; Itti, Koch, Niebur 1998: centres two to four levels below the picture, surrounds three and four levels
 /// coarser).
 ///
-/// The mean over the kCenters x kSurrounds pairs, at the size of the finest centre.
+/// The result is the mean over the kCenters x kSurrounds pairs, at the size of the finest centre.
 #pragma once
 
 #include <array>
@@ -21,13 +21,14 @@ using FeaturePyramid = std::array<Plane, kFeatureLevels>;
 /// Planes of the size of the centres.
 using CenterPlanes = std::array<Plane, kCenters>;
 
-/// Elements of scratch for that width of the finest centre.
+/// Elements of scratch for a width of the finest centre.
 [[nodiscard]] constexpr std::size_t center_surround_scratch(int width) { return kSurrounds * expansion_scratch(width); }
 
-/// Apart, what exceeds its surroundings and what falls short of them; the results are the finest planes.
+/// Computes separately where the feature exceeds its surroundings and where it falls below them; the results are the finest
+/// planes.
 void signed_differences(const FeaturePyramid& feature, const CenterPlanes& above, const CenterPlanes& below,
                         base::Span<float> scratch) noexcept;
-/// Either way; the result is the finest plane.
+/// Computes the absolute differences; the result is the finest plane.
 void differences(const FeaturePyramid& feature, const CenterPlanes& out, base::Span<float> scratch) noexcept;
 
 }  // namespace tedavis::perception

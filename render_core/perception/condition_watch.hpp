@@ -1,12 +1,12 @@
-/// The perceptual contract's judgement: whether a measured value kept within its limit over a flight.
+/// Evaluates one condition of a perceptual contract: whether a measured value stays within its limit over a flight.
 ///
-/// A value stands from its time to the next one's, as the picture does that it was measured of. A condition is broken where
-/// values beyond the limit stand for at least `for_s` without a pause; what is not measured is a pause. Values that are no number
-/// are beyond every limit.
+/// A value holds from its time to the next one's, like the picture in which it was measured. The condition is broken where
+/// values beyond the limit hold for at least `for_s` without interruption; times without a measurement interrupt. NaN is beyond
+/// every limit.
 ///
 ///   add(moment) or skip(time) in the order of time · end(time) once · verdict()
 ///
-/// Pure, no memory, constant time a value. Thread  one.
+/// Pure, no memory, constant time per value. Thread  one.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 namespace tedavis::perception {
 
 struct ConditionLimit {
-    bool is_most = true;  ///< false: the value is to be at least that
+    bool is_most = true;  ///< false: the limit is a lower one
     double limit = 0;
     double for_s = 0;  ///< 0: a single value beyond it breaks the condition
 
     [[nodiscard]] bool is_kept_by(double value) const { return is_most ? value <= limit : value >= limit; }
-    /// Farther beyond the limit, or less within it; nothing is worse than what is no number.
+    /// True where `value` is farther beyond the limit, or less within it, than `than`; NaN is the worst.
     [[nodiscard]] bool is_worse(double value, double than) const {
         return than == than && (is_most ? !(value <= than) : !(value >= than));
     }
@@ -28,18 +28,18 @@ struct ConditionLimit {
 struct ConditionMoment {
     double time_s = 0;
     double value = 0;
-    std::uint32_t place = 0;  ///< the caller's: of the frame
+    std::uint32_t place = 0;  ///< chosen by the caller: the frame
 };
 
 struct ConditionVerdict {
     bool is_broken = false;
-    ConditionMoment first;       ///< with which the first break that counts began
-    ConditionMoment worst;       ///< of the breaks that count; the first of equals
-    ConditionMoment tightest;    ///< of all that was measured, also where it holds
-    std::uint32_t measured = 0;  ///< values; 0: nothing is shown
-    std::uint32_t beyond = 0;    ///< of them beyond the limit, also too briefly
-    double longest_s = 0;        ///< that values beyond the limit stood without a pause
-    double broken_s = 0;         ///< that breaks that count lasted, together
+    ConditionMoment first;       ///< begin of the first break that counts
+    ConditionMoment worst;       ///< worst value in breaks that count; the first of equal ones
+    ConditionMoment tightest;    ///< value closest to or farthest beyond the limit, of all measured ones
+    std::uint32_t measured = 0;  ///< number of measured values; 0: there is no result
+    std::uint32_t beyond = 0;    ///< number of values beyond the limit, too brief ones included
+    double longest_s = 0;        ///< longest uninterrupted time beyond the limit
+    double broken_s = 0;         ///< total duration of breaks that count
 };
 
 class ConditionWatch {
@@ -48,7 +48,7 @@ public:
 
     void add(const ConditionMoment& moment) noexcept;
     void skip(double time_s) noexcept { close(time_s); }
-    /// Until when the last value stands.
+    /// Ends the flight: the last value holds until `time_s`.
     void end(double time_s) noexcept { close(time_s); }
     [[nodiscard]] const ConditionVerdict& verdict() const { return verdict_; }
 
@@ -58,8 +58,8 @@ private:
 
     ConditionLimit limit_;
     ConditionVerdict verdict_;
-    bool is_beyond_ = false;         ///< what was added last
-    ConditionMoment began_, worst_;  ///< of the values beyond the limit that stand without a pause
+    bool is_beyond_ = false;         ///< the last value is beyond the limit
+    ConditionMoment began_, worst_;  ///< of the current uninterrupted values beyond the limit
 };
 
 }  // namespace tedavis::perception

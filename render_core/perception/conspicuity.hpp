@@ -1,5 +1,5 @@
-/// From feature maps to a saliency map: each map counts by how rare and how strong its features are (thesis, 5.3.3, after Han and
-/// Zhou 2007).
+/// Combines feature maps to a saliency map; each map is weighted by how rare and how strong its features are (thesis, 5.3.3,
+/// after Han and Zhou 2007).
 ///
 ///     H(M) = -log2 p(M)            p(M): share of the map's pixels that show the feature, by Laplace's estimate (entropy.hpp)
 ///     w(M) = H(M) max M            of a feature map; H(M) alone of a conspicuity map
@@ -13,8 +13,8 @@
 ///     depends on others only by how many show the same, so that frames can be compared: a lone white disk on black has 1, a
 ///     cockpit picture 0.15 to 0.4 at its most salient place.
 ///
-/// A feature map whose maximum is below kMinAmplitude is rounding, and has no weight. Where none has any there is no salient
-/// place: S is 0 everywhere.
+/// A feature map whose maximum is below kMinAmplitude is rounding noise and has weight 0. Where all weights are 0, nothing is
+/// salient: S is 0 everywhere.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ struct SaliencyMaps {
     Plane conspicuity;  ///< scratch of the same size
     Plane saliency;     ///< the result, 0..1
 };
-/// Whether there is a salient place.
+/// Computes the saliency; returns false where nothing is salient.
 [[nodiscard]] bool combine(const SaliencyMaps& maps, SaliencyScale scale) noexcept;
 
 }  // namespace tedavis::perception

@@ -1,12 +1,13 @@
-/// Where a picture has edges: Canny's detector on each of the three colours, and the maximum of the three (thesis, 5.3.2).
+/// Detects edges of a picture: Canny's detector on each of the three colours, and the maximum of the three (thesis, 5.3.2).
 ///
 /// Each channel is blurred by a Gaussian (256ths, rounded once to eight bits, borders repeated), Sobel's 3x3 operator gives the
-/// gradient, whose Euclidean length is compared with the thresholds; what is largest across the edge remains, and of it what is
-/// longer than `high` or connected with such a pixel (of eight neighbours) through pixels longer than `low`. A pixel is an edge
-/// where it is one in any channel. The thresholds are fixed: a flat picture has no edges, and noise below them makes none.
+/// gradient, whose Euclidean length is compared with the thresholds; local maxima across the edge are kept (non-maximum
+/// suppression), and of these the pixels above `high` and those above `low` that are connected to them (8-connected
+/// hysteresis). A pixel is an edge where it is one in any channel. The thresholds are absolute: a uniform picture has no edges,
+/// and noise below them gives none.
 ///
-/// All in integers: equal pictures give equal edges on every machine. Memory from an arena, at start(). One thread. Bounded by
-/// the pixels: each becomes an edge once in each colour.
+/// All arithmetic is in integers, so equal pictures give equal edges on every machine. Memory from an arena, at start(). One
+/// thread. Bounded by the pixels: each becomes an edge once in each colour.
 ///
 /// Source: Canny 1986; `low` and `high` by default are 0.11 and 0.27 of the gradient of a step from 0 to 255, and sigma is 1, as
 /// in Mack and Oliva 2004 and Rosenholtz, Li, Nakano, "Measuring Visual Clutter", Journal of Vision 7 (2007).
@@ -25,7 +26,7 @@ namespace tedavis::perception {
 struct CannySettings {
     double sigma = 1;  ///< px, 0 (not blurred) .. kMaxSigma
     double low = 70,
-           high = 170;  ///< of the length of Sobel's gradient, 0 <= low <= high; a step of n levels has 4 n before blurring
+           high = 170;  ///< lengths of Sobel's gradient, 0 <= low <= high; a step of n levels has 4 n before blurring
     [[nodiscard]] bool is_valid() const { return sigma >= 0 && sigma <= kMaxSigma && low >= 0 && low <= high && high <= 32767; }
 };
 
@@ -33,13 +34,13 @@ inline constexpr std::uint8_t kEdge = 255;
 
 class EdgeDetector {
 public:
-    /// Memory that start() takes from its arena for pictures of at most that size.
+    /// Bytes that start() allocates for pictures of at most this size.
     [[nodiscard]] static std::size_t bytes(int most_width, int most_height);
-    /// False where the arena has no room for pictures of that size.
+    /// Allocates memory; returns false where the arena is too small.
     [[nodiscard]] bool start(base::Arena& arena, int most_width, int most_height);
 
-    /// Writes kEdge or 0 for each pixel, rows from the top without gaps. False, with nothing written, where picture or settings
-    /// are not valid, the picture is larger than at start() or `edges` has not one byte a pixel.
+    /// Writes kEdge or 0 for each pixel, rows from the top without gaps. Returns false, and writes nothing, where picture or
+    /// settings are not valid, the picture is larger than at start(), or `edges` does not have one byte per pixel.
     [[nodiscard]] bool detect(const PictureView& picture, const CannySettings& settings, base::Span<std::uint8_t> edges);
 
 private:
@@ -54,13 +55,13 @@ private:
     void promote(std::size_t place, std::uint8_t strong);
 
     int most_width_ = 0, most_height_ = 0, width_ = 0, height_ = 0;
-    std::size_t stride_ = 0;                              ///< elements of a row of the picture at hand
+    std::size_t stride_ = 0;                              ///< elements of a row of the current picture
     base::Span<std::uint8_t> source_, levels_;            ///< 1 and 3 rows
     base::Span<std::uint16_t> sums_;                      ///< as many rows as the widest blur adds
     base::Span<std::int16_t> across_, down_, neighbors_;  ///< 3, 3 and 2 rows
     base::Span<std::int32_t> squared_;                    ///< 3 rows and one of zeros
     base::Span<std::uint8_t> map_;                        ///< weak and strong edges, with a pixel of border round the picture
-    base::Span<std::uint32_t> waiting_;                   ///< places of the map whose neighbours are to be looked at
+    base::Span<std::uint32_t> waiting_;                   ///< positions in the map whose neighbours remain to be visited
     std::size_t waiting_count_ = 0;
     bool some_were_refused_ = false;
 };

@@ -1,5 +1,5 @@
-/// Says before a loop that no turn of it reads what another one writes, so that GCC may take several turns at once without
-/// proving it. Other compilers look for themselves.
+/// Placed before a loop, states that no iteration reads what another one writes, so that GCC may vectorise it without proof.
+/// Other compilers analyse the loop themselves.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__)

@@ -1,7 +1,7 @@
-/// A picture that somebody else owns, as the measures of perception read it.
+/// A view of a picture, as the measures of perception read it.
 ///
-/// Frame  rows from the top, pixels from the left; sRGB, eight bits a channel: red, green, blue, and where there are four
-/// channels one more that is not read. Owns nothing; the bytes must outlive the view.
+/// Frame  rows from the top, pixels from the left; sRGB, eight bits per channel: red, green, blue, and an unused fourth channel
+/// where there are four. Owns nothing; the bytes must outlive the view.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ inline constexpr int kMaxPictureSide = 8192;
 inline constexpr int kColors = 3, kMaxChannels = 4;
 
 struct PictureView {
-    const std::uint8_t* pixels = nullptr;  ///< of the top row
+    const std::uint8_t* pixels = nullptr;  ///< pointer to the top row
     int width = 0, height = 0;             ///< 1..kMaxPictureSide
-    int channels = 3;                      ///< bytes a pixel, 3 or 4
-    std::ptrdiff_t row_bytes = 0;          ///< from a row to the one below; negative where the lowest row is stored first
+    int channels = 3;                      ///< bytes per pixel, 3 or 4
+    std::ptrdiff_t row_bytes = 0;          ///< offset from a row to the one below; negative where the bottom row is stored first
 
     [[nodiscard]] const std::uint8_t* row(int y) const { return pixels + y * row_bytes; }
     [[nodiscard]] bool is_valid() const {
@@ -31,7 +31,7 @@ struct PictureView {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-/// A picture whose rows follow each other without a gap.
+/// Returns a view of a picture whose rows are stored without gaps, top row first.
 [[nodiscard]] constexpr PictureView packed_picture(const std::uint8_t* pixels, int width, int height, int channels = kColors) {
     return {pixels, width, height, channels, std::ptrdiff_t{width} * channels};
 }

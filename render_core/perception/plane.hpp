@@ -1,4 +1,4 @@
-/// A picture of one number a pixel, rows from the top without gaps. Owns nothing.
+/// An image of one number per pixel, rows from the top without gaps. Owns nothing.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ struct Plane {
     [[nodiscard]] std::size_t size() const { return pixels_of(width, height); }
 };
 
-/// Without values where the arena has no room.
+/// Allocates a plane; it has no values where the arena is too small.
 [[nodiscard]] inline Plane allocate_plane(base::Arena& arena, int width, int height) {
     return {arena.allocate_array<float>(pixels_of(width, height)).data(), width, height};
 }
 
-/// A side of a level at 1/2^level of the size: its last pixel may reach beyond the picture.
+/// Returns the side of a level at 1/2^level of the size, rounded up: its last pixel may extend beyond the picture.
 [[nodiscard]] constexpr int level_side(int side, int level) { return (side + (1 << level) - 1) >> level; }
 
 }  // namespace tedavis::perception

@@ -1,8 +1,8 @@
-/// Smaller versions of a plane, each half as large as the one before, and how they look at a finer one's size.
+/// Image pyramid: reduces a plane by half, and expands a level to the size of a finer one.
 ///
-/// A pixel of a level lies over two by two of the finer one; weights are 1 3 3 1 across and down, borders repeated. As no pixel
-/// is preferred, a plane that is mirrored or turned by a right angle has the mirrored or turned levels where its sides are
-/// multiples of the coarsest pixel. What is seen at a finer size is interpolated between the pixels' middles.
+/// A pixel of a level covers 2 x 2 pixels of the finer one; weights are 1 3 3 1 horizontally and vertically, borders are
+/// repeated. The filter is symmetric: a plane that is mirrored or rotated by a right angle has mirrored or rotated levels where
+/// its sides are multiples of the coarsest pixel. Expansion interpolates linearly between the pixels' centres.
 #pragma once
 
 #include "render_core/base/span.hpp"
@@ -17,17 +17,17 @@ void halve(const Plane& fine, const Plane& coarse, base::Span<float> scratch) no
 
 /// Elements of scratch for planes of that width.
 [[nodiscard]] constexpr std::size_t softening_scratch(int width) { return 3 * (static_cast<std::size_t>(width) + 2); }
-/// Gives `share` of each pixel to each of its neighbours across, then down; borders repeated. Makes means of blocks as wide as
-/// reduced levels are: a mean of 2 x 2 with 1/16, of 4 x 4 with 5/64.
+/// Moves `share` of each pixel to each of its neighbours, horizontally, then vertically; borders are repeated. It makes block
+/// means as smooth as reduced levels: use 1/16 for means of 2 x 2, 5/64 for means of 4 x 4.
 void soften(const Plane& plane, float share, base::Span<float> scratch) noexcept;
 
-/// Levels that can be bridged at once.
+/// Most levels that can be expanded at once.
 inline constexpr int kMaxExpansion = 4;
 /// Elements of scratch for rows of that width.
 [[nodiscard]] constexpr std::size_t expansion_scratch(int width) {
     return 2 * static_cast<std::size_t>(width) + 6 * (std::size_t{1} << kMaxExpansion) + 4;
 }
-/// Row `y` of `width` pixels of a plane that is `levels` finer, 1..kMaxExpansion; lies in `scratch`.
+/// Returns row `y`, of `width` pixels, of the plane expanded by `levels`, 1..kMaxExpansion; the row lies in `scratch`.
 [[nodiscard]] const float* expanded_row(const Plane& coarse, int levels, int y, int width, base::Span<float> scratch) noexcept;
 
 }  // namespace tedavis::perception

@@ -1,15 +1,15 @@
-/// What draws the eye: the model of Itti, Koch and Niebur as the thesis has it (5.3.3, Itti-CIO2): lightness, two colours of
-/// CIE-Lab and four directions, compared with their surroundings across scales, weighted by how rare and how strong they are
-/// (conspicuity.hpp).
+/// Visual saliency: the model of Itti, Koch and Niebur in the thesis's variant (5.3.3, Itti-CIO2). Lightness, the two colour
+/// axes of CIE-Lab and four directions are compared with their surroundings across scales and weighted by how rare and how
+/// strong they are (conspicuity.hpp).
 ///
-/// The map has a pixel for each 4 x 4 of the picture (the finest centre is two levels below it); where the smaller side has fewer
-/// than 64 pixels one for 2 x 2, below 32 for each. Levels end at one pixel: whatever is smaller is compared with the mean.
+/// The map has one pixel for 4 x 4 pixels of the picture (the finest centre is two levels below it); where the smaller side has
+/// fewer than 64 pixels one for 2 x 2, below 32 one for each pixel. The pyramid ends at one pixel, the mean.
 ///
-/// A start level of 0 converts each pixel to CIE-Lab: the reference. 1 and 2 convert means of 2 x 2 or 4 x 4 pixels' levels
-/// instead, and leave out the levels below; README.md says what that costs and saves.
+/// A start level of 0 converts each pixel to CIE-Lab: the reference. 1 and 2 convert means of 2 x 2 or 4 x 4 pixels instead and
+/// omit the finer levels; README.md states the error and the time saved.
 ///
-/// Equal pictures give equal maps; those of two machines differ by the last places of their libraries' pow and log2.
-/// Memory from an arena, at start(). One thread. Bounded by the pixels.
+/// Equal pictures give equal maps; maps of two machines may differ in the last digits of their libraries' pow and log2. Memory
+/// from an arena, at start(). One thread. Bounded by the pixels.
 ///
 /// Source: L. Itti, C. Koch, E. Niebur, "A Model of Saliency-Based Visual Attention for Rapid Scene Analysis", IEEE PAMI 20
 /// (1998); B. Han, B. Zhou, "High Speed Visual Saliency Computation on GPU", ICIP 2007.
@@ -27,28 +27,29 @@
 
 namespace tedavis::perception {
 
-/// Lies in the model that made it, until its next map.
+/// A saliency map. Its values are owned by the model and valid until the next map.
 struct SaliencyMap {
     base::Span<const float> values;  ///< 0..1, rows from the top
     int width = 0, height = 0;
     int level = 0;  ///< a pixel is 2^level of the picture's across and down
     SaliencyScale scale = SaliencyScale::per_picture;
-    bool has_salient = false;  ///< false: nothing differs from anything, and all values are 0
+    bool has_salient = false;  ///< false: the picture is uniform, and all values are 0
 };
 
-/// Of the map of a picture of that size: 0..2.
+/// Returns SaliencyMap::level for a picture of this size, 0..2.
 [[nodiscard]] int saliency_level(int width, int height) noexcept;
 
 class SaliencyModel {
 public:
-    /// Memory that start() takes. A start level of 0 takes thirteen bytes a pixel more than 2 does.
+    /// Bytes that start() allocates. A start level of 0 takes thirteen bytes per pixel more than 2.
     [[nodiscard]] static std::size_t bytes(int most_width, int most_height, int least_start_level);
     [[nodiscard]] bool start(base::Arena& arena, int most_width, int most_height, int least_start_level);
 
-    /// Finds the features; map() makes a map of them, on either scale. A start level above the map's own is that. False where the
-    /// picture is not valid or larger than at start, or the start level less than there.
+    /// Computes the features, from which map() makes a map on either scale. A start level above the map's own level is reduced
+    /// to it. Returns false where the picture is not valid or larger than at start(), or the start level is lower than at
+    /// start().
     [[nodiscard]] bool look(const PictureView& picture, int start_level);
-    /// Of the last picture.
+    /// Returns the map of the last picture.
     [[nodiscard]] SaliencyMap map(SaliencyScale scale);
 
 private:

@@ -1,11 +1,11 @@
-/// Where the eye goes first, second and so on: the maxima of a saliency map, each of which inhibits a disc round it (winner take
-/// all, inhibition of return).
+/// The predicted sequence of fixations: maxima of a saliency map, each of which inhibits a disc round it (winner-take-all,
+/// inhibition of return).
 ///
-/// The model's neurons and their times are left out: the winner is the largest value, of equal ones the uppermost, of these the
-/// leftmost. The source's focus of attention is a disc with a sixth of the picture's smaller side as its radius, and so is what
-/// it inhibits; no more than a dozen or two of them have room in a picture.
+/// Neural dynamics are not modelled: the winner is the largest value; of equal ones the uppermost, then the leftmost. In the
+/// source, the focus of attention and the inhibited area are discs whose radius is a sixth of the picture's smaller side; no
+/// more than a dozen or two of them fit in a picture.
 ///
-/// Pure, no memory. Bounded: every place looks at the whole map once.
+/// Pure, no memory. Bounded: the whole map is read once per place.
 ///
 /// Source: L. Itti, C. Koch, E. Niebur, "A Model of Saliency-Based Visual Attention for Rapid Scene Analysis", IEEE PAMI 20
 /// (1998), section 3.
@@ -17,20 +17,20 @@
 namespace tedavis::perception {
 
 inline constexpr std::size_t kMaxSalientPlaces = 32;
-inline constexpr double kFocusShare = 1.0 / 6;  ///< radius of the focus of attention, of the picture's smaller side
+inline constexpr double kFocusShare = 1.0 / 6;  ///< radius of the focus of attention as a share of the picture's smaller side
 
-/// Middle of a pixel of the map, in pixels of the picture.
+/// A place: the centre of a map pixel, in pixels of the picture.
 struct SalientPlace {
     double x = 0, y = 0;
     float value = 0;  ///< 0..1, greater than 0
 };
 using SalientPlaces = base::FixedVector<SalientPlace, kMaxSalientPlaces>;
 
-/// A byte a pixel of the map, rows from the top: 0 where no place is to be. Empty: everywhere may be one.
+/// One byte per pixel of the map, rows from the top: 0 where no place is allowed. Empty: all are allowed.
 using PlaceMask = base::Span<const std::uint8_t>;
 
-/// The first `most` places, fewer where nothing salient is left; radius in pixels of the picture, at least 0. None where the
-/// mask is shorter than the map.
+/// Returns the first `most` places, fewer where nothing salient is left. `radius_px` is in pixels of the picture, at least 0.
+/// Returns none where the mask is shorter than the map.
 [[nodiscard]] SalientPlaces salient_places(const SaliencyMap& map, double radius_px, std::size_t most,
                                            PlaceMask mask = {}) noexcept;
 

@@ -1,8 +1,9 @@
-/// A second opinion on what draws the eye, by another principle: what in a picture's spectrum departs from its smooth course.
+/// Saliency by the spectral residual, a measure independent of saliency_model.hpp: the deviation of a picture's log spectrum
+/// from its smoothed one.
 ///
 /// The luma of a picture, averaged to 64 x 64 whatever its shape; R = log|F| - mean of 3 x 3 of it (the spectrum is periodic);
-/// the map is the Gaussian mean (kResidualSigma_px) of |inverse(exp(R) F / |F|)|^2, divided by its maximum. A picture without any
-/// difference has no salient place: all 0.
+/// the map is the Gaussian mean (kResidualSigma_px) of |inverse(exp(R) F / |F|)|^2, divided by its maximum. A uniform picture
+/// has a map of zeros.
 ///
 /// Double precision; elementary functions are the C library's, so that maps of two machines agree to 1e-9, not to the bit.
 /// Memory from an arena, at start(). One thread.
@@ -22,7 +23,7 @@ namespace tedavis::perception {
 inline constexpr int kResidualSide = 64;
 inline constexpr double kResidualSigma_px = 2.5;
 
-/// In place, of 64 numbers; forwards without a factor, backwards divided by 64.
+/// Direction of the in-place Fourier transform of 64 numbers; forwards has no factor, backwards divides by 64.
 enum class TransformWay { forwards, backwards };
 void fourier_transform(base::Span<std::complex<double>> numbers, TransformWay way) noexcept;
 
@@ -30,9 +31,9 @@ class SpectralResidual {
 public:
     [[nodiscard]] static std::size_t bytes();
     [[nodiscard]] bool start(base::Arena& arena);
-    /// False where the picture is not valid.
+    /// Computes the map; returns false where the picture is not valid.
     [[nodiscard]] bool look(const PictureView& picture);
-    /// Of the last picture: 64 x 64 values 0..1, rows from the top.
+    /// Returns the map of the last picture: 64 x 64 values 0..1, rows from the top.
     [[nodiscard]] base::Span<const float> values() const { return values_; }
     [[nodiscard]] bool has_salient() const { return has_salient_; }
 

@@ -1,5 +1,5 @@
-/// Which regions of the picture are too cluttered, and which data give way there (effects/clutter_budget.hpp): all but those of
-/// the aspect that comes first.
+/// Declutter: which regions of the picture are too cluttered, and which data are reduced there (effects/clutter_budget.hpp):
+/// all except those of the aspect that comes first.
 ///
 /// Plain data; pure.
 #pragma once
@@ -11,15 +11,16 @@ namespace tedavis::policy {
 
 struct Declutter {
     scene::DetailRegions regions;
-    std::uint32_t roles = 0;          ///< of layers that give way; a bit for each scene::LayerRole
-    bool lowers_uncertainty = false;  ///< glyphs that say nothing else
+    std::uint32_t roles = 0;          ///< roles of layers that are reduced; one bit for each scene::LayerRole
+    bool lowers_uncertainty = false;  ///< glyphs that only show uncertainty are reduced too
 
-    /// What an element of a layer keeps where; null: all. `warns`: draw::is_protected() of the layer, which never gives way.
+    /// Returns the detail that an element of a layer keeps in each region; null: all. `warns` marks layers that warn, which are
+    /// never reduced.
     [[nodiscard]] const scene::DetailRegions* regions_of(const design::DataElement& element, scene::LayerRole role,
                                                          bool warns) const noexcept;
 };
 
-/// `regions`: what each keeps of its detail; where all keep all of it, nothing gives way.
+/// Makes the declutter state. `regions` is the detail that each region keeps; where all are 1, nothing is reduced.
 [[nodiscard]] Declutter declutter_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,
                                      const design::AspectWeights& weights) noexcept;
 

@@ -1,4 +1,4 @@
-/// What a frame may show, given what is known: the answer of the failure policy, read by the drawers.
+/// What a frame may show: the decisions of the failure policy, read by planner and drawers.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace tedavis::policy {
 
-/// The pieces of information on the display.
+/// The elements of information on the display.
 enum class Element : std::uint8_t {
     attitude,
     heading,
@@ -24,8 +24,8 @@ enum class Element : std::uint8_t {
     baro_setting,
     ground_height,
     flight_path,
-    position,  ///< of the own ship on the map
-    map_up,    ///< what the map is turned to, by the source: true_track, the view's heading in its place, or count_ for north
+    position,  ///< position of the own ship on the map
+    map_up,    ///< what is up on the map; `source` is true_track, the view's heading instead, or count_ for north
     wind,      ///< measured on board
     outside_temperature,
     count_
@@ -34,15 +34,15 @@ inline constexpr std::size_t kElementCount = static_cast<std::size_t>(Element::c
 
 enum class ElementShow : std::uint8_t {
     normal,
-    substituted,  ///< from another source than the first: amber label names it
-    flagged,      ///< stale: the last value with its amber flag
-    failed,       ///< red cross and text in its place
-    absent,       ///< nothing in its place: the aircraft does not supply it, or it has no meaning now
+    substituted,  ///< shown from another source than the first choice; an amber label names it
+    flagged,      ///< stale: the last value is shown with an amber flag
+    failed,       ///< red cross and text instead of the value
+    absent,       ///< nothing is shown: the aircraft does not supply it, or it has no meaning now
 };
 
 struct ElementDecision {
     ElementShow show = ElementShow::failed;
-    flight::Signal source = flight::Signal::count_;  ///< whose value is shown; count_ for none
+    flight::Signal source = flight::Signal::count_;  ///< signal whose value is shown; count_ for none
 };
 
 enum class NoticeLevel : std::uint8_t { warning, caution, information };
@@ -51,18 +51,18 @@ struct Notice {
     base::FixedString<31> text;  ///< upper case ASCII
 };
 
-inline constexpr std::string_view kUnusualAttitudeFlag = "attitude.unusual";  ///< of the recovery picture
+inline constexpr std::string_view kUnusualAttitudeFlag = "attitude.unusual";  ///< flag of the recovery picture
 
 struct DisplayDecisions {
     bool show_terrain = false;
     bool show_warning_colors = false;
-    bool terrain_degraded = false;  ///< shown, but its position or height is not to be trusted
+    bool terrain_degraded = false;  ///< terrain is shown, but position or height are not reliable
     bool plain_horizon = false;     ///< blue over brown by attitude, without terrain; never on the map
     bool below_terrain = false;     ///< the own ship flies below the database's surface: the plain horizon is grey over red
-    TerrainAhead terrain_ahead = TerrainAhead::none;  ///< said by a notice, and by the warning colours where they may be shown
+    TerrainAhead terrain_ahead = TerrainAhead::none;  ///< shown by a notice, and by the warning colours where they may be shown
     bool unusual_attitude = false;                    ///< recovery picture: chevrons, decluttered; flagged
-    /// Signal that turns the view: true_heading, magnetic_heading (plus variation), true_track or count_ (none: the view
-    /// faces north and no terrain is drawn).
+    /// Signal that gives the view's azimuth: true_heading, magnetic_heading (plus variation), true_track, or count_ (none: the
+    /// view faces north and no terrain is drawn).
     flight::Signal view_heading = flight::Signal::count_;
     std::array<ElementDecision, kElementCount> elements{};
     base::FixedVector<Notice, 16> notices;               ///< most urgent first

@@ -1,8 +1,8 @@
-/// What the display shows when signals are missing, stale, lost or invalid. Pure: same state, same decisions.
+/// Decides what the display shows when signals are missing, stale, lost or invalid. Pure function.
 ///
-/// The table of all cells stands in render_core/display/README.md; `signal_rule` gives a row. After AC 25-11B 6.2.1.7 a
-/// failure is shown in the place of the information, and nothing stale is ever shown as valid; terrain follows the rule
-/// of the synthetic-vision manuals (Garmin 190-02177: disabled without attitude, heading, position or database).
+/// The whole table is in render_core/display/README.md; signal_rule() returns a row. After AC 25-11B 6.2.1.7 a failure is shown
+/// in the place of the information, and stale data are never shown as valid; terrain follows the rule of the synthetic-vision
+/// manuals (Garmin 190-02177: disabled without attitude, heading, position or database).
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ enum class TerrainSource : std::uint8_t {
     none,  ///< no database was given
     ready,
     outside,         ///< the own ship is not over it
-    failed,          ///< it could not be read or did not check
+    failed,          ///< it could not be read or failed its checks
     over_budget,     ///< its coarsest meshes exceed the device's budgets
-    too_coarse,      ///< what has arrived would show a wrong picture
+    too_coarse,      ///< the chunks in memory would show a wrong picture
     above_own_ship,  ///< the own ship would be below its surface: one of the two is wrong
 };
 
@@ -32,16 +32,16 @@ struct DisplayConditions {
     TerrainSource terrain = TerrainSource::none;
     flight::PhaseStatus phase;
     bool generated_flight = false;      ///< the flight comes from a scenario
-    bool terrain_is_coarse = false;     ///< budgets allow no better than the design's limit of error
+    bool terrain_is_coarse = false;     ///< because of budgets its error exceeds the design's limit
     bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
-    bool is_reduced = false;            ///< for the frame's deadline, and the design asks that this is said
-    bool shows_measure = false;         ///< of the picture, over it: its colours say something else
+    bool is_reduced = false;            ///< the picture is reduced for the frame's deadline, and the design requests a notice
+    bool shows_measure = false;         ///< colours show a measure of the picture (saliency, clutter)
     TerrainAhead terrain_ahead = TerrainAhead::none;
     bool is_map = false;  ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 
-/// Signals that state the same information stand in one group, the first choice first.
+/// Groups of signals that state the same information, in order of preference.
 enum class SignalGroup : std::uint8_t {
     latitude,
     longitude,
@@ -62,13 +62,13 @@ enum class SignalGroup : std::uint8_t {
     not_shown,
 };
 
-/// What follows when no signal of a group is valid; bits.
+/// Consequences when no signal of a group is valid; bits.
 enum Consequence : std::uint8_t {
     kNoConsequence = 0,
     kRemoveTerrain = 1,  ///< and with it the warning colours
     kRemoveWarningColors = 2,
     kDegradeTerrain = 4,
-    kFailElement = 8,  ///< red cross in its place; without this bit the last value stays, flagged
+    kFailElement = 8,  ///< red cross in its place; without this bit the last value stays with a flag
     kFlag = 16,        ///< named in the flags
 };
 

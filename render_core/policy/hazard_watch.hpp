@@ -1,13 +1,13 @@
-/// Which hazards lie on the way: terrain, and features of the data that may raise the weight of their aspect
+/// Finds hazards on the predicted track: terrain, and features of the data that may raise the weight of their aspect
 /// (design/priority.hpp).
 ///
-/// The way is straight ahead at the speed of the instant, for `hazard_ahead_s`. A hazard counts from 0 at its end to 1 at half of
-/// it, in eighths, by the time until the aircraft is within `hazard_within_m` of it aside, and a third of that above or below;
-/// terrain is looked at four times as often, on five lines along the way. A function of the instant alone: what is only just
-/// reached comes and goes (priority_boost.hpp steadies it). Heights and floors that are not stated count as if they were at the
-/// aircraft's own height; ground that is not known does not count, and is said otherwise.
+/// The track is straight, at the current velocity, for `hazard_ahead_s`. A hazard's share rises from 0 at the end of the track
+/// to 1 at half of it, in eighths, by the time until the aircraft is within `hazard_within_m` of it laterally and a third of
+/// that vertically. Terrain is sampled four times as densely, on five lines along the track. The result depends on the current
+/// instant alone, so a hazard at the limit may come and go (priority_boost.hpp filters that). Heights and floors that are not
+/// stated count as the aircraft's own height; unknown ground does not count, and is shown by other means.
 ///
-/// Bounded: kSteps places of the way, and every point of the layers. Thread  the display's.
+/// Bounded: kSteps points of the track, and every point of the layers. Thread  the display's.
 #pragma once
 
 #include <array>
@@ -20,21 +20,22 @@
 
 namespace tedavis::policy {
 
-/// Shares 0..1 by aspect; 0 of those that are no hazard.
+/// Shares 0..1 by aspect; 0 for aspects without a hazard.
 using HazardShares = std::array<double, design::kMaxAspects>;
 
 class HazardWatch {
 public:
     static constexpr int kSteps = 24;
-    /// All must stay while it is asked. `time_ns`: the frame's, for what moves.
+    /// All arguments must outlive the object. `time_ns` is the frame's time, for moving features.
     HazardWatch(const design::PrioritySettings& settings, const PredictedTrack& track, scene::Ground& ground,
                 std::int64_t time_ns);
 
     [[nodiscard]] double terrain_share();
     [[nodiscard]] double layer_share(const scene::Layer& layer);
-    /// Until the way comes within reach of a feature, at its height; infinite where it does not.
+    /// Returns the time until the track comes within reach of a feature, at its height, s; infinite where it does not.
     [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);
-    /// Of all that was asked for: where on the way the first hazard is met. False where there was none.
+    /// Writes the point of the track where the first of the hazards queried so far is reached. Returns false where there was
+    /// none.
     [[nodiscard]] bool first_met(earth::Geodetic& place) const;
 
 private:
@@ -59,7 +60,7 @@ private:
     scene::Ground& ground_;
     std::int64_t time_ns_;
     double soonest_s_ = std::numeric_limits<double>::infinity();
-    double metres_per_latitude_, metres_per_longitude_;  ///< a radian's
+    double metres_per_latitude_, metres_per_longitude_;  ///< metres per radian
 };
 
 }  // namespace tedavis::policy

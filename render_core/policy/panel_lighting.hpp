@@ -1,7 +1,7 @@
-/// How bright the display is: as the design says, or by the sun of place and date. Pure; any thread.
+/// The brightness of the display: as the design states, or by the sun's elevation. Pure; any thread.
 ///
-/// By the sun: day from 6 degrees above the horizon, dusk at the horizon, night from 6 below (the end of civil twilight), and
-/// steadily in between, so that nothing jumps.
+/// By the sun: day at 6 degrees above the horizon and more, dusk at the horizon, night at 6 degrees below (the end of civil
+/// twilight) and less, with continuous transitions.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,8 +13,8 @@
 namespace tedavis::policy {
 
 struct PanelLight {
-    glm::dvec3 white{1, 1, 1};  ///< what every colour is multiplied with, 0..1
-    bool has_date = true;       ///< false: by the sun, but the flight's time is no date; then it is day
+    glm::dvec3 white{1, 1, 1};  ///< factor of every colour, 0..1
+    bool has_date = true;       ///< false: the sun's elevation is needed but the flight's time is not a date; day is used
 };
 
 [[nodiscard]] PanelLight panel_light(const design::ViewEffects& effects, const earth::Geodetic& place,

@@ -1,8 +1,8 @@
-/// The own ship's track for the next seconds: straight ahead at the velocity of the instant.
+/// The own ship's predicted track: straight ahead at the current velocity.
 ///
-/// Frame     places are geodetic, WGS84, heights over the ellipsoid in metres; velocities are in the local north, east, up frame.
-/// Range     some 100 km: metres become angles by the radii of curvature at its first place.
-/// Plain data; pure.
+/// Frame     positions are geodetic, WGS84, heights above the ellipsoid in metres; velocities are in the local north, east, up
+/// frame.
+/// Range     about 100 km: metres are converted to angles with the radii of curvature at the first position. Plain data; pure.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace tedavis::policy {
 
 struct PredictedTrack {
-    earth::Geodetic from;  ///< where the own ship is
+    earth::Geodetic from;  ///< position of the own ship
     double north_mps = 0, east_mps = 0, up_mps = 0;
 
     [[nodiscard]] double ground_speed_mps() const { return std::hypot(north_mps, east_mps); }
@@ -21,7 +21,7 @@ struct PredictedTrack {
     [[nodiscard]] double metres_per_longitude_rad() const {
         return earth::prime_vertical_radius_m(from.latitude_rad) * std::cos(from.latitude_rad);
     }
-    /// After so many seconds; `right_m` to the right of the track, where it has a direction.
+    /// Returns the position after `seconds`, `right_m` to the right of the track where it has a direction.
     [[nodiscard]] earth::Geodetic at(double seconds, double right_m = 0) const;
 };
 

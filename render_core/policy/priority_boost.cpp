@@ -17,7 +17,7 @@ bool is_same_flight(const flight::OwnShipEstimate& a, const flight::OwnShipEstim
 }  // namespace
 
 void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, std::size_t design) {
-    // The same instant elsewhere: nobody flies there.
+    // The same instant at another position is not a continuous flight.
     const bool leaps = is_decided_ && instant.now == last_now_ && !is_same_flight(instant.own_ship, last_own_);
     last_now_ = instant.now;
     last_own_ = instant.own_ship;

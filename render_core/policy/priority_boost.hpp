@@ -1,18 +1,17 @@
-/// What lies ahead of a frame's picture: whether terrain does (terrain_ahead.hpp), and what raises the weights of aspects above
-/// those that a design states: hazards on the way, and stale data. Decided at the intervals
-/// of labels (draw/data/label_planner.hpp) by what they ask for at the interval's first instant, and approached little by little:
-/// what is only just reached neither flickers nor leaps.
+/// The terrain alert (terrain_ahead.hpp), and the priority boost: hazards ahead and stale data raise the weights of aspects
+/// above those that a design states. The target is determined once for each decision interval (flight/decision_interval.hpp),
+/// at its first instant, and the weights approach it in limited steps, so that they neither flicker nor jump.
 ///
 ///   follow(instant, source, design) each frame, and at every interval that a replay passes over · above(stated)
 ///
-/// The alert comes at once and stays for kHeldIntervals after the last interval that asked for it, whatever design takes its
-/// turn.
+/// The alert is raised at once and stays for kHeldIntervals after the last interval that requested it, also when the phase's
+/// design changes.
 ///
-/// The place of a hazard is that of the interval; it stays while what it raised is still falling. When another of the display's
-/// designs takes its turn the interval is decided anew for that one, at its first instant and at once: the fade between both
-/// covers it.
+/// The position of a hazard is determined once per interval; it is kept while the weight that it raised still falls. When the
+/// phase's design changes, the interval is decided again for the new design, at its first instant and without limited steps:
+/// the fade between both designs hides the jump.
 ///
-/// Plain data: a copy is what an interval leaves to the next one.
+/// Plain data: a copy is the state that one interval passes to the next.
 #pragma once
 
 #include <array>
@@ -26,7 +25,7 @@
 
 namespace tedavis::policy {
 
-/// That aspects are weighed by.
+/// The instant for which priorities are determined.
 struct PriorityInstant {
     base::Time now{0};  ///< the source's
     flight::FlightTime time;
@@ -37,11 +36,11 @@ struct PriorityInstant {
 struct PriorityBoosts {
     std::array<double, design::kMaxAspects> of{};  ///< 0..1, above the stated weights
     bool has_hazard = false;
-    earth::Geodetic hazard;  ///< with it: where the first one is met; height over the ellipsoid
+    earth::Geodetic hazard;  ///< valid with has_hazard: where the track reaches the first hazard; height above the ellipsoid
     TerrainAhead terrain_ahead = TerrainAhead::none;
 };
 
-/// What is asked for at an instant.
+/// Port: the boosts requested at an instant.
 class BoostSource {
 public:
     virtual ~BoostSource() = default;
@@ -55,17 +54,17 @@ protected:
 
 class PriorityBoost {
 public:
-    static constexpr double kMaxRise = 0.25, kMaxFall = 0.125;  ///< of a weight, from one interval to the next
+    static constexpr double kMaxRise = 0.25, kMaxFall = 0.125;  ///< largest change of a weight from one interval to the next
     static constexpr std::int64_t kHeldIntervals = 4;           ///< two seconds
 
-    /// `design`: a number for each of the display's designs; `source` answers for that one.
+    /// Updates the boost. `design` is the index of the display's current design; `source` answers for that design.
     void follow(const PriorityInstant& instant, BoostSource& source, std::size_t design);
     void forget() { *this = {}; }
     [[nodiscard]] design::AspectWeights above(const design::AspectWeights& stated) const;
-    /// Null where there is none.
+    /// Position of the hazard, or null.
     [[nodiscard]] const earth::Geodetic* hazard() const { return raises_.has_hazard ? &raises_.hazard : nullptr; }
     [[nodiscard]] TerrainAhead terrain_ahead() const { return raises_.terrain_ahead; }
-    /// The interval was decided in one way, and then anew.
+    /// True where the interval was decided again after it had been decided before.
     [[nodiscard]] bool is_anew() const { return is_anew_; }
 
 private:
@@ -74,7 +73,7 @@ private:
     void follow_alert(TerrainAhead asked, std::int64_t intervals);
 
     PriorityBoosts raises_;
-    std::int64_t alert_intervals_left_ = 0;  ///< the alert stays for them without being asked for
+    std::int64_t alert_intervals_left_ = 0;  ///< intervals for which the alert still stays without a request
     PriorityInstant instant_;                ///< the interval's first
     base::Time last_now_{0};
     flight::OwnShipEstimate last_own_;

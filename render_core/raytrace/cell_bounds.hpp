@@ -1,4 +1,4 @@
-/// Who says how high, or low, the surface of each cell comes: level 0 of a HeightMipmap.
+/// Computes the bounds of each cell's surface: level 0 of a HeightMipmap.
 #pragma once
 
 #include "render_core/raytrace/height_grid.hpp"
@@ -7,7 +7,7 @@ namespace tedavis::raytrace {
 
 enum class HeightBound : std::uint8_t { maximum, minimum };
 
-/// What a cell without a surface counts as.
+/// The bound of a cell without a surface.
 template <class Height>
 [[nodiscard]] constexpr Height no_surface(HeightBound bound) {
     return bound == HeightBound::maximum ? std::numeric_limits<Height>::lowest() : std::numeric_limits<Height>::max();
@@ -15,12 +15,13 @@ template <class Height>
 
 template <class Height>
 struct CellBounds {
-    /// Of the cells [first, end) of a row, to nodes[first] and on; called by several threads, each for other rows.
+    /// Writes the bounds of the cells [first, end) of a row to nodes[first] and following; called by several threads for
+    /// different rows.
     using Row = void (*)(const void* context, const HeightGrid<Height>& grid, HeightBound bound, std::uint32_t row,
                          std::uint32_t first, std::uint32_t end, Height* nodes);
-    Row row = nullptr;              ///< null: of the four posts of a cell
-    const void* context = nullptr;  ///< borrowed; must stay
-    std::uint32_t reach = 0;        ///< posts beyond a cell's own that its bound depends on
+    Row row = nullptr;              ///< null: the bounds of the cell's four posts
+    const void* context = nullptr;  ///< borrowed; must outlive the use
+    std::uint32_t reach = 0;        ///< number of posts beyond a cell's own on which its bound depends
 };
 
 }  // namespace tedavis::raytrace

@@ -1,8 +1,8 @@
-/// Heights on a regular grid of posts, as the tracer reads them. Borrowed, never owned.
+/// A regular grid of heights, as the tracer reads it. The memory is borrowed.
 ///
-/// Grid space: x counts columns from the first post, y rows from the first row, z height steps; a height step is whatever one
-/// unit of a stored height means. A cell (column, row) lies between four posts; there are (columns - 1) x (rows - 1). Where a
-/// post has no height, the cells round it have no surface, and rays pass.
+/// Grid space: x counts columns from the first post, y rows from the first row, z height steps; a height step is one unit of a
+/// stored height. A cell (column, row) lies between four posts; there are (columns - 1) x (rows - 1) cells. Where a post has no
+/// height, the cells round it have no surface, and rays pass through.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace tedavis::raytrace {
 /// `Height` is std::int16_t or float.
 template <class Height>
 struct HeightGrid {
-    /// The height of a post without one. NaN is none: it must be turned into this before.
+    /// The value of a post without a height. NaN is not allowed: convert it to this.
     static constexpr Height kVoid = std::numeric_limits<Height>::lowest();
     static constexpr std::uint32_t kMaxPosts = 65537;          ///< each way
-    static constexpr std::uint64_t kMaxInAll = 1'600'000'000;  ///< their number and a third more is one of 31 bits
+    static constexpr std::uint64_t kMaxInAll = 1'600'000'000;  ///< posts in all; 4/3 of it fits 31 bits
 
     const Height* posts = nullptr;  ///< row by row
     std::uint32_t columns = 0;      ///< 2..kMaxPosts
@@ -32,7 +32,7 @@ struct HeightGrid {
     }
 };
 
-/// Posts [first, end) each way.
+/// A region of posts, [first, end) in both directions.
 struct PostRegion {
     std::uint32_t first_column = 0, first_row = 0, end_column = 0, end_row = 0;
 };

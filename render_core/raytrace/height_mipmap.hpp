@@ -1,10 +1,12 @@
-/// The highest, or lowest, height of every cell of a grid, and of blocks of 2^k x 2^k cells (maximum mipmap: Tevs et al. 2008).
+/// The maximum, or minimum, height of every cell of a grid, and of blocks of 2^k x 2^k cells (maximum mipmap: Tevs et al.
+/// 2008).
 ///
-/// Level 0 has a node a cell, each further level one for 2 x 2 nodes, those at the right and lower border for fewer: no size
-/// loses a row, as halving with rounding down would. A cell lies between four posts, so neighbours share posts and bounds hold
-/// for everything between them. A cell without a surface bounds nothing; it counts as lower (for the minimum: higher) than all.
+/// Level 0 has one node per cell, each further level one per 2 x 2 nodes; sizes are rounded up, so that nodes at the right and
+/// lower border cover the rest. A cell's bound covers its four posts and everything between them. A cell without a surface
+/// counts as lower (for the minimum: higher) than all heights.
 ///
-/// Memory  from an arena: Height times 4/3 of the cells and a little. Thread  build() and update() use the workers; reading any.
+/// Memory  from an arena: sizeof(Height) times about 4/3 of the cells. Thread  build() and update() use the workers; reading
+/// any.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -16,12 +18,12 @@ namespace tedavis::raytrace {
 
 template <class Height>
 struct MipmapLevel {
-    const Height* nodes = nullptr;  ///< row by row; one more may be read behind the last
+    const Height* nodes = nullptr;  ///< row by row; one element behind the last may be read
     std::uint32_t columns = 0, rows = 0;
     [[nodiscard]] Height at(std::uint32_t column, std::uint32_t row) const { return nodes[std::size_t{row} * columns + column]; }
 };
 
-/// Where the nodes of each level lie.
+/// The layout of the nodes of each level.
 struct MipmapLayout {
     static constexpr int kMaxLevels = 16;
     std::int32_t top = 0;                 ///< the last level
@@ -35,12 +37,12 @@ public:
     explicit HeightMipmap(HeightBound bound = HeightBound::maximum) : bound_(bound) {}
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
-    /// False where the arena has no room. The grid is borrowed and must stay. Without `cells` bounds are those of each cell's
-    /// four posts, which hold for two triangles and for bilinear surfaces, and for no other.
+    /// Allocates memory; returns false where the arena is too small. The grid must outlive the mipmap. Without `cells` bounds
+    /// are those of each cell's four posts, which are valid for two triangles and bilinear surfaces only.
     [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena, const CellBounds<Height>& cells = {});
-    /// Of all posts.
+    /// Computes all bounds.
     void build(base::Workers& workers);
-    /// After posts of a region have changed; gives what build() would.
+    /// Updates the bounds after posts of a region have changed; the result equals that of build().
     void update(const PostRegion& changed);
 
     [[nodiscard]] const HeightGrid<Height>& grid() const { return grid_; }

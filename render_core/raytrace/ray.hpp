@@ -1,4 +1,4 @@
-/// Rays and what they meet, in grid space (height_grid.hpp).
+/// Rays and their hits, in grid space (height_grid.hpp).
 #pragma once
 
 #include <cmath>
@@ -8,17 +8,18 @@
 
 namespace tedavis::raytrace {
 
-/// Points origin + t * direction, for t from `from` to `to`. The direction needs no length, but must not be zero. Of x and y,
-/// what is nearer to zero than 1e-30 counts as 1e-30, whatever its sign: a machine that flushes denormals finds the same.
+/// The points origin + t * direction, for t from `from` to `to`. The direction need not have unit length, but must not be zero.
+/// Its x or y nearer to zero than 1e-30 counts as 1e-30, whatever the sign, so that machines that flush denormals give the same
+/// result.
 struct Ray {
     glm::dvec3 origin{0};
     glm::vec3 direction{0};
     float from = 0;
     float to = std::numeric_limits<float>::infinity();
-    float gap = 0;  ///< a point that is no more height steps below the surface than this, where there was none before, has met it
+    float gap = 0;  ///< a ray that begins below the surface by up to this many height steps hits it there
 };
 
-/// From an origin that is further away nothing is met in float's range.
+/// Rays from an origin that is farther away have no hits.
 inline constexpr double kFarthest = 1e9;
 
 [[nodiscard]] inline bool is_in_reach(const glm::dvec3& origin) {
@@ -26,15 +27,15 @@ inline constexpr double kFarthest = 1e9;
 }
 
 enum class HitSide : std::uint8_t {
-    none,   ///< nothing is met
-    above,  ///< the surface, from above
-    below,  ///< the surface, from below: the ray began there, or came there through the border or a cell without heights
+    none,   ///< no hit
+    above,  ///< the surface is hit from above
+    below,  ///< the surface is hit from below: the ray began there, or entered through the border or a cell without heights
 };
 
 struct Hit {
     HitSide side = HitSide::none;
     float t = std::numeric_limits<float>::infinity();
-    std::uint32_t column = 0, row = 0;  ///< of the cell; only where something is met
+    std::uint32_t column = 0, row = 0;  ///< cell of the hit; only valid with a hit
 };
 
 }  // namespace tedavis::raytrace

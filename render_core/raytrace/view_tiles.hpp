@@ -5,7 +5,7 @@
 
 namespace tedavis::raytrace {
 
-/// Tiles across a picture and down; numbered row by row.
+/// The numbers of tiles across and down a picture; tiles are numbered row by row.
 struct ViewTiles {
     std::uint32_t across, down;
 

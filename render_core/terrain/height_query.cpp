@@ -56,7 +56,7 @@ Cell cell_round(const Lattice& lattice, const ChunkEntry& entry, base::Span<cons
     return cell;
 }
 
-/// The place of the one asked for longest ago.
+/// The index of the least recently requested one.
 template <class Kept>
 std::uint32_t oldest_of(base::Span<Kept> kept) {
     std::uint32_t oldest = 0;

@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// Stands for "no height": below (or above) every horizon, and finite, so that lanes which nobody reads stay finite too.
+/// Value for "no height": below (or above) every horizon, and finite, so that unused lanes stay finite too.
 inline constexpr float kNoHeight_m = 1e7f;
 [[nodiscard]] inline bool is_height(float height_m) { return height_m > -0.5f * kNoHeight_m; }
 

@@ -1,5 +1,5 @@
-/// Where the sign of a feature stands: above a point, a line's middle, the middle of an area's corners, where the storm has gone
-/// to; no-go areas and airspaces have theirs at their ceiling. Pure but for the ground that is asked. Bounded.
+/// The anchor of a feature's sign: above a point, a line's middle, the mean of an area's corners, or a storm's current
+/// position; for no-go areas and airspaces at their ceiling. Pure, apart from queries to the ground. Bounded.
 #pragma once
 
 #include "render_core/draw/data/placement.hpp"
@@ -7,14 +7,14 @@
 
 namespace tedavis::draw {
 
-/// False of a run without points, which has none.
+/// Computes the anchor; returns false for a run without points.
 [[nodiscard]] bool anchor_of(const ElementInput& input, std::uint32_t feature, scene::ScenePoint& anchor);
-/// Of this anchor: at the top where the feature has limits, for there it is seen from afar.
+/// Returns the position for an anchor: at the top where the feature has limits, where it is visible from afar.
 [[nodiscard]] Placed place_of(const ElementInput& input, std::uint32_t feature, const scene::ScenePoint& anchor);
-/// Airspaces stand there with what they reach from and to, as on charts.
+/// True for airspaces, whose signs show their vertical limits, as on charts.
 [[nodiscard]] bool has_limits(const scene::Layer& layer);
 
-/// How many lengths a stem may have: that of an obstacle would read as its height.
+/// Number of stem lengths that a sign may use; an obstacle's stem must not look like its height.
 [[nodiscard]] std::uint8_t sign_stems(const scene::Layer& layer);
 
 }  // namespace tedavis::draw

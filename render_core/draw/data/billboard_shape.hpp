@@ -1,5 +1,5 @@
-/// What a feature's billboard is made of before it has room: its place, icon and lines, in pixels of a view. Pure but for the
-/// ground that is asked, once. Bounded.
+/// The parts of a feature's billboard before room is allocated for it: position, icon and lines, in pixels of a view. Pure,
+/// apart from one query to the ground. Bounded.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
@@ -11,10 +11,10 @@
 namespace tedavis::draw {
 
 inline constexpr double kIconSize_m = 80;
-/// Of the text's size.
+/// Size of icons, in text sizes.
 inline constexpr float kMinIcon = 1.0f, kGreatestIcon = 2.2f;
 
-/// Lines beside the icon: its name, and under it what it reaches from and to.
+/// The lines beside the icon: the name, and below it the vertical limits.
 class SignText {
 public:
     void add(const BillboardText& line) {
@@ -36,17 +36,17 @@ struct BillboardShape {
     SignSpot spot;
     BillboardLook look;
     SignText text;
-    SignBox box;  ///< on the short stem
+    SignBox box;  ///< its box on the short stem
     float text_px = 16;
 
     [[nodiscard]] float line_px() const;
     /// Without a stem.
     [[nodiscard]] SignBox on_the_spot() const;
-    /// The box as it is with these lines.
+    /// Sets the box's size for these lines.
     void set_lines(const SignText& lines);
 };
 
-/// False where it has no place that lies ahead.
+/// Makes the shape; returns false where the feature has no position ahead of the eye point.
 [[nodiscard]] bool billboard_shape(const ElementInput& input, std::uint32_t feature, const SignView& view, bool with_name,
                                    BillboardShape& shape);
 

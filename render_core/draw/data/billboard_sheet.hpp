@@ -1,8 +1,7 @@
-/// Where the billboards of a frame stand: they face the eye, have sizes in pixels, and cover neither each other nor the
-/// symbology, which has its room before them: who comes first has the room that is left. A sign is drawn whole or not at all:
-/// over the picture where the eye sees its place, lifted by kStem (as high as icons stand on their stems), over the drawn
-/// terrain; else it is hidden. Stems and links have the depths of their ends, and terrain hides them pixel by pixel, but says
-/// nothing wrong by that.
+/// Allocates the room of a frame's billboards. They face the viewer, have sizes in pixels, and cover neither each other nor the
+/// symbology, which is placed before them; among billboards the first one claims the room. A sign is drawn whole, over the
+/// picture, where its position, lifted by kStem (the height of icons on their stems), is visible above the drawn terrain; else
+/// it is hidden. Stems and links have depths, and terrain hides them pixel by pixel.
 ///
 ///   start(arena) · begin(...) each frame · spot(place), claim(box, place), signs(), line()
 ///
@@ -19,7 +18,7 @@
 
 namespace tedavis::draw {
 
-/// A feature that may be shown. Of two the one with the smaller rank comes first, of equals the first.
+/// A feature that may be shown. Smaller ranks come first; equal ranks keep their order.
 struct BillboardCandidate {
     double rank = 0;
     std::uint32_t feature = 0;
@@ -32,15 +31,15 @@ public:
 
     [[nodiscard]] bool start(base::Arena& arena);
     struct Frame {
-        QuadBatch &signs, &links;  ///< to be drawn over the picture, and among the terrain
+        QuadBatch &signs, &links;  ///< drawn over the picture; drawn with depth test
         const terrain::View& view;
-        double text_px = 16;                    ///< of the display's ordinary text
-        terrain::LineOfSight* sight = nullptr;  ///< null: nothing stands in the way
-        const QuadBatch* symbology = nullptr;   ///< of the frame, which signs keep clear of; null: there is none
-        float margin_px = 0;                    ///< of the view's picture, that the screen does not show, on both sides together
-        float screen_begins_px = 0;             ///< in that picture, where the symbology's left edge is
+        double text_px = 16;                    ///< size of the display's ordinary text
+        terrain::LineOfSight* sight = nullptr;  ///< null: nothing is hidden
+        const QuadBatch* symbology = nullptr;   ///< the frame's symbology, which signs must not cover; null: none
+        float margin_px = 0;                    ///< off-screen width of the view's picture, both sides
+        float screen_begins_px = 0;             ///< left edge of the screen in that picture
     };
-    /// Empties the batches. What the frame refers to must stay until the last sign is drawn.
+    /// Begins a frame and clears the batches. Everything that `frame` refers to must stay valid until the last sign is drawn.
     void begin(const Frame& frame);
 
     [[nodiscard]] QuadBatch& signs() const { return *signs_; }
@@ -48,47 +47,48 @@ public:
     [[nodiscard]] const terrain::View& view() const { return eye_.view; }
     [[nodiscard]] float text_px() const { return eye_.text_px; }
     using Spot = SignSpot;
-    /// Where the view's magnifiers show the place.
+    /// Returns the screen position of a point, with the view's magnifiers applied.
     [[nodiscard]] Spot spot(const glm::dvec3& place) const { return eye_.spot(place); }
     [[nodiscard]] double seen_distance_m(double distance_m) const { return eye_.seen_distance_m(distance_m); }
-    /// From one place to another over a dark rim of the same opacity, both ends with their own depths; nothing where one is not
-    /// ahead.
+    /// Draws a line between two points over a dark rim of the same opacity, with the depths of both ends; nothing where one of
+    /// them is not ahead.
     void line(const Spot& from, const Spot& to, float width_px, design::Color color) const;
-    /// The same from a spot to its sign, which stands as far away.
+    /// The same from a point to its sign, which has the same depth.
     void stem(const Spot& spot, Point to, float width_px, design::Color color) const;
-    /// The same from what floats down to the ground, with a mark where it stands.
+    /// The same from an object in the air down to the ground, with a mark on the ground.
     void link(const Spot& ground, const Spot& top, design::Color color) const;
     static constexpr std::size_t kStemVertices = 4 * 2, kLinkVertices = 4 * 4;
-    /// Whether the batches take so many vertices, so that nothing is drawn by half.
+    /// True where the batches have room for this many vertices, so that nothing is drawn partly.
     [[nodiscard]] bool has_room(std::size_t sign_vertices, std::size_t link_vertices) const;
-    /// The part of the picture that is shown.
+    /// The part of the picture that is on the screen.
     [[nodiscard]] const Rect& screen() const { return screen_; }
     [[nodiscard]] bool is_in_picture(const Rect& box) const { return screen_.contains(box); }
-    /// Whether no drawn terrain stands before a place (ECEF), or what stands there as high as a stem.
+    /// True where no drawn terrain hides a point (ECEF) lifted by a stem.
     [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
-    /// Whether a box lies within the picture, clear of the symbology, and covers none that is taken.
+    /// True where a box lies within the picture and overlaps neither the symbology nor claimed boxes.
     [[nodiscard]] bool is_free(const Rect& box) const;
-    /// The same, whatever the symbology draws there.
+    /// The same, ignoring the symbology.
     [[nodiscard]] bool is_clear_of_signs(const Rect& box) const;
-    /// True, and the box is taken, where it is free and the eye sees the place (ECEF) of the sign that it holds.
+    /// Claims the box and returns true where it is free and the sign's position (ECEF) is visible.
     [[nodiscard]] bool claim(const Rect& box, const glm::dvec3& place) {
         return is_free(box) && claim_under_symbology(box, place);
     }
-    /// The same, whatever the symbology draws over it: of what nobody may miss.
+    /// The same, ignoring the symbology: for signs that must be shown.
     [[nodiscard]] bool claim_under_symbology(const Rect& box, const glm::dvec3& place);
-    /// That are taken.
+    /// The claimed boxes.
     [[nodiscard]] base::Span<const Rect> boxes() const { return {boxes_.data(), box_count_}; }
-    /// True, and the box is taken, where it is free: of what stands beside a sign that has its room.
+    /// Claims a free box and returns true: for parts beside a sign that has been placed.
     [[nodiscard]] bool claim_beside(const Rect& box);
 
-    /// Candidates of one element: the best kMaxCandidates of those that are offered.
+    /// Begins the candidates of one element; the best kMaxCandidates are kept.
     void begin_candidates() { candidate_count_ = 0; }
     void offer(const BillboardCandidate& candidate);
-    /// The best first.
+    /// Returns the candidates, the best first.
     [[nodiscard]] base::Span<const BillboardCandidate> ranked();
 
 private:
-    /// A line's end stands nearer by what a sight ends before its place, or the ground that it stands on would cut into it.
+    /// Depth of a line's end: a line of sight ends before its target by the same share, so that the ground does not cut the
+    /// line.
     [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::LineOfSight::reach(view()); }
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
 

@@ -1,14 +1,14 @@
-/// Icon and name of a feature of a layer, above its place (billboard_place.hpp): obstacles, places, runways, samples, models,
-/// storms, areas. Which features have one, and which a name, is decided before (label_planner.hpp).
+/// Draws the icon and name of a feature above its position (billboard_place.hpp): obstacles, places, runways, samples, models,
+/// storms, areas. The label planner (label_planner.hpp) has decided before which features have an icon and a name.
 ///
-/// A size attribute makes the icon between its least and its greatest size; without one it has size_m (kIconSize_m where the
-/// design names none) at its distance, within the same limits. `link` leads a line down to the ground. No-go areas and airspaces
-/// have their limits below the name (area_limits.hpp). The name of what would cover one that came before, or the symbology, goes
-/// from the side that is wished for to another one, then both up on a longer stem; then it stands without its name (an airspace
-/// with its limits alone), then it is hidden; so is what terrain stands before. Obstacles have no longer stems, which would read
-/// as their heights: after their names they lose the stem, and stand on the spot, under the symbology. Stems are thin and grey.
+/// A size attribute scales the icon between its least and greatest size; without one it has size_m (kIconSize_m by default) at
+/// its distance, within the same limits. `link` draws a line down to the ground. No-go areas and airspaces show their limits
+/// below the name (area_limits.hpp). Where a sign would cover an earlier one or the symbology, these are tried in order: the
+/// name on another side; a longer stem; no name (an airspace keeps its limits); hiding the sign. Signs behind terrain are
+/// hidden. Obstacles have no longer stems, which would look like their heights: without room for the name and the stem they are
+/// drawn at their position, below the symbology.
 ///
-/// Pure but for the ground that is asked, once for the link. Bounded.
+/// Pure, apart from one query to the ground for the link. Bounded.
 #pragma once
 
 #include "render_core/draw/data/billboard_shape.hpp"
@@ -17,33 +17,33 @@
 
 namespace tedavis::draw {
 
-/// Where it should stand, if it has room there.
+/// The preferred placement of a sign.
 struct BillboardWish {
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
-    const LabelRoom* kept_clear = nullptr;  ///< of names, but for the box of this number and those that overlap it
+    const LabelRoom* kept_clear = nullptr;  ///< room reserved for names, except box `own` and those that overlap it
     std::size_t own = LabelRoom::kMax;
 };
 
 enum class BillboardFate : std::uint8_t {
-    nowhere,  ///< not ahead, nothing known of its place, or no room in the batches
-    no_room,  ///< what came before it, or the symbology, stands there
-    hidden,   ///< there is room, but terrain stands before it
+    nowhere,  ///< not ahead, of unknown position, or no room in the batches
+    no_room,  ///< an earlier sign or the symbology is there
+    hidden,   ///< there is room, but terrain hides it
     stands
 };
 struct BillboardAnswer {
     BillboardFate fate = BillboardFate::nowhere;
     SignSide side = SignSide::none;  ///< none: without a name
-    std::uint8_t stem = 0;           ///< number of its length; kSignStems: on the spot
-    Rect room{};                     ///< that it takes, or would take if it were not hidden
+    std::uint8_t stem = 0;           ///< index of the stem's length; kSignStems: no stem
+    Rect room{};                     ///< the room that it takes, or would take if it were not hidden
 
-    /// Tells looks apart; 0: it does not stand.
+    /// A number for the look; 0: not drawn.
     [[nodiscard]] std::uint8_t look() const {
         return fate == BillboardFate::stands ? static_cast<std::uint8_t>(1 + 4 * stem + static_cast<std::uint8_t>(side)) : 0;
     }
 };
 
-/// `shape`: of this feature in the sheet's view, with the name that it is to have.
+/// Draws a sign. `shape` is the feature's in the sheet's view, with its name.
 [[nodiscard]] BillboardAnswer add_billboard(BillboardSheet& sheet, const ElementInput& input, std::uint32_t feature,
                                             const BillboardShape& shape, const BillboardWish& wish);
 

@@ -1,5 +1,5 @@
-/// Where a storm cell goes: an arrow from its front on, as long as it comes in kMotionAhead_s, so that its tip is where the front
-/// will be then. It has the cell's colour, opaque, with a dark rim, and is a body, so that it is seen from every side.
+/// The motion of a storm cell: an arrow from its front to where the front will be after kMotionAhead_s. The arrow is a solid in
+/// the cell's opaque colour with a dark rim, so that it is visible from all sides.
 ///
 /// Pure. Bounded.
 #pragma once
@@ -10,18 +10,18 @@
 namespace tedavis::draw {
 
 inline constexpr double kMotionAhead_s = 300;
-inline constexpr double kMinMotion_mps = 0.5;  ///< below, a cell stands: an arrow would have no length
+inline constexpr double kMinMotion_mps = 0.5;  ///< below this speed a cell has no arrow
 
-/// Where the arrow begins.
+/// The beginning of the arrow.
 struct CellFront {
     glm::dvec3 place{0};    ///< ECEF, m
     double toward_rad = 0;  ///< clockwise from true north
     bool is_known = false;
 };
 
-/// Whether a feature's "speed" (m/s) and "toward" (rad) say that it moves.
+/// True where a feature's "speed" (m/s) and "toward" (rad) state a motion.
 [[nodiscard]] bool has_motion(const ElementInput& input, std::uint32_t feature);
-/// Nothing where the front is not known or the batch has no room.
+/// Adds the arrow; nothing where the front is unknown or the batch has no room.
 void add_motion_arrow(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature,
                       const CellFront& from);
 

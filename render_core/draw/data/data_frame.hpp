@@ -1,4 +1,4 @@
-/// What a frame gives all drawers of spatial data: the eye, light and haze, as uniforms that their programs share
+/// The frame's data for all drawers of spatial data: eye point, light and haze, as uniforms that their programs share
 /// (shaders/data_light.vert, shaders/data_color.frag).
 ///
 /// Plain data. Thread  the GL thread for the functions.
@@ -21,21 +21,21 @@ namespace tedavis::draw {
 struct DataFrame {
     terrain::View view;
     glm::dvec3 towards_light{0, 0, 1};  ///< unit vector in ECEF
-    double ambient = 0.6;               ///< 0..1: what a side turned away from the light keeps of its colour
+    double ambient = 0.6;               ///< 0..1, brightness of a side that faces away from the light
     double haze_per_m = 0;              ///< 1 / distance at which haze hides 1 - 1/e; 0 for none
     design::Color haze;
     AirFrame air;
-    DistanceLeft left;                 ///< in the picture's alpha, by what is opaque
-    DataGrid grid;                     ///< on what asks for it
-    bool without_uncertainty = false;  ///< no glyphs that say nothing else
+    DistanceLeft left;                 ///< what opaque objects write to the picture's alpha
+    DataGrid grid;                     ///< on elements that request it
+    bool without_uncertainty = false;  ///< glyphs that only show uncertainty are left out
 };
 
-/// What frames may have; for what they have not nothing is compiled.
+/// The features that frames may have; others are not compiled.
 struct DataVariant {
     bool air = false, grid = false, shadows = false, magnified = false;
 };
 
-/// Every program of data begins its list of uniforms with these.
+/// The first uniforms of every program for data.
 enum DataUniform : std::size_t {
     kDataViewProjection,
     kDataLight,
@@ -55,13 +55,14 @@ inline constexpr const char* kDataUniformNames[kFirstOwnDataUniform] = {"view_pr
                                                                         kAirUniformNames[2],
                                                                         kAirUniformNames[3]};
 
-/// The program text that colours data: behind air where frames may have some, else behind haze; after the caller's own defines.
+/// The text of the program that colours data, with scattering air where frames may have it, else with haze; it follows the
+/// caller's defines.
 using DataFragment = base::FixedString<kMaxShaderText>;
 void add_data_fragment(DataFragment& text, bool with_air);
 
-/// Whether what is drawn next hides all behind it; of the program in use, after set_data_frame().
+/// Sets whether what is drawn next is opaque; for the program in use, after set_data_frame().
 void set_opaque(gl::Gl& gl, const gl::Program& program, const DataFrame& frame, bool is_opaque);
-/// Of the program in use; places relative to the eye. What is drawn next is mixed.
+/// Sets the uniforms of the program in use; positions are relative to the eye point. What is drawn next is blended.
 void set_data_frame(gl::Gl& gl, const gl::Program& program, const DataFrame& frame, const DepthRange& range);
 
 }  // namespace tedavis::draw

@@ -1,5 +1,4 @@
-/// How much a feature is worth a sign: the degree of interest of the thesis (5.2.3), 0..1, the weighted mean of criteria that are
-/// 0..1 each:
+/// The degree of interest of a feature (thesis 5.2.3), which decides on its sign: 0..1, the weighted mean of criteria 0..1:
 ///
 ///   distance       1 at the eye, 0 from kFarthestBillboard_m on, by the logarithm: 1 - ln(1 + d / 1 km) / ln(1 + farthest / 1
 ///   km);
@@ -10,8 +9,7 @@
 ///   runway_length  of runways: the attribute "length" (m), of kLongRunway_m
 ///   relevance      of the feature's role, by the design, which is a phase's
 ///
-/// A criterion that the layer does not state counts for none of its features; a value that is missing counts half: nobody knows.
-/// Pure; any thread.
+/// A criterion that the layer does not have does not count for its features; a missing value counts 0.5. Pure; any thread.
 #pragma once
 
 #include "render_core/design/label_settings.hpp"
@@ -24,12 +22,12 @@ inline constexpr double kLongRunway_m = 3000;
 
 class DegreeOfInterest {
 public:
-    /// Both must stay.
+    /// Layer and settings must outlive the object.
     DegreeOfInterest(const scene::Layer& layer, const design::LabelSettings& settings);
     /// `distance_m`: BillboardSheet::seen_distance_m().
     [[nodiscard]] double of(std::uint32_t feature, double distance_m) const;
 
-    /// The first criterion.
+    /// The criterion `distance`.
     [[nodiscard]] static double nearness(double distance_m);
 
 private:

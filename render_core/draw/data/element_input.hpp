@@ -1,4 +1,4 @@
-/// What builders of data elements are given, and what they answer. Plain data; the ground is asked on the display's thread.
+/// Input and result of the builders of data elements. Plain data; the ground is queried on the display's thread.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +14,24 @@ class LayerFoci;
 
 struct ElementInput {
     const design::DataElement& element;
-    std::uint8_t group = 0;  ///< of this element and this layer
+    std::uint8_t group = 0;  ///< group of this element and layer
     const scene::Layer& layer;
     scene::Ground& ground;
-    design::Color missing;            ///< what stands for a value that is not known
-    std::int64_t time_ns = 0;         ///< of the frame: what moves has come so far
-    bool has_date = false;            ///< without, it stays where the data have it
-    glm::dvec3 eye{0};                ///< ECEF; for what turns to it
-    double metres_per_px_m = 0;       ///< of distance: a pixel is so wide there
-    bool has_age = true;              ///< false: the time of the frame goes on, but nobody confirms it
+    design::Color missing;            ///< colour of a missing value
+    std::int64_t time_ns = 0;         ///< the frame's time, which determines the position of moving features
+    bool has_date = false;            ///< false: moving features stay at their position in the data
+    glm::dvec3 eye{0};                ///< eye point, ECEF; for features that face the viewer
+    double metres_per_px_m = 0;       ///< width of a pixel at a distance of 1 m
+    bool has_age = true;              ///< false: the frame's time is extrapolated, and ages are unknown
     const LayerFoci* foci = nullptr;  ///< of this layer; null: everything is in the focus
 };
 
-inline constexpr double kFloating_m = 5;  ///< over the ground: less needs no link
+inline constexpr double kFloating_m = 5;  ///< height above the ground below which no link is drawn
 
-/// Features (points of a field) of an element: every one is in exactly one of them.
+/// Counts of an element's features (points of a field); each is counted exactly once.
 struct ElementCount {
     std::uint32_t drawn = 0;
-    std::uint32_t aggregated = 0;  ///< within what stands for several
+    std::uint32_t aggregated = 0;  ///< shown as part of an aggregate
     std::uint32_t hidden = 0;      ///< not drawn: no place, no room, out of view
 
     [[nodiscard]] std::uint32_t all() const { return drawn + aggregated + hidden; }

@@ -1,7 +1,7 @@
-/// Which features a technique may leave out where it is to convey less than all detail.
+/// Which features a technique may leave out at less than full detail.
 ///
-/// Those whose value is below kMaxLeftOut * (1 - detail) of the layer's largest; what has no value is kept, for nobody knows how
-/// important it is. Pure; any thread.
+/// Features are left out whose value is below kMaxLeftOut * (1 - detail) of the layer's largest; features without a value are
+/// kept, since their importance is unknown. Pure; any thread.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"

@@ -1,11 +1,11 @@
-/// Cues that lead to foci that are not seen: beyond the picture an arrow at its edge, behind terrain a hollow sign where the
-/// focus is, each with the name and the distance. They keep clear of the symbology and of all signs.
+/// Cues to foci that are not visible: an arrow at the picture's edge for a focus outside it, a hollow sign at the position of a
+/// focus behind terrain, each with name and distance. They do not cover the symbology or other signs.
 ///
-/// A focus is seen where one of its points is in the picture and no drawn terrain stands before it (terrain/line_of_sight.hpp).
-/// Points stand on the ground, in volumes in their middle. Who is in a focus needs no cue. Distances are from the own ship, else
-/// from the eye.
+/// A focus is visible where one of its points is in the picture and not hidden by drawn terrain (terrain/line_of_sight.hpp).
+/// Points are on the ground, for volumes in their middle. There is no cue while the own ship is in the focus. Distances are
+/// from the own ship, else from the eye point.
 ///
-/// Pure but for the ground and the sight that are asked. Bounded. Thread  the sheet's.
+/// Pure, apart from queries to the ground and the line of sight. Bounded. Thread  the sheet's.
 #pragma once
 
 #include "render_core/draw/data/billboard_sheet.hpp"
@@ -15,23 +15,23 @@
 namespace tedavis::draw {
 
 enum class FocusSight : std::uint8_t {
-    nowhere,  ///< not shown
+    nowhere,  ///< the focus is not shown
     around,   ///< the own ship is in it
     seen,
     behind_terrain,
     out_of_view,
 };
-/// For records: "behind terrain".
+/// Returns the text for records: "behind terrain".
 [[nodiscard]] const char* name_of(FocusSight sight) noexcept;
 
 struct FocusCue {
     FocusSight sight = FocusSight::nowhere;
     double distance_m = 0;  ///< to the point that the cue leads to
-    bool is_drawn = false;  ///< false where none is needed, or none has room
+    bool is_drawn = false;  ///< false where no cue is needed or there is no room
 };
 using FocusCues = std::array<FocusCue, scene::kMaxFoci>;
 
-/// In the sheet's room; distances in nautical miles, or in kilometres.
+/// Adds the cues to the sheet; distances are in nautical miles or kilometres.
 [[nodiscard]] FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground, bool is_metric);
 
 }  // namespace tedavis::draw

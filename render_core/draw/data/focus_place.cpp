@@ -193,7 +193,7 @@ void keep_corners(const Ahead& ahead, const scene::ScenePoint& here, FocusRegion
     numbers[0] = ahead.first - 1;
     numbers[1] = ahead.end;
     region.point_count = 2;
-    constexpr double kSameShare = 0.02;  // of the radius: nobody sees such a corner
+    constexpr double kSameShare = 0.02;  // share of the radius; such a corner is invisible
     const double same_m = kSameShare * region.radius_m;
     while (region.point_count < scene::kMaxFocusPoints) {
         double farthest_m = same_m;

@@ -1,4 +1,4 @@
-/// Where the foci of space are in a frame.
+/// Positions of the spatial foci in a frame.
 ///
 ///   own_ship      below the own ship, as the display has it
 ///   destination   the runway that the design names; else of the scene's runways the one nearest the last point of the planned
@@ -13,8 +13,8 @@
 /// The planned way is the trajectory of the scene that passes nearest to the own ship, within kFarthestWay_m. Where it has more
 /// corners than a region has points, those that are farthest from the way between the others are kept.
 ///
-/// A focus by the own ship's place is nowhere while that is not known, and says so. Pure but for the ground, which is asked; the
-/// same answer whatever came before. Bounded: the scene's points of the roles it looks at. Thread  the ground's.
+/// A focus that depends on the own ship's position is empty while that is unknown, with a reason. Pure, apart from queries to
+/// the ground; independent of earlier frames. Bounded: the scene's points of the roles concerned. Thread  the ground's.
 #pragma once
 
 #include "render_core/design/focus_settings.hpp"
@@ -26,40 +26,40 @@
 namespace tedavis::draw {
 
 inline constexpr double kFarthestWay_m = 5000;
-inline constexpr double kMinSpeed_mps = 1;  ///< slower, nobody knows where it goes
+inline constexpr double kMinSpeed_mps = 1;  ///< below this speed the direction is unknown
 
 enum class FocusState : std::uint8_t {
     shown,
-    position_stale,  ///< shown, where the own ship was seen last
+    position_stale,  ///< shown at the own ship's last position
     no_position,
     no_motion,
     no_such_place,
     no_runway,
     no_hazard,
-    no_such_data,  ///< no layer of that name or role with that attribute holds now
+    no_such_data,  ///< no valid layer of that name or role has that attribute
     no_such_value,
 };
-/// For records: "the own ship's position is not known".
+/// Returns the text for records: "the own ship's position is not known".
 [[nodiscard]] const char* reason_of(FocusState state) noexcept;
 [[nodiscard]] constexpr bool is_shown(FocusState state) noexcept { return state <= FocusState::position_stale; }
 
-/// What a frame knows.
+/// The frame's data that foci depend on.
 struct FocusFrame {
     const flight::OwnShipEstimate& own_ship;
     double own_height_m = 0;              ///< over the ellipsoid
     const scene::Scene* scene = nullptr;  ///< null: there is none
     flight::FlightTime time;
     scene::Ground& ground;
-    const earth::Geodetic* hazard = nullptr;  ///< where the first one on the way is met; null: there is none
+    const earth::Geodetic* hazard = nullptr;  ///< where the track reaches the first hazard; null: none
 };
 
 struct FocusPlace {
     FocusState state = FocusState::no_position;
-    scene::FocusRegion region;  ///< not valid where it is not shown
-    double height_m = 0;        ///< of the thing itself over the ellipsoid; NaN where no ground is known
+    scene::FocusRegion region;  ///< not valid where the focus is not shown
+    double height_m = 0;        ///< height of the object above the ellipsoid; NaN where the ground is unknown
 };
 
-/// Of a focus of space; those of data are in focus_values.hpp.
+/// Returns the position of a spatial focus; for data foci see focus_values.hpp.
 [[nodiscard]] FocusPlace place_of(const design::FocusSettings& focus, const FocusFrame& frame);
 
 }  // namespace tedavis::draw

@@ -1,12 +1,13 @@
-/// Foci of data and foci of space, each from the other (thesis, 5.2.2): which values a data focus means now and where they are;
-/// what values lie in a focus of space.
+/// Relates data foci and spatial foci (thesis, 5.2.2): the current values of a data focus and their positions, and the values
+/// in a spatial focus.
 ///
-/// Where the data are: the layers' extent is parted into kFocusCells by kFocusCells cells; of those with a value in focus each
-/// is the box round its places. Of at most kMaxFocusPoints boxes the middles are the region's points, of more those that are
-/// farthest from each other (Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985), with a radius by which
-/// they hold all the places, plus the design's. So no place is left out; what lies between some may be held too.
+/// Positions of data: the layers' extent is divided into kFocusCells x kFocusCells cells; each cell with a value in focus gives
+/// the box round its positions. The centres of up to kMaxFocusPoints boxes are the region's points; of more boxes those
+/// farthest from each other are chosen (Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985), with a
+/// radius that contains all positions, plus the design's radius. So no position is left out; areas between them may be
+/// included.
 ///
-/// Pure. Bounded: a few looks at each value. Any thread. The minute that the time lies in counts (scene/data_time.hpp).
+/// Pure. Bounded: each value is read a few times. Any thread. Times are rounded to minutes (scene/data_time.hpp).
 #pragma once
 
 #include "render_core/draw/data/focus_place.hpp"
@@ -23,17 +24,17 @@ struct FoundData {
     scene::FocusRegion region;  ///< not valid where it is not shown
 };
 
-/// `focus`: of data. Layers that do not hold now are left out.
+/// `focus` is a data focus. Layers that are not valid now are left out.
 [[nodiscard]] FoundData data_of(const design::FocusSettings& focus, const FocusFrame& frame);
 
-/// The time at which a layer's values are shown.
+/// Returns the time for which a layer's values are shown.
 [[nodiscard]] std::int64_t shown_time_ns(const scene::Layer& layer, const flight::FlightTime& time) noexcept;
-/// Whether a layer is valid now; without a date all are.
+/// True where a layer is valid now; without a date all layers are.
 [[nodiscard]] bool holds_now(const scene::Layer& layer, const flight::FlightTime& time) noexcept;
 
-/// Of the values of places in the focus, whatever their heights.
+/// The interval of the values at positions in the focus, at any height.
 struct DerivedInterval {
-    double low = 0, high = -1;  ///< low > high: no value lies there
+    double low = 0, high = -1;  ///< low > high: there are no values
     std::uint32_t count = 0;
 };
 [[nodiscard]] DerivedInterval values_in(const scene::FocusRegion& region, const LayerValues& values, const scene::Layer& layer);

@@ -1,4 +1,4 @@
-/// The foci of a frame, as those who draw data see them: where each is, which values it means, and what becomes of the rest.
+/// The foci of a frame for drawers of data: the region and values of each, and the look of the context.
 ///
 /// Plain data; pure functions; any thread.
 #pragma once
@@ -13,34 +13,34 @@
 namespace tedavis::draw {
 
 struct FrameFoci {
-    scene::FocusRegions regions;                          ///< as many as the design has foci; of data where those data are
-    std::array<scene::FocusMap, scene::kMaxFoci> maps{};  ///< of the valid ones
-    const design::FocusList* foci = nullptr;              ///< the design's; null: there are none
-    std::array<scene::FocusValueRange, scene::kMaxFoci> ranges{};  ///< of data foci
-    design::FocusData look;                                        ///< of the data of the context
-    double least_degree = 0;                                       ///< of the intermediate context
+    scene::FocusRegions regions;                                   ///< one per focus; for data foci the data's positions
+    std::array<scene::FocusMap, scene::kMaxFoci> maps{};           ///< for valid regions
+    const design::FocusList* foci = nullptr;                       ///< the design's foci; null: none
+    std::array<scene::FocusValueRange, scene::kMaxFoci> ranges{};  ///< value ranges of data foci
+    design::FocusData look;                                        ///< look of data in the context
+    double least_degree = 0;                                       ///< least degree of the intermediate context
     glm::dvec3 own_ship{0};                                        ///< ECEF
     bool has_own_ship = false;                                     ///< its position is known
 
-    /// False: there is no focus, or none is anywhere, and nothing steps back.
+    /// False where no focus is in effect, so that nothing is context.
     [[nodiscard]] bool is_any() const noexcept;
     [[nodiscard]] bool changes_data() const noexcept { return look.is_any() && is_any(); }
 };
 
-/// What data of a degree look like: shares of what they are without a focus.
+/// The look of data at a degree of focus, as shares of their look without foci.
 struct FocusLook {
     double detail = 1, brightness = 1, saturation = 1, size = 1;
-    double aggregate = 1;  ///< glyphs stand for so many by so many
+    double aggregate = 1;  ///< glyphs aggregate this many by this many
     bool is_hidden = false;
 };
 [[nodiscard]] FocusLook look_at(const FrameFoci& foci, double degree) noexcept;
-/// Greyer at the same lightness, then darker towards black; as opaque as it was.
+/// Returns the colour made greyer at the same lightness, then darker; the opacity is unchanged.
 [[nodiscard]] design::Color shown_color(const FocusLook& look, design::Color color) noexcept;
 
-/// Never 0. Equal where both change data alike at these times.
+/// Returns a key, never 0; equal keys mean equal changes of data at these times.
 [[nodiscard]] std::uint64_t key_of(const FrameFoci& foci, std::int64_t time_ns, bool has_date) noexcept;
 
-/// Whether a data focus means a layer, and it has what the focus asks for: an attribute of that name, of wind also "speed".
+/// True where a data focus selects a layer that has the requested attribute (for wind also "speed").
 [[nodiscard]] bool is_meant(const design::FocusOfData& data, const scene::Layer& layer) noexcept;
 
 }  // namespace tedavis::draw

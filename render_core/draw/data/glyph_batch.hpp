@@ -15,11 +15,11 @@
 
 namespace tedavis::draw {
 
-/// As the GPU reads it.
+/// A glyph instance in the GPU's format.
 struct GlyphInstance {
     glm::vec3 place;           ///< relative to the eye, ECEF axes, m
     glm::vec3 size_m;          ///< length, width, height; above 0
-    std::int8_t direction[4];  ///< 127ths, ECEF axes; the last 127: none, the glyph stands upright and faces the eye
+    std::int8_t direction[4];  ///< 127ths, ECEF axes; fourth 127: no direction, upright and facing the viewer
     std::uint8_t rgba[4];
 };
 static_assert(sizeof(GlyphInstance) == 32 && std::is_trivially_copyable_v<GlyphInstance>);
@@ -28,7 +28,7 @@ static_assert(sizeof(GlyphInstance) == 32 && std::is_trivially_copyable_v<GlyphI
 [[nodiscard]] GlyphInstance make_glyph(const glm::vec3& place, const glm::vec3& size_m, const glm::dvec3& direction,
                                        design::Color color) noexcept;
 
-/// Towards what a glyph's +z points, as far as its direction leaves it free.
+/// The direction of a glyph's +z, as far as its own direction permits.
 enum class GlyphFacing : std::uint8_t {
     up,
     eye,
@@ -38,11 +38,11 @@ enum class GlyphFacing : std::uint8_t {
 struct GlyphRun {
     GlyphShape shape = GlyphShape::arrow;
     GlyphFacing facing = GlyphFacing::up;
-    bool is_transparent = false;  ///< drawn after all opaque ones, and hides nothing
+    bool is_transparent = false;  ///< drawn after all opaque runs, without writing depth
     std::uint8_t slot = 0;        ///< of GlyphBatch::set_slot()
     std::uint32_t first = 0, count = 0;
 };
-/// Solid and opaque, and no sign of uncertainty.
+/// True for solid, opaque glyphs that are not signs of uncertainty.
 [[nodiscard]] constexpr bool casts_shadow(const GlyphRun& run) {
     return !run.is_transparent && !is_flat(run.shape) && run.shape != GlyphShape::tetrahedron;
 }
@@ -55,16 +55,16 @@ public:
 
     /// Empties the batch; counters of refusals stay.
     void clear();
-    /// What is added next belongs to it; 0 after clear().
+    /// Sets the slot of the runs added next; 0 after clear().
     void set_slot(std::uint8_t slot) { slot_ = slot; }
-    /// Room to be filled at once; empty where it does not fit, or for none.
+    /// Returns instances to be filled at once; empty where they do not fit or `count` is 0.
     [[nodiscard]] base::Span<GlyphInstance> add(GlyphShape shape, GlyphFacing facing, bool is_transparent, std::uint32_t count);
 
-    /// Everything in it.
+    /// Moves all instances.
     void move(const glm::vec3& by) {
         for (std::size_t n = 0; n < use_.in_use; ++n) instances_[n].place += by;
     }
-    /// To where the magnifiers show them, those from the n-th on; places are relative to the eye. Sizes stay.
+    /// Applies the magnifiers to the instances from the n-th on; positions are relative to the eye point. Sizes are unchanged.
     void move_to_shown(std::size_t n, const earth::Magnifiers& magnifiers, const glm::dvec3& eye);
     [[nodiscard]] base::Span<const GlyphInstance> instances() const { return {instances_.data(), use_.in_use}; }
     [[nodiscard]] base::Span<const GlyphRun> runs() const { return {runs_.data(), runs_.size()}; }

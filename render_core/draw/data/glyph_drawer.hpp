@@ -1,6 +1,6 @@
-/// Draws glyphs: instances on devices that have them (es3), else corners that the processor puts together (es2, sc2).
+/// Draws glyphs: as instances on devices that have them (es3), else as vertices computed on the CPU (es2, sc2).
 ///
-/// Up is the vertical at each glyph (earth::up_at), however far the eye.
+/// Up is the vertical at each glyph (earth::up_at).
 ///
 /// Memory    CPU from the arena, GPU from the budget line scene_glyph_vertices; all at start(). Thread  the GL thread. Failure
 /// start() gives one sentence.
@@ -19,31 +19,31 @@ namespace tedavis::draw {
 struct GlyphAxes {
     glm::vec3 x, y, z;
 };
-/// What the shader says, for those who put corners together.
+/// Computes the axes as the shader does, for devices without instances.
 [[nodiscard]] GlyphAxes glyph_axes(const GlyphInstance& glyph, GlyphFacing facing, const glm::vec3& earth_to_eye) noexcept;
 
 class GlyphDrawer {
 public:
-    /// Whether the device draws instances: es3.
+    /// True where the device draws instances (es3).
     [[nodiscard]] static bool has_instances(const gl::Gl& gl);
-    /// Of the arena, for so many instances a frame.
+    /// Bytes of the arena.
     [[nodiscard]] static std::uint64_t bytes_needed(bool has_instances, std::uint64_t gpu_bytes);
-    /// How many instances so many bytes of the GPU hold; on devices without instances as many as one likes.
+    /// Number of instances that fit in GPU memory; unlimited on devices without instances.
     [[nodiscard]] static std::uint32_t instances_within(bool has_instances, std::uint64_t gpu_bytes);
-    /// Takes the whole line. An empty sentence means success.
+    /// Allocates the whole line. Returns an empty error on success.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air = false);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
 
-    /// Once a frame, before draw(): what follows draws these. The batch must stay as it is until then. Instances beyond
+    /// Uploads the frame's glyphs, once per frame before draw(). The batch must stay unchanged until then. Instances beyond
     /// instances_within() are left out, last runs first.
     void upload(gl::Gl& gl, const GlyphBatch& batch);
-    /// Into the bound framebuffer, depth-tested; opaque runs, then transparent ones, which write no depth. Leaves depth test on,
-    /// depth mask on, culling and blending off. Returns the number of draws.
+    /// Draws into the bound framebuffer, depth-tested; opaque runs first, then transparent ones, which write no depth. Leaves
+    /// depth test on, depth mask on, culling and blending off. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
-    /// For draw_casters(), after start(); only on devices with instances.
+    /// Prepares draw_casters(); to be called after start(), only on devices with instances.
     [[nodiscard]] base::Error start_casters(gl::Gl& gl);
-    /// Opaque solid glyphs, but for signs of uncertainty, into a level of a map of shadows that has been begun. `slots`: a bit a
-    /// run's slot. Returns the number of draws.
+    /// Draws opaque solid glyphs, without signs of uncertainty, into the current level of a shadow map. `slots` has one bit per
+    /// slot. Returns the number of draws.
     std::uint32_t draw_casters(gl::Gl& gl, std::uint32_t slots, const CasterView& view);
     void destroy(gl::Gl& gl);
 

@@ -1,4 +1,4 @@
-/// What the foci of a frame make of an element's glyphs. Pure; any thread.
+/// The effect of a frame's foci on an element's glyphs. Pure; any thread.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -7,8 +7,8 @@
 
 namespace tedavis::draw {
 
-/// `foci`: LayerFoci::frame() of the layer; null: nothing steps back. Foci that mean the values that the
-/// glyphs show go by these; those for another attribute by where its values are. `coarsest`: scene::GlyphSettings::coarsest.
+/// `foci`: LayerFoci::frame() of the layer; null: no foci. Data foci on the attribute that the glyphs show use the glyphs'
+/// values; those on another attribute use the positions of its values. `coarsest`: scene::GlyphSettings::coarsest.
 [[nodiscard]] scene::GlyphFocus glyph_focus(const FrameFoci* foci, const design::DataElement& element, const scene::Layer& layer,
                                             double coarsest);
 

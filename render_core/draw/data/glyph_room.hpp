@@ -1,4 +1,4 @@
-/// How a device's budget lines for glyphs are shared out. Pure; any thread.
+/// Divides a device's budget lines for glyphs. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace tedavis::draw {
 
 struct GlyphRoom {
     std::uint32_t sites = 0;   ///< of all fields together (scene::GlyphField), 0 where there is no room for glyphs
-    std::uint32_t glyphs = 0;  ///< of a frame: of the selection (scene::GlyphSelection) and of the batch
+    std::uint32_t glyphs = 0;  ///< per frame: of the selection (scene::GlyphSelection) and of the batch
 };
 
 /// `has_instances`: GlyphDrawer::has_instances() of the device. Of the lines scene_glyphs and scene_glyph_vertices, for so many

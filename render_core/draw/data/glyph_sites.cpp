@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Of points that say nothing but where they are: all of one size, and nobody knows how sure.
+/// For points without attributes: all of one size, with unknown uncertainty.
 constexpr scene::AttributeEntry alike() {
     scene::AttributeEntry entry{};
     entry.scale = scene::AttributeScale::quantitative;

@@ -1,7 +1,7 @@
-/// Lines across a strip that lies on the ground, and the strip's way in metres east and north.
+/// Cross-sections of a strip on the ground, and the strip's direction in metres east and north.
 ///
-/// A section is level, as high as the highest ground below it, and kStripLift_m over it, for the terrain is drawn within its
-/// tolerance only; where no ground is known it takes the height of its point. Pure but for the ground that is asked.
+/// A section is level, kStripLift_m above the highest ground below it, because terrain is drawn with a tolerance; where the
+/// ground is unknown it has the height of its point. Pure, apart from queries to the ground.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,13 +12,13 @@ namespace tedavis::draw {
 
 inline constexpr double kLongestStep_m = 200;  ///< from section to section
 inline constexpr double kStripLift_m = 1.0;
-inline constexpr float kStripRaised_px = 2.5f;  ///< the ground is drawn a pixel or so above or below the true one
+inline constexpr float kStripRaised_px = 2.5f;  ///< the drawn ground deviates from the true one by about a pixel
 
-/// Metres east and north from one point to another; a point so far away; and one between two.
+/// Metres east and north from one point to another; the point at such an offset; and a point between two.
 [[nodiscard]] glm::dvec2 flat_way(const scene::ScenePoint& from, const scene::ScenePoint& to);
 [[nodiscard]] scene::ScenePoint moved(const scene::ScenePoint& from, const glm::dvec2& by_m);
 [[nodiscard]] scene::ScenePoint between(const scene::ScenePoint& from, const scene::ScenePoint& to, double share);
-/// The right end of a section of unit half width, for a way east and north; 0 for no way.
+/// The right end of a section of unit half width, for a direction east and north; 0 for no direction.
 [[nodiscard]] glm::dvec2 right_of(const glm::dvec2& way);
 
 struct GroundSection {
@@ -31,7 +31,8 @@ struct GroundSection {
 };
 [[nodiscard]] GroundSection ground_section(const ElementInput& input, const scene::ScenePoint& middle, const glm::dvec2& half);
 
-/// A section's ends. Normals lean outwards: what raises the strip also widens it, so that it is never too narrow to be seen.
+/// A section's ends. Normals lean outwards, so that raising the strip in pixels also widens it and it is never too narrow to be
+/// visible.
 struct SectionEnds {
     glm::dvec3 left{0}, right{0}, left_normal{0}, right_normal{0};
 };

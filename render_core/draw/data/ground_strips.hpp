@@ -1,8 +1,8 @@
-/// What lies on the ground along a line: runways with their markings, roads and rivers.
+/// Builds strips on the ground along lines: runways with their markings, roads and rivers.
 ///
-/// A strip follows the true ground: cross-sections at most kLongestStep_m apart, each as high as the highest ground below it, and
-/// kStripLift_m over it, for the terrain is drawn within its tolerance only; where no ground is known it takes the heights of its
-/// points. Widths: attribute "width"; else the element's size_m; else the role's.
+/// A strip follows the true ground: cross-sections at most kLongestStep_m apart, each kStripLift_m above the highest ground
+/// below it, because terrain is drawn with a tolerance; where the ground is unknown it has the heights of its points. Widths:
+/// attribute "width"; else the element's size_m; else the role's.
 ///
 /// A runway goes from its first point to its last one, its thresholds, and is a closed slab that reaches into the ground, with
 /// threshold stripes and a broken centre line of white. Roads and rivers (any other line) face upwards only, and look a few
@@ -11,7 +11,7 @@
 /// `detail`: below 1 roads and rivers leave out points of their way, from which it is nowhere farther than
 /// kMaxStraightened_m * (1 - detail), and those with a small "width" are left out (feature_importance.hpp).
 ///
-/// Pure but for the ground that is asked. Bounded.
+/// Pure, apart from queries to the ground. Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -23,7 +23,7 @@ namespace tedavis::draw {
 inline constexpr double kMaxStraightened_m = 300;
 inline constexpr double kRunwayWidth_m = 30, kRiverWidth_m = 20, kRoadWidth_m = 8;
 
-/// A line is drawn or hidden as a whole, but for room that ends within a ribbon.
+/// A line is drawn or hidden as a whole, except where a ribbon exceeds the room.
 [[nodiscard]] ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 [[nodiscard]] ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 

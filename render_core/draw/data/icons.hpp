@@ -1,5 +1,5 @@
-/// Icons of what stands in the terrain: a few strokes each, of which the kind is told at a dozen pixels. They follow the signs of
-/// aeronautical charts (ICAO Annex 4, appendix 2) where these have one.
+/// Icons of features: a few strokes each, distinguishable at a dozen pixels. They follow the symbols of aeronautical charts
+/// (ICAO Annex 4, appendix 2) where these exist.
 ///
 /// Thread  any. Memory  none. Failure  false when the batch has no room.
 #pragma once
@@ -30,12 +30,12 @@ enum class Icon : std::uint8_t {
     count
 };
 
-/// By the class of the attribute "kind" where that is the name of an icon, else by the layer's role.
+/// Returns the icon for the class of the attribute "kind" where that is an icon's name, else for the layer's role.
 [[nodiscard]] Icon icon_of(const scene::Layer& layer, std::uint32_t feature);
 
-/// `half_px`: from the middle to the edge. Drawn over a dark rim of the same opacity.
+/// Draws an icon over a dark rim of the same opacity. `half_px` is from its middle to its edge.
 bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color);
-/// A circle of dashes, which are `share` of it: how sure that is, or that nobody knows.
+/// Draws a dashed circle, `share` of which is drawn, for certain to unknown values.
 bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color, float share);
 
 }  // namespace tedavis::draw

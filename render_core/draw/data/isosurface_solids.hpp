@@ -1,15 +1,14 @@
-/// Surfaces where a field of a scene has given values, around what is higher: the element's levels, from the lowest, outer one
-/// on, each more opaque than the one before. The values are those of the element's attribute, or of the layer's first one.
+/// Builds isosurfaces of a scene's field for the element's levels, from the lowest (outermost) on, each more opaque than the
+/// one before. The values are those of the element's attribute, or of the layer's first one.
 ///
 /// Grids with several times are built for the frame's minute, every frame, of kMaxMovingPosts posts at most; others once. Where
-/// a grid has more posts than there is room for, or its surface more vertices, every second, third ... post is looked at. Places
-/// lie between the grid's heights as its posts do; normals are those of the field in space. The colour is that of the scale at
-/// the level; how unsure the field is at a vertex fades it. Layers of air are so flat that light alone shows no form: from half
-/// detail on a surface has lines of equal height, all or, where there is no room, none. Below full detail the first of the levels
-/// that the design names are shown.
+/// a grid has more posts than there is room for, or its surface more vertices, every second, third ... post is used. Normals
+/// are those of the field in space. The colour is that of the scale at the level, faded by the field's uncertainty at a vertex.
+/// Atmospheric layers are so flat that shading does not show their form: from half detail on a surface has lines of equal
+/// height, all of them or, where there is no room, none. Below full detail only the first of the design's levels are shown.
 ///
-/// Counts are posts at one time: drawn those that are looked at, aggregated those passed over, hidden all of a grid that shows
-/// nothing and those without a value.
+/// Counts are posts at one time: drawn are those used, aggregated those skipped, hidden those without a value and all posts of
+/// a grid that shows nothing.
 /// Memory  from an arena, once. Thread  the ground's. Bounded: posts and surfaces, kMaxIsosurfaceSteps times.
 #pragma once
 
@@ -21,11 +20,11 @@
 namespace tedavis::draw {
 
 inline constexpr std::uint32_t kMaxMovingPosts = 8192;
-inline constexpr std::uint32_t kMaxIsosurfaceSteps = 64;  ///< posts passed over to the next one looked at, and tries
+inline constexpr std::uint32_t kMaxIsosurfaceSteps = 64;  ///< largest step between used posts, and number of tries
 
 /// Between lines of equal height: 1000 ft.
 inline constexpr double kIsosurfaceLines_m = 304.8;
-/// From half detail on, but for those that have the surface grid's.
+/// True from half detail on, except for elements with the surface grid.
 [[nodiscard]] bool has_isosurface_lines(const design::DataElement& element);
 
 struct IsosurfaceRoom {
@@ -43,7 +42,7 @@ public:
     [[nodiscard]] ElementCount add(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 
 private:
-    /// What is looked at: every so many posts along each axis.
+    /// The sampling: every n-th post along each axis.
     struct Sampling {
         std::uint32_t step[3] = {1, 1, 1}, posts[3] = {};
 
@@ -91,7 +90,7 @@ private:
 };
 
 [[nodiscard]] bool shows_isosurfaces(const scene::Layer& layer);
-/// True where they are built anew every frame.
+/// True where they are built again in every frame.
 [[nodiscard]] bool isosurfaces_move(const scene::Layer& layer);
 
 }  // namespace tedavis::draw

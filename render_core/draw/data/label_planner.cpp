@@ -175,7 +175,7 @@ bool LabelPlanner::find_side(Label& label, const Label* before, const LabelShape
     return false;
 }
 
-/// The most of what is asked for that has room.
+/// The largest requested level that has room.
 Label LabelPlanner::fit(const Label& asked, const Label* before, const LabelShape& shape, const LabelRoom& taken) const {
     const bool stands = before != nullptr && before->level != LabelLevel::none;
     Label fitted = asked;
@@ -212,7 +212,7 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
     asked.wanted = wanted(candidate, before, shape.box.name_width_px > 0);
     asked.is_seen = shape.is_known && interval_.screen.contains(shape.box.with(SignSide::none));
     if (!asked.is_seen) {
-        // Nobody sees it change.
+        // The change is not visible.
         asked.level = asked.wanted;
         if (before != nullptr) asked.side = before->side, asked.stem = before->stem;
         asked.age = kOldest;
@@ -223,7 +223,7 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
     Label kept = before_now(asked, before);
     if (looks_alike(next, kept)) return next.age = kept.age, next;
     if (!may_change(before)) {
-        // Only what nobody may miss is there at once; its name waits like all others.
+        // Only protected markers are shown at once; their names wait like all others.
         const bool is_protected = groups_[group_of(asked.key)].is_protected, is_new = kept.level == LabelLevel::none;
         if (is_protected && is_new) return next.level = LabelLevel::marker, next;
         if (is_new || has_room(kept, shape.box, taken, true)) return kept;

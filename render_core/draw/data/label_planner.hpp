@@ -1,16 +1,16 @@
-/// Which signs have a marker and a name, on which side, decided anew at every interval of the source's time and kept between
-/// them: of all that are offered those of the highest rank, without overlaps, and calmly.
+/// Plans which signs have a marker and a name, and on which side: decided once for each decision interval, for the highest
+/// ranks among the offered ones, without overlaps and with few changes.
 ///
 ///   start(arena) · each interval: begin(interval, ...), add_group() and offer() for all features, settle(shapes) · labels()
 ///
-/// Those that nobody may miss (is_protected) come first, then those of higher rank; who stands already counts kHeldBonus more,
-/// and keeps level and side for the dwell time as long as there is room. What would overlap by then leaves at once; all other
-/// changes in view spend of a number a second, and wait where it is spent. New places need kMargin of room round them, so that
-/// the way between two intervals seldom brings two labels together. Markers of protected features neither wait nor leave.
+/// Protected features (is_protected) come first, then higher ranks; the rank of a label already shown is raised by kHeldBonus,
+/// and it keeps level and side for the dwell time as long as there is room. A label that would overlap is removed at once; the
+/// number of all other changes in view per second is limited, and further ones wait. New labels need a margin of kMargin, so
+/// that motion between two intervals seldom makes labels overlap. Markers of protected features neither wait nor are removed.
 ///
-/// What is decided is a function of what was offered, in any order, and of the labels before: who replays a flight brings these
-/// along (keep(), restore()), or begins at its start. Work is bounded by kMax, whatever is offered; what is not among the best
-/// kMax is counted.
+/// The result is a function of the offered features, in any order, and of the previous labels; a replay therefore restores
+/// these (keep(), restore()) or starts at the begin of the flight. Work is bounded by kMax; offered features beyond the best
+/// kMax are only counted.
 ///
 /// Memory  from an arena, once. Thread  one. No clock: an interval is a number that grows with the source's time.
 #pragma once
@@ -26,10 +26,10 @@
 
 namespace tedavis::draw {
 
-/// Order is what an element shows at least.
+/// The values are in ascending order of what is shown.
 enum class LabelLevel : std::uint8_t { none, marker, name };
 
-/// Of a feature in one of up to 32 groups, which are an element and a layer each.
+/// Identifies a feature in one of up to 32 groups; a group is an element with a layer.
 using LabelKey = std::uint32_t;
 inline constexpr std::uint32_t kMaxLabelGroups = 32, kLabelFeatureBits = 24;
 [[nodiscard]] constexpr LabelKey label_key(std::uint32_t group, std::uint32_t feature) {
@@ -38,36 +38,36 @@ inline constexpr std::uint32_t kMaxLabelGroups = 32, kLabelFeatureBits = 24;
 [[nodiscard]] constexpr std::uint32_t group_of(LabelKey key) { return key >> kLabelFeatureBits; }
 [[nodiscard]] constexpr std::uint32_t feature_of(LabelKey key) { return key & ((1u << kLabelFeatureBits) - 1); }
 
-/// Order is rank: of two the first has the room.
+/// A label; the order of labels is their rank.
 struct Label {
     LabelKey key = 0;
     LabelLevel level = LabelLevel::none;
-    LabelLevel wanted = LabelLevel::none;  ///< more than its level where it has no room, or waits
+    LabelLevel wanted = LabelLevel::none;  ///< above `level` where there is no room, or the change waits
     SignSide side = SignSide::right;
     std::uint8_t stem = 0;
     std::uint8_t age = 0;   ///< intervals since its last change, as far as a byte counts
     bool is_seen = false;   ///< in the picture at this interval
-    std::uint8_t look = 0;  ///< of the last frame, by note(); goes along from interval to interval
+    std::uint8_t look = 0;  ///< look in the last frame, set by note(); kept across intervals
 };
 
-/// How a group's features are labelled.
+/// How the features of a group are labelled.
 struct LabelGroup {
-    bool is_protected = false;  ///< has its markers whatever its interest
-    double named_share = 1;     ///< of the offered ones: those of the highest rank may have names
+    bool is_protected = false;  ///< markers are shown regardless of interest
+    double named_share = 1;     ///< share of the offered features, by rank, that may have names
     bool only_named = false;    ///< the others have no marker either
-    double most = 1e9;          ///< so many of such a group at most
+    double most = 1e9;          ///< largest number of labels of the group
 };
 
-/// Where the sign of a feature would stand.
+/// The room that a feature's sign would take.
 struct LabelShape {
     SignBox box;
     bool is_known = false;   ///< it has a place in the picture's plane
-    std::uint8_t stems = 1;  ///< so many lengths of them a name may be put on
+    std::uint8_t stems = 1;  ///< number of stem lengths for the name
 };
 class LabelShapes {
 public:
     virtual ~LabelShapes() = default;
-    /// Asked once for each of the best.
+    /// Called once for each of the best candidates.
     [[nodiscard]] virtual LabelShape shape(LabelKey key) = 0;
 
 protected:
@@ -78,7 +78,7 @@ protected:
 
 struct LabelHistory {
     std::int64_t number = 0;
-    Rect screen;  ///< that boxes lie within
+    Rect screen;  ///< bounds of all boxes
     float text_px = 16;
 };
 
@@ -92,37 +92,36 @@ public:
     static constexpr float kMargin = 0.3f;  ///< of the text's size
 
     [[nodiscard]] bool start(base::Arena& arena);
-    /// The next interval places all at once; until then there is nothing.
+    /// Clears all labels; the next interval places all at once.
     void forget() { has_memory_ = false; }
-    /// A frame showed none of them.
+    /// To be called when a frame showed no labels.
     void rest();
-    /// Whether this interval is still to be decided.
+    /// True where this interval has not been decided.
     [[nodiscard]] bool is_due(std::int64_t interval) const { return !has_memory_ || interval != interval_.number; }
 
-    /// Whether there is an interval that was settled, not skipped.
+    /// True where the last interval was settled, not skipped.
     [[nodiscard]] bool is_decided() const { return has_memory_ && !was_skipped_; }
 
     /// An interval without labels; the next one places all at once.
     void skip(std::int64_t interval);
-    /// An interval that is not one of the next kMaxGap forgets what stood.
+    /// Begins an interval. Previous labels are dropped where it is not one of the next kMaxGap intervals.
     void begin(const LabelHistory& interval, const design::LabelSettings& settings);
-    /// The groups in their order; a number beyond kMaxLabelGroups is refused.
+    /// Adds a group, in order; groups beyond kMaxLabelGroups are refused.
     [[nodiscard]] bool add_group(const LabelGroup& group);
-    /// Both 0..1: `interest` decides on marker and name, `rank` on who comes first; what is no number is left out.
+    /// Offers a feature. `interest` 0..1 decides on marker and name, `rank` 0..1 on the order; NaN is left out.
     void offer(LabelKey key, double interest, double rank);
     void settle(LabelShapes& shapes);
-    /// Round what is placed anew, so that the way between two intervals seldom brings two labels together.
+    /// The box of a new label with its margin.
     [[nodiscard]] static Rect with_margin(const Rect& box, float text_px) { return box.shrunk(-kMargin * text_px); }
 
     [[nodiscard]] base::Span<const Label> labels() const { return {labels_.data(), has_memory_ ? count_ : 0}; }
-    /// Features of a group in view that have a name which is not shown; of those that are not among the best kMax all that are
-    /// offered.
+    /// Number of a group's features in view whose name is not shown; features beyond the best kMax all count.
     [[nodiscard]] std::uint32_t suppressed(std::uint32_t group) const {
         return group < suppressed_.size() ? suppressed_[group] : 0;
     }
-    /// What a frame shows of a label, by a number that tells looks apart (0: nothing). True where that has changed.
+    /// Records the look of a label in a frame as a number (0: not shown). Returns true where it has changed.
     bool note(std::size_t label, std::uint8_t look);
-    /// How many labels went that the frame before had, since this was asked last.
+    /// Number of labels that disappeared since the last call.
     [[nodiscard]] std::uint32_t take_gone();
 
     void keep(LabelMemory& memory) const;
@@ -149,7 +148,7 @@ private:
     design::LabelSettings settings_;
     base::FixedVector<LabelGroup, kMaxLabelGroups> groups_;
     std::array<std::uint32_t, kMaxLabelGroups> offered_{}, visited_{}, shown_{}, suppressed_{};
-    base::Span<Label> labels_, held_;  ///< in order of rank; the interval's before, by key
+    base::Span<Label> labels_, held_;  ///< in order of rank; those of the previous interval, by key
     base::Span<Candidate> candidates_;
     std::size_t count_ = 0, held_count_ = 0, candidate_count_ = 0;
     double changes_left_ = 0;
@@ -158,13 +157,13 @@ private:
     bool has_memory_ = false, was_skipped_ = false, is_first_ = true;
 };
 
-/// All that one frame leaves to the next. Plain data.
+/// The state that one frame passes to the next. Plain data.
 struct LabelMemory {
     std::int64_t interval = 0;
     double changes_left = 0;
     std::array<std::uint32_t, kMaxLabelGroups> suppressed{};
     bool has_memory = false, was_skipped = false;
-    std::uint32_t gone = 0;  ///< labels that a frame has not counted yet
+    std::uint32_t gone = 0;  ///< disappeared labels that have not been counted yet
     base::FixedVector<Label, LabelPlanner::kMax> labels;
 };
 

@@ -1,5 +1,5 @@
-/// Which room in the picture labels have taken: boxes, found by the part of the screen in which
-/// they lie. Exact. Memory  its own 12 KiB, for the time of a decision. Pure; any thread.
+/// The boxes that labels have taken, indexed by the part of the screen in which they lie. Exact. Memory  its own 12 KiB, for
+/// the time of a decision. Pure; any thread.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ public:
     static constexpr std::size_t kMax = 255;
 
     explicit LabelRoom(const Rect& screen) : screen_(screen) {}
-    /// Beyond kMax it is refused.
+    /// Takes a box; boxes beyond kMax are refused.
     void take(const Rect& box);
-    /// Whether a box is clear of all, but for the one with this number and those that overlap it.
+    /// True where a box overlaps none of the taken boxes, except box `except` and those that overlap it.
     [[nodiscard]] bool is_free(const Rect& box, std::size_t except = kMax) const;
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
 

@@ -1,10 +1,10 @@
-/// How far the features of a layer are in the foci of a frame: by the value that a data focus asks for, else by their nearest
-/// place on the ground: of points their own, in volumes with their height; of lines and areas their points, the places of their
-/// sides that are nearest to the focus' own points, and an area that such a point lies in. Of several foci the greatest counts.
+/// The focus degrees of a layer's features: for a data focus by value, else by the position nearest to the focus. A point has
+/// its own position, in volumes with its height. For lines and areas their points count, the points of their sides that are
+/// nearest to the points of the focus, and an area that contains such a point. Of several foci the greatest degree counts.
 ///
-/// What may be dangerous (obstacles, other aircraft, no-go areas, storm cells) is in the focus wherever it is.
+/// Possible hazards (obstacles, other aircraft, no-go areas, storm cells) are always in the focus.
 ///
-/// Pure but for the ground, which is asked for heights within volumes. Bounded: a feature's points. Thread  the ground's.
+/// Pure, apart from queries to the ground for heights in volumes. Bounded: a feature's points. Thread  the ground's.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,23 @@
 
 namespace tedavis::draw {
 
-/// What foci leave as it is.
+/// True for roles that foci do not change.
 [[nodiscard]] bool is_hazard(scene::LayerRole role) noexcept;
 
 class LayerFoci {
 public:
     LayerFoci() = default;  ///< everything is in the focus
-    /// `frame` and `layer` must stay; null: there are no foci.
+    /// `frame` and `layer` must outlive the object; `frame` null: no foci.
     LayerFoci(const FrameFoci* frame, const scene::Layer& layer, std::int64_t time_ns, bool has_date);
 
-    /// Null where all of the layer is as it is without foci.
+    /// Null where foci do not change the layer.
     [[nodiscard]] const FrameFoci* frame() const { return changes_ ? frame_ : nullptr; }
-    /// Of the foci together.
+    /// Degree of all foci together.
     [[nodiscard]] double degree(const ElementInput& input, std::uint32_t feature) const;
     [[nodiscard]] FocusLook look(const ElementInput& input, std::uint32_t feature) const;
-    /// Of a point of a line or an area; never hidden, for the line is seen whole or not at all.
+    /// Look of a point of a line or an area; never hidden, because a line is shown whole or not at all.
     [[nodiscard]] FocusLook look_of_point(const scene::PointOfFeature& of) const;
-    /// Of one focus by itself, whether the layer is dangerous or not.
+    /// Degree of one focus alone, also for hazards.
     [[nodiscard]] double degree_in(std::size_t focus, const ElementInput& input, std::uint32_t feature) const;
     [[nodiscard]] bool is_by_value(std::size_t focus) const { return values_[focus].has_value(); }
     [[nodiscard]] const LayerValues& values(std::size_t focus) const { return *values_[focus]; }
@@ -47,10 +47,10 @@ private:
     std::array<std::optional<LayerValues>, scene::kMaxFoci> values_{};
 };
 
-/// What a feature of the input looks like; as it is where there are no foci.
+/// Look of a feature of the input; unchanged where there are no foci.
 [[nodiscard]] FocusLook look_of_feature(const ElementInput& input, std::uint32_t feature);
 
-/// Elements of a layer by what one focus makes of them: features; of grids posts, of data focus values.
+/// Counts of a layer's items by their degree in one focus: features, posts of grids, or values for a data focus.
 struct FocusCounts {
     std::uint32_t in_focus = 0, intermediate = 0, context = 0;
 };

@@ -1,4 +1,4 @@
-/// An attribute's values over a layer at a time, one after the other, with their places: what data foci look through.
+/// The values of a layer's attribute at a time, with their positions, for data foci.
 ///
 /// Of a grid a value a post and level, at the time's place between two of its times (scene/grid_field.hpp): quantitative ones
 /// are linear, others the nearer time's. Of other layers a value a feature or a point, as the attribute has them. A layer of

@@ -1,4 +1,4 @@
-/// Where vertical lines stand along a way (trajectory_cues.hpp): a spacing apart, still or on their way. Pure.
+/// Positions of vertical lines along a path (trajectory_cues.hpp), at a constant spacing, fixed or moving. Pure.
 #pragma once
 
 #include <cmath>
@@ -10,10 +10,10 @@
 
 namespace tedavis::draw {
 
-/// How long a way is, and how far along it is nearest to the eye.
+/// Measures a path's length, and the distance along it to the point nearest to the eye point.
 class WayMeasure {
 public:
-    /// `from` and `to`: from the eye, m.
+    /// `from` and `to` are relative to the eye point, m.
     void add_leg(double length_m, const glm::dvec3& from, const glm::dvec3& to);
 
     [[nodiscard]] double length_m() const { return length_m_; }
@@ -25,7 +25,7 @@ private:
 
 class LinePlaces {
 public:
-    /// `from_end`: what stands still is counted from the way's end back.
+    /// `from_end`: fixed lines are counted from the path's end backwards.
     LinePlaces(const design::ElementCues& cues, const WayMeasure& way, bool from_end, std::int64_t time_ns);
 
     /// Calls with the distance along the way of each line from `begin_m` to before `end_m`; of the last leg its end too.
@@ -47,8 +47,8 @@ private:
     }
 
     double spacing_m_;
-    double parts_at_m_ = 0;               ///< from there on the way leads away from the eye, and before towards it
-    double before_m_ = 0, behind_m_ = 0;  ///< a line would stand there
+    double parts_at_m_ = 0;               ///< distance at which the path is nearest to the eye point
+    double before_m_ = 0, behind_m_ = 0;  ///< position of a line
 };
 
 }  // namespace tedavis::draw

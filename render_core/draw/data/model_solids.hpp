@@ -1,7 +1,8 @@
-/// The model of a layer of meshes at its points: an attribute "heading" (rad from north) turns it, "scale" makes it larger.
+/// Builds the model of a layer of meshes at its points; the attribute "heading" (rad from north) rotates it, "scale" scales it.
 ///
-/// It has its own colours, or the element's where that colours by an attribute. `detail`: below kShapesFrom (obstacle_solids.hpp)
-/// it is a box, along its own axes, that contains it, in the mean of its colours. Pure but for the ground that is asked. Bounded.
+/// It has its own colours, or the element's where that colours by an attribute. `detail`: below kShapesFrom
+/// (obstacle_solids.hpp) it is a box, along its own axes, that contains it, in the mean of its colours. Pure, apart from
+/// queries to the ground. Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -9,7 +10,7 @@
 
 namespace tedavis::draw {
 
-/// A model with more vertices or triangles than a SolidMesh holds is hidden everywhere.
+/// A model that exceeds a SolidMesh is hidden everywhere.
 [[nodiscard]] ElementCount add_models(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 
 }  // namespace tedavis::draw

@@ -1,22 +1,23 @@
-/// Obstacles in their shapes and true sizes: masts with guys, wind turbines, chimneys, cranes, poles; cables with their poles.
+/// Builds obstacles in their shapes and true sizes: masts with guys, wind turbines, chimneys, cranes, poles; cables with their
+/// poles.
 ///
 /// A point's kind is the class of its attribute "kind" (icons.hpp); others are obelisks. Its top is the point's height in the
 /// layer's datum; on a point without height it stands "height" over the ground; its foot is the ground, or where that is not
-/// known "height" below the top. One whose height nobody states stands kUnknownObstacle_m high in the colour of missing data.
-/// White bands alternate with its colour.
+/// known "height" below the top. An obstacle of unknown height is kUnknownObstacle_m high, in the colour of missing data. White
+/// bands alternate with its colour.
 ///
 /// A line's cable is as thick as "diameter" says, kCable_m else. Without heights, or with heights over the ground, its points are
 /// poles ("height", kPole_m else), between which it sags by "sag", else by a kSagShare-th of the span, in a parabola. With
 /// absolute heights it is taken as surveyed, its poles at its ends; it sags when it has two points only or a "sag".
 ///
-/// What is thinner than a pixel does not vanish: a rim of kMinHalf_px in the same colour, or the element's halo, goes round
-/// what is opaque; it says where the thing is, not how thick.
+/// Objects thinner than a pixel stay visible: opaque ones have a rim of kMinHalf_px in the same colour, or the element's halo,
+/// which shows the position and not the thickness.
 ///
 /// `detail`: no obstacle is ever left out. From 1 down to kShapesFrom there are fewer bands; below, each is one body of its true
 /// height that contains its shape, guys and all that a rotor or a jib may sweep. Cables have fewer straight parts, none of them
 /// below the true one.
 ///
-/// Pure but for the ground that is asked. Bounded.
+/// Pure, apart from queries to the ground. Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"

@@ -17,7 +17,7 @@ bool is_traffic(const scene::Layer& layer) {
 
 struct UnsurePlace {
     scene::ScenePoint point{};
-    PlaceAccuracy accuracy;  ///< 0: nobody knows, or nothing is known of it now
+    PlaceAccuracy accuracy;  ///< 0: unknown, also where nothing is known at this time
 };
 
 bool is_own(const ElementInput& input) { return input.element.own == design::OwnData::trail; }
@@ -58,7 +58,7 @@ std::uint32_t add_place_ellipsoids(SolidBatch& batch, SolidMesh& mesh, const Ele
     look.opacity *= kOpacity * static_cast<float>(input.element.uncertainty_strength);
     look.is_mixed = true;
     look.is_thing = look.has_grid = false;
-    look.is_hollow = is_own(input);  // whoever is in it looks out of it
+    look.is_hollow = is_own(input);  // it is not visible from inside
     batch.set_look(look, input.layer.entry->data_time_ns);
     std::uint32_t count = 0;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {

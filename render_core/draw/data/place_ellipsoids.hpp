@@ -1,8 +1,9 @@
-/// Where things may be: translucent ellipsoids round the places of a layer, by its position and height accuracies (95 %).
+/// Builds translucent ellipsoids of possible positions round the positions of a layer, from its position and height accuracies
+/// (95 %).
 ///
-/// Round points, models, other aircraft (traffic_state.hpp), and the own ship at the end of its way. Without a height accuracy
-/// they are spheres; without a position accuracy there are none, for nobody knows how large. Pure but for the ground that is
-/// asked. Bounded.
+/// They are drawn round points, models, other aircraft (traffic_state.hpp), and the own ship at the end of its trail. Without a
+/// height accuracy they are spheres; without a position accuracy there are none. Pure, apart from queries to the ground.
+/// Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -10,9 +11,9 @@
 
 namespace tedavis::draw {
 
-/// True where the element asks for them and the layer has places.
+/// True where the element requests them and the layer has positions.
 [[nodiscard]] bool has_ellipsoids(const ElementInput& input);
-/// They belong to features that are counted elsewhere: returns how many there are.
+/// Adds them and returns their number; their features are counted elsewhere.
 std::uint32_t add_place_ellipsoids(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 
 }  // namespace tedavis::draw

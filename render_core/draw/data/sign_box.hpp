@@ -1,4 +1,4 @@
-/// The room of a sign in the picture: its icon over its place, with its name on a side. Plain data; pixels.
+/// The room of a sign in the picture: its icon above its position, with its name on one side. Plain data, in pixels.
 #pragma once
 
 #include <algorithm>
@@ -8,21 +8,21 @@
 
 namespace tedavis::draw {
 
-/// Of a name, beside its icon: the best first.
+/// Side of a name beside its icon, the preferred one first.
 enum class SignSide : std::uint8_t { right, left, above, none };
 inline constexpr SignSide kNameSides[] = {SignSide::right, SignSide::left, SignSide::above};
-/// Lengths of stems: the short one, and longer ones by so many texts each, for what finds no room on it.
+/// Stem lengths: the short one, and longer ones in steps of the text size, for signs that find no room on it.
 inline constexpr std::uint8_t kSignStems = 7;
 inline constexpr float kStemStep = 1.25f;
 
 struct SignBox {
     Point middle;                                 ///< of the icon
-    float half_px = 0;                            ///< from there to its edge
-    float gap_px = 0;                             ///< kept round it
-    float foot_px = 0;                            ///< from the middle down to where it stands; 0: no stem that takes room
+    float half_px = 0;                            ///< from the middle to its edge
+    float gap_px = 0;                             ///< gap kept free round it
+    float foot_px = 0;                            ///< from the middle down to its position; 0: no stem that takes room
     float name_width_px = 0, name_height_px = 0;  ///< of all lines
 
-    /// On a longer stem, which takes no room itself; 0: as it is.
+    /// Returns the box on a longer stem, which itself takes no room; 0: unchanged.
     [[nodiscard]] SignBox raised(std::uint8_t stem, float text_px) const {
         SignBox box = *this;
         if (stem == 0) return box;

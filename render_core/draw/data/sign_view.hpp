@@ -1,4 +1,4 @@
-/// Where places are in a picture with signs. Plain data and pure functions; any thread.
+/// Positions of points in a picture with signs. Plain data and pure functions; any thread.
 #pragma once
 
 #include "render_core/draw/rect.hpp"
@@ -6,13 +6,13 @@
 
 namespace tedavis::draw {
 
-/// How high icons stand over their places, of the text's size.
+/// Height of icons above their positions, in text sizes.
 inline constexpr float kSignStem = 0.7f;
 
 struct SignSpot {
     Point at;
     double distance_m = 0;  ///< along the view
-    bool is_ahead = false;  ///< beyond the near plane; else the rest means nothing
+    bool is_ahead = false;  ///< beyond the near plane; if false the other members are meaningless
 };
 
 struct SignView {
@@ -21,7 +21,7 @@ struct SignView {
 
     /// `place` in ECEF, m.
     [[nodiscard]] SignSpot spot(const glm::dvec3& place) const;
-    /// How far away 60 degrees of view would show as much: by this things far away are ranked and left out.
+    /// Distance scaled to a field of view of 60 degrees; distant features are ranked and left out by it.
     [[nodiscard]] double seen_distance_m(double distance_m) const;
 };
 

@@ -18,12 +18,13 @@
 
 namespace tedavis::draw {
 
-/// Length of the normal of what is not shaded; it still says how the surface lies. Below half, by which shaders tell.
+/// Length of the normal of unshaded surfaces, which still gives the surface's orientation. It is below 0.5, by which shaders
+/// recognise it.
 inline constexpr double kUnshaded = 0.4;
 
 struct SolidVertex {
     glm::vec3 place_m{0};  ///< ECEF minus the piece's anchor
-    /// Normal in ECEF, -1..1 as 0..254; one of kUnshaded or none leaves the colour as it is.
+    /// Normal in ECEF, -1..1 as 0..254; a length of kUnshaded or 0 means unshaded.
     std::uint8_t normal[3] = {127, 127, 127};
     std::uint8_t uncertainty = 0;  ///< scene::Uncertainty::code
     std::uint8_t rgba[4] = {};
@@ -37,22 +38,22 @@ static_assert(sizeof(SolidVertex) == 20);
 enum class SolidFading : std::uint8_t { none, transparency, saturation };
 
 struct SolidLook {
-    /// Of near_m; what is opaque ends at once, at kOpaqueFrom.
+    /// Multiples of near_m; opaque pieces are cut at kOpaqueFrom.
     static constexpr float kWholeFrom = 4, kOpaqueFrom = 2;
-    float opacity = 1;    ///< below 1, or with a vertex colour's alpha below 255: mixed with what is behind
-    float ghost = 0;      ///< what terrain before it leaves of the opacity
-    float halo_px = 0;    ///< the piece is the rim of others: swollen along its normals by so many pixels, drawn inside out
-    float raised_px = 0;  ///< along its normals: of what lies on the ground, which is drawn a little above or below the true one
+    float opacity = 1;    ///< below 1, or with a vertex alpha below 255: blended
+    float ghost = 0;      ///< share of the opacity that remains behind terrain
+    float halo_px = 0;    ///< the piece is a rim of others: enlarged along its normals by this many pixels, drawn inside out
+    float raised_px = 0;  ///< offset along its normals, for pieces on the ground
     SolidFading fading = SolidFading::none;
     bool has_grid = false;      ///< the surface grid's lines, where the frame has one
-    float fading_strength = 0;  ///< 0..1: what the least sure loses
+    float fading_strength = 0;  ///< 0..1: effect on the least certain
     float fading_levels = 0;    ///< gradations; 0 for continuous
-    float growth_per_hour = 0;  ///< of the uncertainty, by the data's age
-    float near_m = 0;  ///< nothing nearer to the eye is seen; what is mixed is whole from kWholeFrom times as far on; 0: all is
-    std::uint8_t group = 0;  ///< below 32: what is hidden and shown together
-    bool is_mixed = false;   ///< has colours that are not opaque
-    bool is_hollow = false;  ///< not seen from inside: its far sides do not show through its near ones
-    bool is_thing = true;    ///< casts a shadow; false for margins, hulls of what is unsure, and cues
+    float growth_per_hour = 0;  ///< growth of the uncertainty by the data's age
+    float near_m = 0;           ///< nothing nearer is drawn; blended pieces fade in up to kWholeFrom times near_m; 0: no limit
+    std::uint8_t group = 0;     ///< below 32: pieces of a group are shown and hidden together
+    bool is_mixed = false;      ///< has colours that are not opaque
+    bool is_hollow = false;     ///< far sides do not show through near ones
+    bool is_thing = true;       ///< casts a shadow; false for margins, hulls of what is unsure, and cues
 };
 [[nodiscard]] bool operator==(const SolidLook& a, const SolidLook& b) noexcept;
 
@@ -60,13 +61,13 @@ struct SolidPiece {
     glm::dvec3 anchor{0};  ///< ECEF, m
     SolidLook look;
     std::int64_t data_time_ns = 0;  ///< uncertainty grows from there
-    float radius_m = 0;             ///< nothing is farther from the anchor
-    float top_m = 0;                ///< nor higher over the ellipsoid
+    float radius_m = 0;             ///< radius round the anchor that contains the piece
+    float top_m = 0;                ///< greatest height above the ellipsoid
     std::uint32_t first_vertex = 0, vertices = 0;
     std::uint32_t first_index = 0, indices = 0;
 };
 
-/// Room of a batch, and of buffers that hold a copy of it.
+/// Capacity of a batch, and of buffers that hold a copy of it.
 struct SolidRoom {
     std::uint32_t vertices = 0, indices = 0, pieces = 0;
 
@@ -78,22 +79,22 @@ struct SolidRoom {
 
 class SolidBatch {
 public:
-    /// More vertices would not be told apart by 16 bits, of which one value is left for a restart.
+    /// Limit of 16-bit indices; one value is reserved for primitive restart.
     static constexpr std::uint32_t kMaxPieceVertices = 65535;
-    /// A vertex farther from its anchor begins a piece of its own.
+    /// A mesh with a vertex farther from the anchor begins a new piece.
     static constexpr double kFarthestFromAnchor_m = 30'000;
 
     SolidBatch() = default;
     SolidBatch(base::Span<SolidVertex> vertices, base::Span<std::uint16_t> indices, base::Span<SolidPiece> pieces);
-    /// With this room from an arena; what the arena does not hold is no room.
+    /// Allocates this capacity from an arena, or less where the arena is too small.
     SolidBatch(base::Arena& memory, const SolidRoom& room);
 
     /// Empties the batch; counters of refusals stay.
     void clear();
-    /// What follows looks like this.
+    /// Sets the look of the meshes added next.
     void set_look(const SolidLook& look, std::int64_t data_time_ns);
-    /// A mesh round `origin` (ECEF): places of its vertices are from there, indices from its first vertex. False, and nothing is
-    /// added, when it does not fit.
+    /// Adds a mesh round `origin` (ECEF): positions are relative to it, indices to its first vertex. Returns false, and adds
+    /// nothing, when it does not fit.
     bool add(const glm::dvec3& origin, base::Span<const SolidVertex> vertices, base::Span<const std::uint16_t> indices);
 
     [[nodiscard]] base::Span<const SolidVertex> vertices() const { return {vertices_.data(), vertex_count_}; }

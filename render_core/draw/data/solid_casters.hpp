@@ -1,9 +1,9 @@
-/// Draws solids as the sun sees them, into a level of a map of shadows (draw/shadow_map.hpp), each as dense as it is in the
-/// picture. What lies on the ground casts none, nor do rims, cues and margins of what is unsure: a shadow says that something is
-/// there.
+/// Draws solids from the sun's direction into a level of a shadow map (draw/shadow_map.hpp), with the opacity that they have in
+/// the picture. Pieces on the ground, rims, cues and margins of uncertain positions cast no shadows, because a shadow implies
+/// that an object is there.
 ///
-/// Thin things are swollen by half a texel besides, so that they are in every texel that they cross: their shadows are never
-/// broken, and at most a texel too wide.
+/// Thin objects are also enlarged by half a texel, so that they cover every texel that they cross: their shadows have no gaps
+/// and are at most one texel too wide.
 ///
 /// Thread    the GL thread. Memory  none. Failure  start() gives one sentence.
 #pragma once
@@ -18,21 +18,21 @@ struct CasterGroups {
     std::uint32_t all = 0, thin = 0;
 };
 
-/// Whether a piece casts a shadow at all.
+/// True where a piece casts a shadow.
 [[nodiscard]] bool casts_shadow(const SolidPiece& piece, const CasterGroups& groups);
 
 struct CasterView {
     const ShadowFrame& shadow;
     std::size_t level = 0;
     double texel_m = 1;
-    glm::dvec3 eye{0};  ///< of the picture, ECEF: places of casters are relative to it
+    glm::dvec3 eye{0};  ///< the picture's eye point, ECEF; positions of casters are relative to it
 };
 
 class SolidCasters {
 public:
     [[nodiscard]] base::Error start(gl::Gl& gl);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
-    /// Into the level that has been begun. All are uploaded. Returns the number of draws.
+    /// Draws into the current level. All buffers must be uploaded. Returns the number of draw calls.
     std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const CasterGroups& groups,
                        const CasterView& view) const;
     void destroy(gl::Gl& gl) { program_.destroy(gl); }

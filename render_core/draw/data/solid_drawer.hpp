@@ -1,7 +1,7 @@
-/// Draws solids: what stands, uploaded when it changes, and what moves, uploaded every frame.
+/// Draws solids: static ones, uploaded when they change, and moving ones, uploaded every frame.
 ///
-/// Within a range of depths, in which the terrain's depths must be there and nobody else's: faintly what terrain hides, then what
-/// is opaque, with its rims, then what is mixed with what is behind, the farthest first, of each the far sides before the near.
+/// Within a range of depths, where only the terrain may have written depths: first, faintly, what terrain hides, then opaque
+/// pieces with their rims, then blended pieces, the farthest first, each with its far sides before the near ones.
 ///
 /// Memory    GPU bytes of the budget line scene_solid_vertices; order from the arena. Thread  the GL thread. Failure  one
 /// sentence.
@@ -15,22 +15,22 @@
 
 namespace tedavis::draw {
 
-/// What is drawn of the batches.
+/// The part of the batches that is drawn.
 struct SolidFrame {
     const DataFrame& frame;
     std::uint32_t shown_groups = ~0u;  ///< a bit a group
-    std::int64_t time_ns = 0;          ///< by which data have an age
-    bool has_date = false;             ///< without, nothing ages
+    std::int64_t time_ns = 0;          ///< the frame's time, for the age of data
+    bool has_date = false;             ///< false: data do not age
 };
 
-/// The copy of a batch on the GPU.
+/// A copy of a batch on the GPU.
 class SolidBuffers {
 public:
-    /// The batch must stay; `room`: that it has.
+    /// The batch must outlive the buffers; `room` is its capacity.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, const SolidBatch& batch, const SolidRoom& room,
                                     gl::BufferUse use);
     [[nodiscard]] const SolidBatch& batch() const { return *batch_; }
-    /// After the batch has changed. False when it cannot be had; then nothing of it may be drawn.
+    /// Uploads the batch after a change. Returns false on failure; nothing of it may then be drawn.
     [[nodiscard]] bool upload(gl::Gl& gl) const;
     void bind(gl::Gl& gl) const;
     void destroy(gl::Gl& gl);
@@ -52,13 +52,13 @@ class SolidDrawer {
 public:
     static constexpr std::size_t kMaxBuffers = 2;
 
-    /// `most_pieces` of all buffers that are drawn together.
+    /// `most_pieces` is the total of all buffers that are drawn together.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     [[nodiscard]] bool has_grid() const { return has_grid_; }
     [[nodiscard]] bool can_magnify() const { return magnified_program_.valid(); }
-    /// At most kMaxBuffers of them; all uploaded. Returns the number of draws. The depth test is on, blending and culling off,
-    /// before and after.
+    /// Draws at most kMaxBuffers buffers, all uploaded. Returns the number of draw calls. The depth test is on, blending and
+    /// culling off, before and after.
     std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame,
                        const DepthRange& range);
     void destroy(gl::Gl& gl);

@@ -6,7 +6,7 @@
 
 namespace tedavis::draw {
 
-/// What a margin, in which a thing may be, has of the thing's opacity.
+/// Opacity of a margin of possible positions, as a share of the object's.
 inline constexpr float kMarginShare = 0.35f;
 
 [[nodiscard]] SolidLook look_of(const ElementInput& input);

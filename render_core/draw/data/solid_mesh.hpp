@@ -1,4 +1,4 @@
-/// A mesh under construction: what builders put together before it goes into a SolidBatch as one.
+/// A mesh under construction, which is then added to a SolidBatch as a whole.
 ///
 /// Memory  from an arena, once. Thread  one. Failure  a full mesh refuses; is_whole() tells, and add_to() then adds nothing.
 #pragma once
@@ -17,17 +17,17 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed();
     [[nodiscard]] bool start(base::Arena& arena);
 
-    /// Empties it; places are round `origin` (ECEF) from here on.
+    /// Clears the mesh; positions are stored relative to `origin` (ECEF).
     void begin(const glm::dvec3& origin);
     [[nodiscard]] const glm::dvec3& origin() const { return origin_; }
 
-    /// The next vertex is certain until told otherwise.
+    /// Sets colour and uncertainty of the next vertices.
     void set_color(design::Color color, scene::Uncertainty uncertainty = scene::Uncertainty::from_code(0));
     /// `place` in ECEF; a normal of length 0 is not shaded. Returns its number.
     std::uint16_t vertex(const glm::dvec3& place, const glm::dvec3& normal);
     /// Counter-clockwise seen from outside.
     void triangle(std::uint16_t a, std::uint16_t b, std::uint16_t c);
-    /// A flat one, its normal by its corners: counter-clockwise seen from outside. Without area it is left out.
+    /// Adds a flat quad with the normal of its corners, counter-clockwise seen from outside; one without area is left out.
     void quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
     [[nodiscard]] bool is_whole() const { return is_whole_; }
@@ -35,7 +35,7 @@ public:
     /// False when the mesh is not whole or the batch has no room.
     bool add_to(SolidBatch& batch) const;
 
-    /// Room for polygons that builders cut.
+    /// Scratch memory for polygons.
     [[nodiscard]] base::Span<glm::dvec2> corners() const { return corners_; }
     [[nodiscard]] base::Span<std::uint16_t> corner_indices() const { return corner_indices_; }
 

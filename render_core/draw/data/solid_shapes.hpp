@@ -1,5 +1,5 @@
-/// Closed shapes of which solids are put together, faces outwards: frusta, boxes, rods. Pure; what does not fit makes the mesh
-/// not whole (solid_mesh.hpp).
+/// Closed shapes of which solids are composed, with outward faces: frusta, boxes, ellipsoids. Pure; a shape that does not fit
+/// makes the mesh incomplete (solid_mesh.hpp).
 #pragma once
 
 #include "render_core/draw/data/placement.hpp"

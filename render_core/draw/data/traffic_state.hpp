@@ -1,4 +1,4 @@
-/// Where another aircraft is, from its reports. Pure function; any thread.
+/// The estimated state of another aircraft, from its reports. Pure function; any thread.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -7,13 +7,13 @@
 
 namespace tedavis::draw {
 
-/// Between reports farther apart nothing is interpolated: it may have gone anywhere.
+/// Positions are not interpolated between reports farther apart than this.
 inline constexpr double kLongestReportGap_s = flight::kTrafficGap.to_seconds();
-/// So long it is taken to go on as it did; then it stands there, stale, and after the second it is gone.
+/// Time for which its position is extrapolated; then it is held and stale, and removed after kRemoved_s.
 inline constexpr double kExtrapolated_s = 10, kRemoved_s = flight::kTrafficKept.to_seconds();
-/// How much less sure its place grows (95 %) with the age t of its report, beyond the accuracy that was stated: level by
-/// kManoeuvre_mps2 t^2 / 2 while it is taken to go on, and then as fast as it may go by then, its speed and what it may have
-/// gained together; upright in the same way by kClimbing_mps2. Where no two reports tell its speed, it stands there and may go at
+/// Growth of the position uncertainty (95 %) with the age t of the report, added to the stated accuracy: horizontally
+/// kManoeuvre_mps2 t^2 / 2 while it is extrapolated, and then at its speed plus the speed that it may have gained; vertically
+/// in the same way with kClimbing_mps2. Where no two reports give its speed, it is held and the uncertainty grows at
 /// kAnySpeed_mps and kAnyClimb_mps.
 inline constexpr double kManoeuvre_mps2 = 3, kClimbing_mps2 = 1;
 inline constexpr double kAnySpeed_mps = 250, kAnyClimb_mps = 20;
@@ -21,14 +21,15 @@ inline constexpr double kAnySpeed_mps = 250, kAnyClimb_mps = 20;
 struct TrafficState {
     scene::ScenePoint point{};           ///< height in the layer's datum
     double east = 0, north = 0, up = 0;  ///< m/s
-    double age_s = 0;                    ///< since the last report that is used; 0 between two; NaN: nobody knows
-    PlaceAccuracy accuracy;              ///< by now; 0: nobody knows
+    double age_s = 0;                    ///< since the last report used; 0 between two reports; NaN: unknown
+    PlaceAccuracy accuracy;              ///< current accuracy; 0: unknown
     bool is_known = false;               ///< false: none yet, none for kRemoved_s, or no reports
     bool is_stale = false;               ///< older than kExtrapolated_s, or of unknown age
     bool has_velocity = false;           ///< two reports give one
 };
 
-/// At the frame's time; without a date, at its last report. Reports without times have no age and no velocity.
+/// Returns the state at the frame's time; without a date, at its last report. Reports without times have neither age nor
+/// velocity.
 [[nodiscard]] TrafficState traffic_state(const ElementInput& input, std::uint32_t feature);
 
 }  // namespace tedavis::draw

@@ -1,5 +1,5 @@
-/// Cues to the depth of lines that float over the ground (design/element_cues.hpp): vertical lines, the way's projection onto the
-/// ground, and a curtain from the way down to it. They follow the same points as the tube does (tube_path.hpp).
+/// Depth cues of lines above the ground (design/element_cues.hpp): vertical lines, the path's projection onto the ground, and a
+/// curtain from the path down to it. They follow the same points as the tube (tube_path.hpp).
 ///
 /// Vertical lines   stand a spacing apart, measured along the way over the ellipsoid from its beginning on; of ways that grow at
 ///                  their end (own trail, other aircraft) from their end back. They reach kTickRadii of the tube's radius up and
@@ -8,9 +8,9 @@
 /// Projection       a strip on the drawn ground as wide as the tube, of its colour, darker.
 /// Curtain          translucent, from the tube's middle to the ground, with its colours.
 ///
-/// What the element says of uncertainty holds for them: colours fade alike, a projection is as wide as a hull, and beside a hull
-/// (`widening`) all are as faint as it is. Nothing is drawn where the way is less than kFloating_m over the ground; projections
-/// and curtains need a ground that is known. They end kNearRadii before the eye, as the tube does.
+/// The element's uncertainty technique applies to them: colours fade equally, a projection is as wide as a hull, and with a
+/// hull (`widening`) all are as faint as it. Nothing is drawn where the path is less than kFloating_m above the ground;
+/// projections and curtains need a known ground. They end kNearRadii before the eye point, as the tube does.
 ///
 /// Counts are lines, and stretches of at most kLongestStep_m; hidden is what has no room. Memory  from an arena, once; may be
 /// shared with other builders. Thread  the ground's. Bounded.

@@ -1,15 +1,15 @@
-/// Which points of a layer's lines a tube goes through, and where these are.
+/// Selects the points of a layer's lines that a tube passes through, and their positions.
 ///
-/// Of a line as many points are kept as detail and room ask for: tolerances begin at a tenth of the tube's radius at full detail
-/// and at ten radii at none, and grow by 2^(1/4) until all lines together fit. A point that is left out is no farther from the
-/// tube's middle than the tolerance (polyline_weights.hpp), and neither are its values, where the range of an attribute counts
-/// like kRadiiOfRange radii. Lines are looked at in windows of kTubeWindow points, the ends of which are kept, as are those of
-/// stretches beside points without a place and where time runs back.
+/// The number of kept points depends on detail and room: tolerances begin at a tenth of the tube's radius at full detail and at
+/// ten radii at none, and grow by 2^(1/4) until all lines together fit. A point that is left out is no farther from the tube's
+/// middle than the tolerance (polyline_weights.hpp), and neither are its values, where the range of an attribute counts like
+/// kRadiiOfRange radii. Lines are processed in windows of kTubeWindow points, whose ends are kept, as are points beside gaps
+/// and where time runs back.
 ///
-/// In space-time the height is the time since the layer's first point instead: `size_m` (1000 m) an hour over the highest ground
-/// below the lines. A point without a time then has no place.
+/// In space-time the height is replaced by the time since the layer's first point: `size_m` (1000 m) per hour above the highest
+/// ground below the lines. A point without a time then has no position.
 ///
-/// Other aircraft (role `traffic`) have come as far as the frame's time says: later points have no place yet.
+/// For other aircraft (role `traffic`) points after the frame's time have no position.
 ///
 /// Memory  from an arena, once. Thread  the ground's. Bounded: two visits of a point, each as polyline_weights.hpp says of a
 /// window.
@@ -26,10 +26,10 @@ inline constexpr std::uint32_t kTubeWindow = 512;
 inline constexpr double kRadiiOfRange = 5;
 inline constexpr double kDefaultTubeRadius_m = 40;
 inline constexpr double kDefaultTimeHeight_m = 1000;
-/// A size attribute's value makes the tube no thinner than this part of its thickest.
+/// Least radius of a tube with a size attribute, as a share of the largest.
 inline constexpr double kThinnestTube = 0.1;
 
-/// One of a line's points, as a tube sees it.
+/// A point of a line for the tube.
 struct TubePlace {
     glm::dvec3 place{0};  ///< ECEF; NaN: it has none
     std::int64_t time_ns = scene::kNoTime;
@@ -39,7 +39,7 @@ struct TubePlace {
     [[nodiscard]] bool is_known() const;
 };
 
-/// Points of one line that the tube goes through. A point without a place stands for a gap.
+/// The points of one line that the tube passes through. A point without a position stands for a gap.
 class TubeLine {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t points);
@@ -53,7 +53,7 @@ public:
     std::uint32_t left_out = 0;  ///< points within the tolerance
 
     void clear() { count_ = left_out = 0; }
-    /// False when it is full.
+    /// Adds a point; returns false when the line is full.
     bool add(const scene::TubePoint& point, std::uint32_t number);
 
 private:
@@ -67,8 +67,8 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed();
     [[nodiscard]] bool start(base::Arena& arena);
 
-    /// Chooses the tolerance for all lines of the input's layer: at most so many points, if one of the tolerances can do that.
-    /// The input must stay until the next call.
+    /// Chooses the tolerance for all lines of the input's layer so that at most `most_points` are kept, if a tolerance achieves
+    /// that. The input must stay valid until the next call.
     void plan(const ElementInput& input, std::uint32_t most_points);
     [[nodiscard]] double tolerance_m() const { return tolerance_m_; }
     [[nodiscard]] double radius_m() const { return radius_m_; }
@@ -79,7 +79,7 @@ public:
 private:
     template <class Visitor>
     void visit(std::uint32_t feature, Visitor visitor);
-    /// How many points from `first` on belong together, at most a window.
+    /// Number of points from `first` on without a gap, at most one window.
     std::uint32_t fill(std::uint32_t feature, std::uint32_t first, std::uint32_t end);
     [[nodiscard]] glm::dvec3 place_of(const scene::ScenePoint& point) const;
     [[nodiscard]] double value_in_metres(const scene::Attribute* attribute, std::uint32_t feature, std::uint32_t point) const;

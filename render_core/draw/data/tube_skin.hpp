@@ -1,8 +1,9 @@
-/// Surfaces of tubes as solids, a block of rings after the other, so that little memory is needed: flat coloured sides
-/// (scene/tube_mesh.hpp), and round hulls whose normals point away from the tube's middle, for rims and for margins.
+/// Builds the surfaces of tubes as solids in blocks of rings, to limit memory: flat coloured sides (scene/tube_mesh.hpp), and
+/// round hulls with radial normals, for rims and margins.
 ///
 /// Blocks of a piece repeat the ring where the one before stopped; only the first and the last one have an end.
-/// Memory  from an arena, once. Thread  one. Failure  a block without room in the batch is left out; the answer tells.
+/// Memory  from an arena, once. Thread  one. Failure  a block without room in the batch is left out, and the function returns
+/// false.
 #pragma once
 
 #include "render_core/draw/data/placement.hpp"
@@ -19,7 +20,7 @@ struct TubeColor {
     design::Color color;
     scene::Uncertainty uncertainty;
 };
-/// Of a ring: on sides with even numbers, to which the upper one belongs, and on the others.
+/// Colours of a ring: on even sides, which include the upper one, and on odd sides.
 struct RingColors {
     TubeColor even, odd;
 };
@@ -45,7 +46,7 @@ private:
     base::Span<std::uint16_t> indices_;
 };
 
-/// Semi-axes of what is added to a tube's radius.
+/// Semi-axes of the margin added to a tube's radius.
 struct TubeMargin {
     double horizontal_m = 0, vertical_m = 0;
 };
@@ -55,7 +56,7 @@ struct TubeMargin {
 bool add_tube_hull(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides,
                    base::Span<const TubeMargin> margins, base::Span<const RingColors> colors);
 
-/// A single place: eight flat faces.
+/// A marker for a single point: eight flat faces.
 bool add_tube_marker(SolidBatch& batch, SolidMesh& mesh, const scene::TubeRing& ring, const TubeColor& color);
 
 }  // namespace tedavis::draw

@@ -115,7 +115,7 @@ std::uint32_t TubeSolids::add_layer(const Work& work, Layer layer) {
         look.is_mixed = true;
         look.is_thing = look.has_grid = false;
     }
-    look.is_hollow = true;  // whoever flies along it looks out of it
+    look.is_hollow = true;  // it is not visible from inside
     look.near_m = kNearRadii * largest_radius_m(work, layer);
     work.batch.set_look(look, work.input.layer.entry->data_time_ns);
     std::uint32_t points = 0;

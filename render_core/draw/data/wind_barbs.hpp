@@ -1,8 +1,9 @@
-/// Wind as barbs that face the eye (wind_barb.hpp), of glyphs that a view has selected: single places, and means of several.
+/// Draws wind as barbs that face the viewer (wind_barb.hpp), for the glyphs that a view has selected: single sites, and means
+/// of several.
 ///
-/// Up on a barb is ahead over the ground, as on a map that turns with the own ship; seen from above it is the picture's up. The
-/// nearest come first; what would cover another billboard, and what terrain stands before, is hidden. Colour by the mean speed;
-/// `link` leads down to the ground. Pure but for the ground that is asked, once a link. Bounded.
+/// Up on a barb is ahead over the ground, as on a track-up map; in a view from above it is the picture's up. The nearest come
+/// first; barbs that would cover another billboard, or are behind terrain, are hidden. The colour is that of the mean speed;
+/// `link` draws a line to the ground. Pure, apart from one query to the ground per link. Bounded.
 #pragma once
 
 #include "render_core/draw/data/billboard_sheet.hpp"

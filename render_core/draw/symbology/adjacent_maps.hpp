@@ -1,10 +1,9 @@
-/// Small maps beside the picture: a field of the scene round the own ship, north up, one map or one for each member of an
-/// ensemble.
+/// Adjacent maps: a field of the scene round the own ship, north up, in one map or one for each member of an ensemble.
 ///
-/// A map is cells of a lattice that stands still on the ground, with the colour of the scale at the value that the field has in
-/// their middle (GridField::at), exactly; edges lie between pixels, so that no two colours mix. What has no colour has a sign on
-/// the dark ground instead: missing values and what lies beyond the grid a dot, unknown uncertainty a stroke. Interpolated values
-/// have a gap round them.
+/// A map consists of cells of a grid that is fixed to the ground, in the colour of the scale for the field's value at the
+/// cell's centre (GridField::at); edges lie between pixels, so that colours do not mix. Cells without a colour have a sign on a
+/// dark background: a dot for missing values and outside the grid, a stroke for unknown uncertainty. Interpolated values have a
+/// gap round them.
 /// Frames   cells are as wide as high, or a little wider: their lattice changes with an eighth of a degree of latitude, not with
 /// less. Memory   none but the batch's: kAdjacentCells quads for all cells of all maps. Pure: no GL, no clock, no heap. Thread
 /// any.
@@ -34,7 +33,7 @@ struct AdjacentInput {
 };
 static_assert(std::is_trivially_copyable_v<AdjacentInput>);
 
-/// How many maps there are; 0 without a layer.
+/// Number of maps; 0 without a layer.
 [[nodiscard]] std::uint32_t map_count(const AdjacentInput& input) noexcept;
 /// Cells across one of so many maps: as many as the design wants, as all maps have room for, and as can be told apart.
 [[nodiscard]] std::uint32_t cells_across(const AdjacentInput& input, float side_px) noexcept;
@@ -71,12 +70,12 @@ private:
     std::uint32_t columns_ = 0, rows_ = 0;
 };
 
-/// What a value looks like.
+/// Returns the cell for a value.
 [[nodiscard]] MapCell cell_of(const scene::FieldValue& value, const AdjacentInput& input) noexcept;
 
 class Painter;
 struct SymbologyInput;
-/// In the layout's box for them; nothing where that is empty.
+/// Draws the maps in the layout's box for them; nothing where that is empty.
 void build_adjacent_maps(const Painter& painter, const SymbologyInput& input);
 
 }  // namespace tedavis::draw

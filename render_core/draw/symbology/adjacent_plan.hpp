@@ -1,4 +1,4 @@
-/// How small square maps stand in a panel: a caption, and below it rows of maps side by side. Pure; any thread.
+/// Layout of square maps in a panel: a caption, and below it rows of maps. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace tedavis::draw {
 
-/// What is wanted; sides in texts.
+/// The requested maps; sides are in text sizes.
 struct AdjacentNeed {
     std::uint32_t maps = 0;  ///< 0: no panel
     float size = 0;          ///< of a map, at most

@@ -1,8 +1,8 @@
-/// What the colours and signs of spatial data mean: an entry a scale in use, with units, uncertainty, time and source.
+/// The legend of spatial data: one entry per scale in use, with units, uncertainty, time and source.
 ///
-/// Whoever draws data fills an entry; the builder draws the entries into the areas that the layout has for them. Where room is
-/// short all are shortened alike (LegendDetail), then the last are left out, counted and said.
-/// Pure: no GL, no clock, no heap. Thread any.
+/// The owners of data fill the entries; the builder draws them in the layout's areas. Where there is too little room all
+/// entries are shortened equally (LegendDetail); then the last ones are left out, and the legend states their number. Pure: no
+/// GL, no clock, no heap. Thread any.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ enum class SampleLook : std::uint8_t {
     words,       ///< no sample: the text alone, over the whole row
 };
 
-/// A small box that looks as the technique does, and what that means.
+/// A sample box that looks like the technique, with its meaning.
 struct LegendSample {
     base::FixedString<23> text;
     design::Color color;  ///< of the data
@@ -46,7 +46,7 @@ struct LegendSample {
     Icon icon = Icon::generic;
 };
 
-/// Of the sample of what nobody knows the uncertainty of; "?" where there is little room.
+/// Text of the sample of unknown uncertainty; "?" where there is little room.
 inline constexpr std::string_view kUnknownText = "UNKNOWN";
 inline constexpr std::size_t kUncertaintySamples = 3;
 inline constexpr std::size_t kMaxLegendSamples = 10;
@@ -92,7 +92,7 @@ inline constexpr std::size_t kLegendDetails = 8;
 /// Of all together, for the layout.
 [[nodiscard]] DataLegendNeed data_legend_need(const DataLegends& legends) noexcept;
 
-/// Where entries stand: the first `shown` of them.
+/// The placement of the first `shown` entries.
 struct DataLegendPlan {
     LegendDetail detail = LegendDetail::whole;
     std::size_t shown = 0, cut = 0;

@@ -53,7 +53,7 @@ void add_data_legends(Layout& layout, const LegendNeed& need) {
     const Rect column{layout.legend.x, layout.legend.y, layout.legend.width, foot - layout.legend.y};
     const float above = need.terrain_most > 0 ? gap : 0, room = column.height - above, whole = need.data.whole * t;
     const bool is_wide = layout.screen.width >= kTextsForSecondColumn * t;
-    // With a second column there is no need for the terrain's to give way.
+    // With a second column the terrain's legend need not be shortened.
     const float least = (is_wide ? need.terrain_most : need.terrain_least) * t;
     const float terrain = std::min(std::clamp(room - whole, least, need.terrain_most * t), room);
     const float data = std::min(room - terrain, whole);

@@ -1,7 +1,7 @@
-/// Where the pieces of the display stand: boxes in pixels that never overlap and never leave the screen.
+/// Layout of the display: boxes in pixels that never overlap and never leave the screen.
 ///
-/// One unit, the size of the text, makes everything else: it follows the shorter side of the screen and never falls below
-/// what is legible on a panel of the given density, as long as the boxes still fit. Tested from 320x240 to 4K, portrait too.
+/// All sizes derive from one unit, the text size, which is proportional to the shorter side of the screen and not below the
+/// legible size for the panel's density, as long as the boxes fit. Tested from 320x240 to 4K, portrait too.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace tedavis::draw {
 
-/// What legends of data would take, in texts; no entries: the layout has no areas for them.
+/// Room that legends of data need, in text sizes; without entries the layout has no areas for them.
 struct DataLegendNeed {
     std::size_t entries = 0;
     float whole = 0;     ///< all of them, with everything
     float shortest = 0;  ///< all of them, with the scales alone
 };
-/// And the terrain's, whose bar of values gives way.
+/// Room of all legends, including the terrain's, whose bar of values may shrink.
 struct LegendNeed {
     float terrain_most = 0, terrain_least = 0;  ///< 0: there is none
     DataLegendNeed data;

@@ -1,12 +1,12 @@
-/// What stands on the map: the own ship in its middle, pointing along the heading; a ring of a round number of nautical miles
-/// round it; the arrow to the north with what the map is turned to.
+/// Symbols of the map: the own ship in the middle, pointing along the heading; a range ring of a round number of nautical
+/// miles; the north arrow with the map's orientation.
 ///
-/// In the orthographic view they lie level: the ring is an ellipse round the own ship's place on the ground, to which a line
-/// leads down. It leaves out what lies in places that are shown larger: there it would be elsewhere on the ground. Those have
-/// signs with their scale, and the corner says so. The corner says ORTHO, and FLAT where the ground is drawn without its relief.
+/// In the orthographic view they are level: the ring is an ellipse round the own ship's position on the ground, to which a line
+/// leads down. The ring is interrupted in magnified areas, where it would be wrong; these have signs with their scale, and the
+/// corner states them. The corner also says ORTHO, and FLAT where the ground is drawn without relief.
 ///
-/// Without a position there is a red cross in their place; a stale one is amber and says so. Without a heading the own ship is a
-/// disc that points nowhere. In the layout's box of the attitude.
+/// Without a position a red cross replaces them; a stale position is amber with a text. Without a heading the own ship is a
+/// disc. They are drawn in the layout's box of the attitude.
 #pragma once
 
 #include <string_view>

@@ -1,7 +1,7 @@
 /// The flight symbology of a frame, as triangles in a batch.
 ///
-/// Every builder draws within its boxes of the layout and shows what the decisions say: the value, the value with its
-/// amber flag, or a red cross with text in the same place. Pure: no GL, no clock, no heap. Thread any.
+/// Every builder draws within its boxes of the layout and follows the decisions: the value, the value with an amber flag, or a
+/// red cross with text in the same place. Pure: no GL, no clock, no heap. Thread any.
 #pragma once
 
 #include "render_core/draw/quad_batch.hpp"

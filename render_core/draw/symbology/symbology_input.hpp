@@ -1,4 +1,4 @@
-/// Everything that the symbology of a frame is built from: values in SI, what may be shown, and the view.
+/// The input of a frame's symbology: values in SI units, decisions about what may be shown, and the view.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace tedavis::draw {
 
-/// What the colours of the picture mean. Nothing is coloured by what is not `ground`, `tint` or `bands`.
+/// The legend's input: the meaning of the picture's colours. Without `ground`, `tint` and `bands` there are no such colours.
 struct LegendInput {
     bool ground = false;  ///< terrain: sea, missing data and what lies outside the database by their colours
     bool tint = false;    ///< the ground by `palette`; else it has the colour `plain`
@@ -30,14 +30,14 @@ struct LegendInput {
     design::HeightUnit unit = design::HeightUnit::feet;
 };
 
-/// What the symbols of a place or direction stand over.
+/// The picture below the symbols of positions and directions.
 enum class SymbolGround : std::uint8_t {
     perspective,  ///< the world ahead: conformal symbols
     map,          ///< the world below: map symbols
-    moving,       ///< on the way between the two, where neither kind would tell the truth
+    moving,       ///< in the transition between both, where neither kind of symbols is correct
 };
 
-/// A place on the map that is shown larger than what is round it.
+/// A magnified place on the map.
 struct MagnifiedSign {
     Point middle;                              ///< on the screen
     float radius_px = 0;                       ///< of the focus, as it is shown

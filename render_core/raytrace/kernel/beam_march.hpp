@@ -1,8 +1,8 @@
-/// How far beams of rays with one origin may start, before any of their rays meets anything.
+/// Finds how far along a beam of rays with one origin none of its rays hits anything.
 ///
-/// A beam is the hull of its rays: at a time t they lie in a box that grows with t. It is moved on as long as the box, over a
-/// span of time, lies above 2 x 2 nodes that hold all of it. So nothing is concluded from rays at its corners. Boxes are taken a
-/// little larger than they are, by more than rays in lanes are rounded.
+/// A beam is the hull of its rays: at time t they lie in a box that grows with t. It is advanced as long as the box, over a
+/// span of time, lies above the 2 x 2 nodes that contain it. The hull is used instead of the corner rays, so the result is
+/// conservative. Boxes are enlarged by more than the rounding of rays in lanes.
 #pragma once
 
 #include "render_core/raytrace/kernel/ray_lanes.hpp"
@@ -10,14 +10,14 @@
 
 namespace tedavis::raytrace {
 
-/// Between which speeds the rays of a beam run along an axis.
+/// The range of speeds of a beam's rays along an axis.
 template <class V>
 struct BeamAxis {
     using Float = typename V::Float;
     using Int = typename V::Int;
     Float least, most;
-    Float per_least, per_most;  ///< 1 / those
-    typename V::Mask is_back;   ///< runs towards lower numbers
+    Float per_least, per_most;  ///< reciprocals of the speeds
+    typename V::Mask is_back;   ///< the beam runs towards lower cell numbers
     typename V::Mask goes_down, goes_up;
 
     TEDAVIS_LANES_INLINE BeamAxis make(Float middle, Float half) {
@@ -35,7 +35,7 @@ struct BeamAxis {
     }
 };
 
-/// Nodes of an axis that a beam lies over, two of a level, and when it leaves them.
+/// The nodes of an axis that a beam lies over, two of a level, and the time at which it leaves them.
 template <class V>
 struct BeamNodes {
     using Float = typename V::Float;
@@ -84,7 +84,7 @@ TEDAVIS_LANES_INLINE typename V::Float highest_under(const TracedNodes<Height>& 
     }
 }
 
-/// Of beams with one origin. Where they start, and the level they were at.
+/// The start times of beams with one origin, and the mipmap level that they had reached.
 template <class V>
 struct BeamLanes {
     using Float = typename V::Float;

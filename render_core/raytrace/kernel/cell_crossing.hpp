@@ -1,9 +1,9 @@
-/// Where rays in lanes meet the surface of one cell each.
+/// Intersects rays in lanes with the surface of one cell each.
 ///
-/// The surface is compared with the ray where it enters and leaves the cell and, of two triangles, where it crosses from one to
-/// the other: signs decide whether it is met, and only then where. A ray below the surface as it enters has met it there.
-/// Heights of the surface are held between the cell's lowest and highest post, so that a node whose bound is clear of a ray holds
-/// no meeting.
+/// The heights of ray and surface are compared where the ray enters and leaves the cell and, for two triangles, where it
+/// crosses the diagonal: their signs decide whether there is a hit, and only then where. A ray below the surface at its entry
+/// hits it there. Surface heights are clamped between the cell's lowest and highest post, so that a node whose bound is clear
+/// of a ray contains no hit.
 #pragma once
 
 #include "render_core/raytrace/kernel/ray_lanes.hpp"
@@ -15,17 +15,17 @@ namespace tedavis::raytrace {
 template <class V>
 struct CellHit {
     typename V::Mask is_met;
-    typename V::Mask is_beyond;  ///< it is on the other side as it enters, by more than a continuous surface allows
+    typename V::Mask is_beyond;  ///< at its entry the ray is on the other side by more than a continuous surface allows
     typename V::Float t;
 };
 
-/// Heights of a cell's posts above the ray's own, and the ray's place in the cell.
+/// Heights of a cell's posts relative to the ray's origin, and the origin's position in the cell.
 template <class V, class Height>
 struct CellPosts {
     using Float = typename V::Float;
     using Int = typename V::Int;
     Float nw, ne, sw, se, highest, lowest;
-    Float column, row;  ///< of the origin in the cell
+    Float column, row;  ///< position of the origin in the cell
 
     TEDAVIS_LANES_INLINE CellPosts gather(const TracedNodes<Height>& field, const RayLanes<V>& ray, Int column, Int row,
                                           typename V::Mask m) {
@@ -51,7 +51,7 @@ struct CellPosts {
         finish(p, ray, column, row);
         return p;
     }
-    /// Of one cell for all rays.
+    /// Loads one cell for all rays.
     TEDAVIS_LANES_INLINE CellPosts of(const TracedNodes<Height>& field, const RayLanes<V>& ray, std::int32_t column,
                                       std::int32_t row) {
         const Height* const upper = field.posts + row * field.stride + column;
@@ -79,17 +79,17 @@ struct CellPosts {
     TEDAVIS_LANES_INLINE Float within(Float place) { return V::min(V::max(place, Float(0)), Float(1)); }
 };
 
-/// What rays that cross a cell at one pair of times find of its surface, whatever their climb: heights where they enter and
-/// leave, and what lies between.
+/// Surface heights for rays that cross a cell between a pair of times, independent of their climb: at entry and exit, and
+/// between.
 template <class V>
 struct CellProfile {
     using Float = typename V::Float;
     Float t_in, t_out, surface_in, surface_out;
-    typename V::Mask crosses;        ///< from one triangle to the other
+    typename V::Mask crosses;        ///< the ray crosses the diagonal
     Float t_middle, surface_middle;  ///< there
-    Float bend;                      ///< of a patch: twice the surface's, over the whole way
-    Float highest, lowest;           ///< of the posts
-    Float seam, size;                ///< as seam_tolerance() wants them
+    Float bend;                      ///< bilinear: twice the surface's second-order term over the whole crossing
+    Float highest, lowest;           ///< range of the posts
+    Float seam, size;                ///< for seam_tolerance()
 };
 
 template <class V, class Height, CellSurface surface>
@@ -136,7 +136,7 @@ TEDAVIS_LANES_INLINE CellProfile<V> profile_of(const RayLanes<V>& ray, const Cel
     return all;
 }
 
-/// What two sides of an edge may differ by, and more; and what a ray's beginning may be off.
+/// Upper bound of the height difference between both sides of an edge, plus the error of a ray's beginning.
 template <class V>
 TEDAVIS_LANES_INLINE typename V::Float seam_tolerance(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Float height) {
     using Float = typename V::Float;
@@ -144,18 +144,17 @@ TEDAVIS_LANES_INLINE typename V::Float seam_tolerance(const RayLanes<V>& ray, co
     return Float(kSteps) * (p.seam + V::max(V::max(height, Float(0) - height), p.size)) + ray.gap;
 }
 
-/// How far a ray at a height is from the surface, on the side that it came along.
+/// Distance of a ray at a height from the surface, positive on the side that it came from.
 template <class V, HitSide side>
 TEDAVIS_LANES_INLINE typename V::Float gap_of(typename V::Float height, typename V::Float surface) {
     return side == HitSide::below ? surface - height : height - surface;
 }
 
-/// Which of the rays that are met as they enter, of those asked, are on the other side by more than an edge of the surface may be
-/// off.
+/// Which of the `asked` rays with a hit at their entry are on the other side by more than the seam tolerance.
 template <class V>
 TEDAVIS_LANES_INLINE typename V::Mask is_beyond(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Float height_in,
                                                 typename V::Float in, typename V::Mask is_met_in, typename V::Mask asked) {
-    if (!V::any(is_met_in & asked)) return V::mask(0);  // but for a few rays
+    if (!V::any(is_met_in & asked)) return V::mask(0);  // rare
     return in < typename V::Float(0) - seam_tolerance<V>(ray, p, height_in);
 }
 
@@ -171,7 +170,7 @@ TEDAVIS_LANES_INLINE CellHit<V> meet_triangles(const RayLanes<V>& ray, const Cel
     CellHit<V> m;
     m.is_met = is_met_in | is_met_before | (out <= Float(0));
     m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
-    // Linear between the last place on this side and the first on the other.
+    // Linear interpolation between the last point on this side and the first on the other.
     const auto is_after = V::without(p.crosses, is_met_before);
     const Float since = V::select(is_after, p.t_middle, p.t_in), gap_since = V::select(is_after, middle, in);
     const Float until = V::select(is_met_before, p.t_middle, p.t_out), gap_until = V::select(is_met_before, middle, out);
@@ -179,7 +178,7 @@ TEDAVIS_LANES_INLINE CellHit<V> meet_triangles(const RayLanes<V>& ray, const Cel
     return m;
 }
 
-/// A ray over a bilinear patch has a quadratic gap; it may dip below the surface between two places above it.
+/// The gap of a ray over a bilinear patch is quadratic; the ray may dip below the surface between two points above it.
 template <class V, HitSide side>
 TEDAVIS_LANES_INLINE CellHit<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
@@ -189,12 +188,12 @@ TEDAVIS_LANES_INLINE CellHit<V> meet_patch(const RayLanes<V>& ray, const CellPro
     const Float out = gap_of<V, side>(Lanes::height_at(ray, p.t_out), p.surface_out);
     const Float whole_bend = side == HitSide::below ? Float(0) - p.bend : p.bend;
     const Float whole_fall = in - out + whole_bend;  // of the gap, as it enters
-    // Over the larger of both, so that no square is too large for a float where a ray stands upright.
+    // Scaled by the larger one, so that no square overflows a float for a vertical ray.
     const Float scale = Float(1) / V::max(V::max(whole_fall, Float(0) - whole_fall), V::max(whole_bend, Float(0) - whole_bend));
     const Float bend = whole_bend * scale, fall = whole_fall * scale, gap = in * scale;
     const Float root = fall * fall - Float(4) * bend * gap;
     const Float width = V::sqrt(V::max(root, Float(0)));
-    const auto falls = fall > Float(0);  // whichever form of the first root takes nothing away from its like
+    const auto falls = fall > Float(0);  // chooses the form of the first root without cancellation
     const Float share = V::select(falls, gap + gap, fall - width) / V::select(falls, fall + width, bend + bend);
     const Float between = p.t_in + (p.t_out - p.t_in) * share;
     const Float height = Lanes::height_at(ray, between);

@@ -1,5 +1,5 @@
-/// Rays of a tile that no longer keep together: they leave their packets and go on in lanes that are filled again and again, so
-/// that no lane waits long for another (as Wald et al. 2007, "Compacting rays"; what a ray meets does not depend on its company).
+/// Incoherent rays of a tile: they leave their packets and continue in lanes that are refilled, so that no lane waits long for
+/// another (as in Wald et al. 2007, "Compacting rays"). A ray's hit does not depend on the other lanes.
 #pragma once
 
 #include "render_core/raytrace/kernel/packet_pixels.hpp"
@@ -7,15 +7,15 @@
 
 namespace tedavis::raytrace {
 
-/// Those of one tile: which pixel, how far they have come, and over nodes of which level.
+/// The rays of one tile: pixel, time reached, and mipmap level.
 template <class V>
 struct LooseRays {
     static constexpr std::uint32_t kMax = kTileWidth * kTileHeight;
     std::uint32_t count = 0;
-    float x[kMax + V::kCount], y[kMax + V::kCount], t[kMax + V::kCount];  ///< pixels; lanes are read whole
+    float x[kMax + V::kCount], y[kMax + V::kCount], t[kMax + V::kCount];  ///< pixels; whole vectors of lanes are read
     std::int32_t level[kMax + V::kCount];
 
-    /// Lanes behind so many that wait are as the first.
+    /// Fills the lanes behind the last waiting ray with copies of the first.
     void fill(std::uint32_t lanes) {
         for (; lanes < V::kCount; ++lanes) {
             x[count + lanes] = x[count];
@@ -42,11 +42,11 @@ struct LooseRays {
     }
 };
 
-/// From node to node, as long as most of the lanes run.
+/// Traverses nodes as long as most of the lanes are active.
 template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m,
                                                int few) {
-    constexpr int kEnough = V::kCount * 3 / 8 + 1;  // of rays that ask are worth a meeting, which takes some steps' time
+    constexpr int kEnough = V::kCount * 3 / 8 + 1;  // rays that need a cell test before one is run, since it costs several steps
     while (V::any(m.runs)) {
         const auto steps = V::without(m.runs, m.asks);
         if (!V::any(steps) || __builtin_popcount(V::bits(m.asks)) >= kEnough) {
@@ -58,7 +58,7 @@ TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field,
     }
 }
 
-/// Writes what lanes have met to pixels anywhere in the picture.
+/// Writes the hits of lanes to arbitrary pixels of the picture.
 template <class V, class Height>
 void keep_scattered(const TileWork<V, Height>& tile, const RayLanes<V>& ray, const TraversalState<V>& m, const float* x,
                     const float* y, std::uint32_t lanes) {

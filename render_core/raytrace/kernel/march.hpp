@@ -1,6 +1,6 @@
-/// The way of rays in lanes to the cells that they meet: from cell to cell, or through the nodes of a mipmap.
+/// Traversal of rays in lanes to the cells that they hit: from cell to cell, or through the nodes of a mipmap.
 ///
-/// Both ways pass the same cells, but for those whose bounds say that nothing is met there, and end with the same bits.
+/// Both traversals test the same cells, except those whose bounds exclude a hit, and give the same bits.
 #pragma once
 
 #include "render_core/raytrace/kernel/cell_crossing.hpp"
@@ -8,34 +8,35 @@
 
 namespace tedavis::raytrace {
 
-/// Where rays are, and what they have met.
+/// The traversal state of rays, and their hits.
 template <class V>
 struct TraversalState {
     using Float = typename V::Float;
     using Int = typename V::Int;
     using Mask = typename V::Mask;
 
-    Mask runs;  ///< neither met nor left
+    Mask runs;  ///< active: no hit yet, and still in the grid
     Float t;
-    Float leaves;     ///< when they leave the grid, or end
-    Int column, row;  ///< mirrored: of the cell at t
+    Float leaves;     ///< time at which they leave the grid or end
+    Int column, row;  ///< cell at t, in mirrored coordinates
     Int level;
     Mask is_met, is_beyond;
     Float met_t;
     Int met_column, met_row;  ///< in the grid
 
-    Mask asks;    ///< stand before a cell that they may meet
-    Mask passes;  ///< have met nothing in theirs
+    Mask asks;    ///< have reached a cell that they may hit
+    Mask passes;  ///< have no hit in their cell
 };
 
-/// The lowest of the mirrored cells of an axis that has so many.
+/// The lowest mirrored cell number of an axis with this many cells.
 template <class V>
 TEDAVIS_LANES_INLINE typename V::Int first_cell(const RayAxis<V>& axis, std::int32_t cells) {
     using Int = typename V::Int;
     return axis.sign & Int(-cells);
 }
 
-/// When rays enter the grid and leave it; not in which cell. Those that never do, or only in infinite time, do not run.
+/// Computes when rays enter and leave the grid, not in which cell. Rays that never enter it, or only at infinite time, are not
+/// active.
 template <class V, class Height>
 TEDAVIS_LANES_INLINE TraversalState<V> enter_times(const TracedNodes<Height>& field, const RayLanes<V>& ray,
                                                    typename V::Float from, typename V::Mask asked, typename V::Int level) {
@@ -96,7 +97,7 @@ TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& fie
     return is_from_below ? nearest < bound : nearest > bound;
 }
 
-/// Those of the rays asked that meet the surface of their cell.
+/// Returns which of the `asked` rays hit the surface of their cell.
 template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPosts<V, Height>& posts, typename V::Int column,
                                            typename V::Int row, typename V::Float t_in, typename V::Float t_out,
@@ -113,7 +114,7 @@ TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPos
     return met;
 }
 
-/// Takes those that ask to the surfaces of their cells.
+/// Tests the cells of the rays that have reached one.
 template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     using Int = typename V::Int;
@@ -128,7 +129,7 @@ TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const Ray
     m.asks = V::mask(0);
 }
 
-/// From cell to cell, for rays that are near to what they meet. Ends after so many cells.
+/// Traverses cell by cell, for rays that are close to their hit. Ends after a number of cells.
 template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m, int most) {
     using Float = typename V::Float;
@@ -163,7 +164,7 @@ TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const Ra
     }
 }
 
-/// One node on, or one level down; those that halt at level `finest` ask.
+/// One step: to the next node, or one level down; rays that stop at level `finest` request a cell test.
 template <class V, class Height, HitSide side, int finest = 0>
 TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m,
                                     typename V::Mask steps) {
@@ -195,7 +196,7 @@ TEDAVIS_LANES_INLINE void step_node(const TracedNodes<Height>& field, const RayL
     m.level = V::select(rises, m.level + one, V::select(V::without(halts, is_cell), m.level - one, m.level));
 }
 
-/// From node to node, to the end.
+/// Traverses nodes to the end.
 template <class V, class Height, CellSurface surface, HitSide side>
 TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     while (true) {

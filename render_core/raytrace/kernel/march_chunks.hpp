@@ -1,8 +1,8 @@
-/// Rays of a packet through one chunk, and from chunk to chunk.
+/// Traverses one chunk, and from chunk to chunk, with the rays of a packet.
 ///
-/// Times at which grid lines are crossed are relative to the origin's own cell. A chunk is a small grid whose first cell is
-/// numbered 0: rays whose origin is numbered in the same way cross its lines at the same times, to the bit, so that each meets
-/// there what it would meet in the whole.
+/// Times of crossing grid lines are relative to the origin's cell. A chunk is a small grid whose first cell is number 0. Rays
+/// whose origin is renumbered in the same way cross its lines at exactly the same times, so their hits equal those in the whole
+/// grid bit for bit.
 #pragma once
 
 #include "render_core/raytrace/kernel/march.hpp"
@@ -11,7 +11,7 @@
 
 namespace tedavis::raytrace {
 
-/// Numbered from a cell of the grid.
+/// Renumbered from a cell of the grid.
 template <class V>
 TEDAVIS_LANES_INLINE RayLanes<V> packet_rays(const RayPacket& p, std::int32_t first_column, std::int32_t first_row) {
     using Int = typename V::Int;

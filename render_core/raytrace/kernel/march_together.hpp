@@ -1,9 +1,9 @@
-/// The way of the rays of a small beam through the same cells: where it is narrow, each cell is read once for all of them.
+/// Traverses the cells of a small, narrow beam for all its rays together, so that each cell is read only once.
 ///
-/// The beam is followed in slabs, one cell thick, along the axis on which it is faster; in each slab all cells that any of its
-/// rays may cross are tried in the order in which rays cross them (Wald et al. 2006, "Ray tracing animated scenes using coherent
-/// grid traversal"). A ray is in a cell between the times at which it crosses the lines round it, if there is any time between:
-/// so each ray meets what it would meet alone, with the same bits.
+/// The beam is followed in slabs, one cell thick, along its faster axis; in each slab all cells that any ray may cross are
+/// tested in the order in which rays cross them (Wald et al. 2006, "Ray tracing animated scenes using coherent grid
+/// traversal"). A ray is in a cell between the times at which it crosses the surrounding lines, so each ray has the same hit as
+/// alone, bit for bit.
 #pragma once
 
 #include "render_core/raytrace/kernel/march.hpp"
@@ -11,15 +11,15 @@
 namespace tedavis::raytrace {
 
 inline constexpr int kMaxSlabs = 24;
-inline constexpr std::int32_t kWidestSlab = 3;  ///< cells; wider beams are no longer worth it
+inline constexpr std::int32_t kWidestSlab = 3;  ///< cells; wider beams are slower this way
 
-/// An axis of a beam whose rays run one way, mirrored.
+/// An axis of a beam whose rays all run in the same direction, mirrored.
 struct NarrowAxis {
     std::int32_t sign, cell;  ///< as in RayAxis
     float fraction;
-    std::int32_t cells;  ///< of the grid
+    std::int32_t cells;  ///< cells of the grid
 
-    /// From the origin to the first line of a mirrored cell.
+    /// Distance from the origin to the first line of a mirrored cell.
     TEDAVIS_LANES_INLINE float line(const NarrowAxis& a, std::int32_t n) { return static_cast<float>(n - a.cell) - a.fraction; }
     TEDAVIS_LANES_INLINE std::int32_t cell_at(const NarrowAxis& a, float way) { return floor_of(a.fraction + way) + a.cell; }
     TEDAVIS_LANES_INLINE bool holds(const NarrowAxis& a, std::int32_t n) {
@@ -39,7 +39,7 @@ struct NarrowAxis {
     }
 };
 
-/// The cell for all rays that have met nothing yet; times of crossing its lines in the order of x and y.
+/// Tests a cell for all rays without a hit; times of crossing its lines are in the order x, y.
 template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void try_cell(const TracedNodes<Height>& field, const RayLanes<V>& ray, std::int32_t column,
                                    std::int32_t row, typename V::Float in, typename V::Float out, TraversalState<V>& m) {
@@ -54,7 +54,8 @@ TEDAVIS_LANES_INLINE void try_cell(const TracedNodes<Height>& field, const RayLa
                                                    m);
 }
 
-/// Follows rays from slab to slab. Gives the first slab that was not tried; rays that still run have met nothing before it.
+/// Follows rays from slab to slab. Returns the first slab that was not tested; rays that are still active have no hit before
+/// it.
 template <class V, class Height, CellSurface surface, bool is_x_fast>
 TEDAVIS_LANES_INLINE std::int32_t march_slabs(const TracedNodes<Height>& field, const RayLanes<V>& ray, const NarrowAxis& fast,
                                               const NarrowAxis& slow, std::int32_t slab, TraversalState<V>& m) {

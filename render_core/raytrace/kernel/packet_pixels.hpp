@@ -1,4 +1,4 @@
-/// Which pixels of a picture lanes stand for, and what is kept of them.
+/// The pixels of a picture that lanes stand for, and the storage of their results.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace tedavis::raytrace {
 
-/// Lanes that are traced together: 4 x 4 pixels of a beam, or a part of those, or those of neighbouring beams.
+/// A packet of lanes: 4 x 4 pixels of a beam, a part of them, or those of neighbouring beams.
 template <class V>
 struct PacketShape {
-    static constexpr std::uint32_t kRow = V::kCount < 4 ? V::kCount : 4;  ///< pixels of a row that lie in neighbouring lanes
+    static constexpr std::uint32_t kRow = V::kCount < 4 ? V::kCount : 4;  ///< pixels of a row in consecutive lanes
     static constexpr std::uint32_t kWidth = V::kCount > 16 ? V::kCount / 4 : kRow;
     static constexpr std::uint32_t kHeight = V::kCount / kWidth;
     static constexpr std::uint32_t column(std::uint32_t lane) { return lane % 4 + lane / 16 * 4; }
@@ -20,7 +20,7 @@ struct PacketShape {
     static constexpr std::uint32_t kAll = V::kCount == 32 ? ~0u : (1u << (V::kCount % 32)) - 1;
 };
 
-/// The middles of a packet's pixels, from its first corner.
+/// Centres of a packet's pixels, relative to its first corner.
 template <class V>
 struct PacketMiddles {
     alignas(64) float x[V::kCount]{}, y[V::kCount]{};
@@ -32,7 +32,7 @@ struct PacketMiddles {
     }
 };
 
-/// A packet whose rays all meet nothing.
+/// Stores "no hit" for all rays of a packet.
 template <class V, class Height>
 void clear_packet(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) {
     using Shape = PacketShape<V>;
@@ -40,7 +40,7 @@ void clear_packet(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t 
                  std::min(top + Shape::kHeight, job.height));
 }
 
-/// A bit for each lane whose pixel is in the picture, and asked.
+/// One bit for each lane whose pixel is in the picture and requested.
 template <class V, class Height>
 std::uint32_t asked_pixels(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t top) {
     using Shape = PacketShape<V>;
@@ -55,7 +55,7 @@ std::uint32_t asked_pixels(const ViewJob<Height>& job, std::uint32_t left, std::
     return asked;
 }
 
-/// Values of all lanes to their pixels.
+/// Stores the values of all lanes to their pixels.
 template <class V, class Value>
 void keep_all(const Value* values, Value* pixels, std::uint32_t width) {
     using Shape = PacketShape<V>;

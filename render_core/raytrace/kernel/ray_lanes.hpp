@@ -1,8 +1,8 @@
-/// Rays in lanes: as they cross the lines of the grid.
+/// Rays in lanes, and the times at which they cross grid lines.
 ///
-/// On each axis a ray is mirrored so that it runs towards greater numbers: cell n of the mirrored axis is cell n of the grid, or
-/// cell -1 - n where the ray runs back. A line is crossed at one time, whichever cell asks; the cell of a time is the last one
-/// whose first line has been crossed. So which cells a ray visits does not depend on the way they were found.
+/// On each axis a ray is mirrored so that it runs towards greater numbers: cell n of the mirrored axis is cell n of the grid,
+/// or cell -1 - n where the ray runs back. A line has one crossing time, whichever cell it is computed for; the cell at a time
+/// is the last one whose first line has been crossed. So the cells of a ray do not depend on the kind of traversal.
 #pragma once
 
 #include "render_core/raytrace/lanes/scalar_lanes.hpp"
@@ -15,24 +15,24 @@ struct RayAxis {
     using Int = typename V::Int;
 
     Int sign;        ///< 0, or -1 where it is mirrored: `cell ^ sign` turns one number into the other
-    Int cell;        ///< of the origin, mirrored
-    Float fraction;  ///< of the origin in its cell, mirrored: -1..1
-    Float speed;     ///< cells a unit of t, more than 0
+    Int cell;        ///< cell of the origin, mirrored
+    Float fraction;  ///< position of the origin in its cell, mirrored: -1..1
+    Float speed;     ///< cells per unit of t, above 0
     Float inverse;   ///< 1 / speed
-    Int own_cell;    ///< as it is in the grid, with the fraction and the speed
+    Int own_cell;    ///< not mirrored, with fraction and speed
     Float own_fraction, own_speed;
 
-    /// When the first line of a mirrored cell is crossed.
+    /// Time at which the first line of a mirrored cell is crossed.
     TEDAVIS_LANES_INLINE Float crossing(const RayAxis& a, Int line) {
         return (V::to_float(line - a.cell) - a.fraction) * a.inverse;
     }
-    /// The mirrored cell at a time. A guess is off by one at most.
+    /// The mirrored cell at a time. The first estimate is off by one at most.
     TEDAVIS_LANES_INLINE Int cell_at(const RayAxis& a, Float t) {
         Int n = V::floor_to_int(a.fraction + t * a.speed) + a.cell;
         n = V::select(crossing(a, n + Int(1)) <= t, n + Int(1), n);
         return V::select(crossing(a, n) > t, n - Int(1), n);
     }
-    /// Where in a cell of the grid the ray is at a time: 0..1.
+    /// The ray's position 0..1 in a cell of the grid at a time.
     TEDAVIS_LANES_INLINE Float place_in(const RayAxis& a, Int own, Float t) {
         const Float place = (a.own_fraction - V::to_float(own - a.own_cell)) + t * a.own_speed;
         return V::max(V::min(place, Float(1)), Float(0));
@@ -45,8 +45,8 @@ struct RayAxis {
         s.inverse = V::select(m, a.inverse, b.inverse);
         return s;
     }
-    /// Of an origin's cell (column or row) and fraction, and of speeds that may be 0. Those next to it have no sign: where
-    /// denormals are flushed they lose it.
+    /// Makes an axis from the origin's cell (column or row) and fraction, and from speeds that may be 0. Speeds next to 0 count
+    /// as positive, because their sign is lost where denormals are flushed.
     TEDAVIS_LANES_INLINE RayAxis make(Int cell, Float fraction, Float direction) {
         constexpr float kMinSpeed = 1e-30f;
         const auto is_back = direction < Float(-kMinSpeed);
@@ -69,13 +69,13 @@ struct RayLanes {
     using Int = typename V::Int;
 
     RayAxis<V> x, y;
-    Int z;  ///< of the origin: whole height steps
+    Int z;  ///< origin, whole height steps
     Float z_fraction;
-    Float climb;  ///< height steps a unit of t
+    Float climb;  ///< height steps per unit of t
     Float from, to;
-    Float gap;  ///< height steps: who is no further below the surface than this, and roundings, has met it there
+    Float gap;  ///< height steps: a ray that begins below the surface by no more than this and roundings hits it there
 
-    /// Above the origin's whole height steps. Monotone in t, rounding included.
+    /// Height above the origin's whole height steps. Monotone in t, rounding included.
     TEDAVIS_LANES_INLINE Float height_at(const RayLanes& r, Float t) { return r.z_fraction + t * r.climb; }
 };
 

@@ -1,4 +1,4 @@
-/// What the rays of a tile share.
+/// The data that the rays of a tile share.
 #pragma once
 
 #include "render_core/raytrace/kernel/march.hpp"
@@ -21,7 +21,7 @@ struct TileWork {
           slopes(*asked.camera),
           left(x),
           top(y) {}
-    /// Through places of the picture.
+    /// Returns the rays through points of the picture.
     [[nodiscard]] __attribute__((always_inline)) RayLanes<V> rays(typename V::Float x, typename V::Float y) const {
         using Axis = RayAxis<V>;
         using Float = typename V::Float;

@@ -1,4 +1,4 @@
-/// Heights and their bounds as the kernel reads them: bare pointers and numbers of 32 bits. Borrowed.
+/// Heights and their bounds as the kernel reads them: raw pointers and 32-bit numbers. Borrowed.
 #pragma once
 
 #include "render_core/raytrace/height_mipmap.hpp"
@@ -20,7 +20,7 @@ struct TracedNodes {
           stride(static_cast<std::int32_t>(mipmap.grid().stride)),
           columns(mipmap.layout().columns[0]),
           rows(mipmap.layout().rows[0]) {}
-    /// Bounds alone, for rays that end before any cell.
+    /// Bounds only, for rays that end before any cell.
     TracedNodes(const MipmapLayout& of, const Height* bounds)
         : nodes(bounds), layout(&of), columns(of.columns[0]), rows(of.rows[0]) {}
 };

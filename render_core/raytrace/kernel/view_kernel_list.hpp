@@ -1,4 +1,4 @@
-/// Functions for each width of lanes, each width in a source of its own: wider ones are compiled for their instructions.
+/// Functions for each width of lanes. Each width has its own source file, compiled for its instruction set.
 #pragma once
 
 #include "render_core/raytrace/view_kernels.hpp"

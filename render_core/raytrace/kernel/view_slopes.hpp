@@ -1,4 +1,4 @@
-/// The rays of a picture: their origin, and how their directions change over the pixels.
+/// The rays of a picture: their origin, and the change of their directions over the pixels.
 #pragma once
 
 #include "render_core/raytrace/kernel/ray_lanes.hpp"
@@ -6,7 +6,7 @@
 
 namespace tedavis::raytrace {
 
-/// The origin of all rays of a picture, in whole cells and steps and what is left.
+/// The origin of all rays of a picture, split into whole cells or steps and fractions.
 struct ViewOrigin {
     std::int32_t column, row, z;
     float column_fraction, row_fraction, z_fraction;
@@ -27,7 +27,7 @@ struct ViewOrigin {
     }
 };
 
-/// A component of directions, over the picture.
+/// A component of the directions as a linear function over the picture.
 struct DirectionSlope {
     float corner, right, down;
 
@@ -36,7 +36,7 @@ struct DirectionSlope {
         using Float = typename V::Float;
         return Float(d.corner) + x * Float(d.right) + y * Float(d.down);
     }
-    /// By how much it differs from the middle of a square.
+    /// Largest difference from its value at the centre of a square.
     TEDAVIS_LANES_INLINE float reach(const DirectionSlope& d, float half_side) {
         return (__builtin_fabsf(d.right) + __builtin_fabsf(d.down)) * half_side;
     }
@@ -48,7 +48,7 @@ struct ViewSlopes {
         : x{c.corner.x, c.right.x, c.down.x}, y{c.corner.y, c.right.y, c.down.y}, z{c.corner.z, c.right.z, c.down.z} {}
 };
 
-/// All but their directions.
+/// Makes rays without their directions.
 template <class V>
 TEDAVIS_LANES_INLINE RayLanes<V> rays_from(const ViewOrigin& origin, const RaySpan& span) {
     using Float = typename V::Float;

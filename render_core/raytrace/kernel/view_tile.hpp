@@ -1,4 +1,4 @@
-/// A tile of a picture in lanes: its beams, from large to small, and then its rays.
+/// Traces a tile of a picture in lanes: its beams, from large to small, then its rays.
 #pragma once
 
 #include <algorithm>
@@ -10,28 +10,28 @@
 
 namespace tedavis::raytrace {
 
-/// Sides of beams, in pixels: kBeamSide[0] is found first, each further one starts where the one round it ended.
+/// Sides of beams, in pixels: kBeamSide[0] is traced first; each further beam starts where the surrounding one ended.
 inline constexpr int kBeamSizes = 3;
 inline constexpr std::uint32_t kBeamSide[kBeamSizes] = {16, 8, 4};
-/// Steps after which beams of each size are left where they are: those of their rays that get on do so alone.
+/// Largest number of steps for beams of each size; their rays then continue in smaller beams or alone.
 inline constexpr int kMaxBeamSteps[kBeamSizes] = {150, 12, 8};
-inline constexpr int kMaxCells = 16;  ///< that rays pass one by one before they look at larger nodes
+inline constexpr int kMaxCells = 16;  ///< cells that rays traverse one by one before they use larger nodes
 
-/// How many beams of a size a tile has.
+/// Number of beams of a size across a tile.
 constexpr std::uint32_t beams_across(int size) { return kTileWidth / kBeamSide[size]; }
 constexpr std::uint32_t beam_count(int size) { return beams_across(size) * (kTileHeight / kBeamSide[size]); }
 
-/// How far beams of one size got, row by row; lanes write whole.
+/// Start times of beams of one size, row by row; whole vectors of lanes are written.
 struct BeamStarts {
     float t[beam_count(kBeamSizes - 1)];
-    std::int32_t level[beam_count(kBeamSizes - 1)];  ///< of nodes that they were over last
+    std::int32_t level[beam_count(kBeamSizes - 1)];  ///< level of the last nodes
 };
 
-/// Lanes for the beams of a size, where a tile has fewer of them.
+/// The lane type for the beams of a size; narrower where a tile has fewer beams.
 template <class V, int size>
 using NarrowFor = std::conditional_t<(beam_count(size) < V::kCount), typename V::Narrow, V>;
 
-/// Beams of one size; `around` are those of the size before, null for the first.
+/// Traces the beams of one size; `around` are those of the size before, null for the first.
 template <class V, int size, class Tile>
 void start_beams(const Tile& tile, const BeamStarts* around, BeamStarts& beams) {
     using Float = typename V::Float;
@@ -72,7 +72,7 @@ void start_beams(const Tile& tile, const BeamStarts* around, BeamStarts& beams) 
     }
 }
 
-/// As far as the rays keep together; those that go on alone know their cells.
+/// Traces rays while they are coherent; rays that continue alone keep their cells.
 template <class V, class Height, CellSurface surface>
 TEDAVIS_LANES_INLINE void march_near(const TracedNodes<Height>& nodes, const RayLanes<V>& ray, const ViewOrigin& origin,
                                      TraversalState<V>& m) {
@@ -140,7 +140,8 @@ void trace_tile(const ViewJob<Height>& job, std::uint32_t left, std::uint32_t to
     const TileWork<V, Height> tile(job, left, top);
     BeamStarts large, small;
     start_beams<NarrowFor<V, 0>, 0>(tile, nullptr, small);
-    if (job.goes_on && !(*std::min_element(small.t, small.t + beam_count(0)) < job.span.to)) return;  // no ray ends before
+    if (job.goes_on && !(*std::min_element(small.t, small.t + beam_count(0)) < job.span.to))
+        return;  // nothing is hit before the end
     start_beams<NarrowFor<V, 1>, 1>(tile, &small, large);
     start_beams<NarrowFor<V, 2>, 2>(tile, &large, small);
     if (job.field->surface == CellSurface::bilinear)

@@ -1,4 +1,4 @@
-/// Twice as many rays as another lane type has: what one half waits for, the other works through.
+/// Two vectors of another lane type used as one: while one half waits for memory or latency, the other one computes.
 #pragma once
 
 #include "render_core/raytrace/lanes/scalar_lanes.hpp"

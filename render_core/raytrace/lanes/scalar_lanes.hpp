@@ -1,7 +1,7 @@
-/// One ray at a time, in the words of the wider lanes: what the kernel is on a machine without any of them.
+/// One ray at a time with the interface of the wider lane types, for machines without them.
 ///
 /// A lane type has Float, Int (32 bits) and Mask with the usual operators, and the functions below. Every operation is one IEEE
-/// operation a lane, so that all of them give the same bits. Shifts of Int are arithmetic.
+/// operation per lane, so all lane types give the same bits. Shifts of Int are arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace tedavis::raytrace {
 
 struct ScalarLanes {
     static constexpr int kCount = 1;
-    using Narrow = ScalarLanes;  ///< for fewer than kCount
+    using Narrow = ScalarLanes;  ///< lane type for fewer than kCount lanes
     using Float = float;
     using Int = std::int32_t;
     using Mask = bool;
@@ -38,7 +38,7 @@ struct ScalarLanes {
     TEDAVIS_LANES_INLINE float most(Float a) { return a; }
     TEDAVIS_LANES_INLINE Float sqrt(Float a) { return __builtin_sqrtf(a); }
     TEDAVIS_LANES_INLINE Float to_float(Int a) { return static_cast<float>(a); }
-    /// Of values between -2^31 and 2^31.
+    /// For values between -2^31 and 2^31.
     TEDAVIS_LANES_INLINE Int floor_to_int(Float a) {
         const auto whole = static_cast<std::int32_t>(a);
         return whole - (static_cast<float>(whole) > a ? 1 : 0);
@@ -49,13 +49,13 @@ struct ScalarLanes {
     TEDAVIS_LANES_INLINE auto gather(const Height* from, Int index, Mask m) {
         return m ? widened(from[index]) : widened(Height{0});
     }
-    /// Also of the element behind it.
+    /// Also reads the element behind it.
     template <class Height, class Wide>
     TEDAVIS_LANES_INLINE void gather_two(const Height* from, Int index, Mask m, Wide& first, Wide& second) {
         first = m ? widened(from[index]) : Wide{0};
         second = m ? widened(from[index + 1]) : Wide{0};
     }
-    /// No two lanes have one index.
+    /// No two lanes may have the same index.
     template <class Value>
     TEDAVIS_LANES_INLINE void scatter(Value* to, Int index, Value value, Mask m) {
         if (m) to[index] = value;

@@ -1,8 +1,8 @@
 /// The highest and lowest height of every chunk of 32 x 32 cells, and of blocks of 2^k x 2^k of them: the levels of a
-/// HeightMipmap from the fifth up, which stay in memory. A chunk's own bounds may be wider than its heights; rays then only look
-/// at more.
+/// HeightMipmap from kChunkLevel up, which stay in memory. A chunk's bounds may be wider than its heights; this only costs
+/// time.
 ///
-/// Memory  from an arena: 8/3 of Height a chunk and a little.
+/// Memory  from an arena: about 8/3 of sizeof(Height) per chunk.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -25,13 +25,13 @@ public:
     [[nodiscard]] const MipmapLayout& layout() const { return layout_; }
     [[nodiscard]] const Height* maxima() const { return maxima_.data(); }
     [[nodiscard]] const Height* minima() const { return minima_.data(); }
-    /// Of a chunk, by its number: row by row.
+    /// Bounds of a chunk, by its number, row by row.
     [[nodiscard]] Height highest(std::uint32_t chunk) const { return maxima_[chunk]; }
     [[nodiscard]] Height lowest(std::uint32_t chunk) const { return minima_[chunk]; }
 
 private:
     MipmapLayout layout_;
-    base::Span<Height> maxima_, minima_;  ///< the chunks first; one more may be read behind the last
+    base::Span<Height> maxima_, minima_;  ///< the chunks first; one element behind the last may be read
 };
 
 }  // namespace tedavis::raytrace

@@ -1,5 +1,5 @@
-/// Heights that come in chunks of 32 x 32 cells, one at a time: what the paged tracer needs of a terrain that is larger than
-/// memory. Implemented over a terrain database (database_chunks.hpp), and by tests over what is nowhere stored.
+/// Port: heights in chunks of 32 x 32 cells, loaded one at a time, for terrain that is larger than memory. Implemented over a
+/// terrain database (database_chunks.hpp), and by tests over generated heights.
 #pragma once
 
 #include "render_core/base/span.hpp"
@@ -7,8 +7,8 @@
 
 namespace tedavis::raytrace {
 
-/// As of a HeightGrid, but for its posts: 2..HeightGrid::kMaxPosts columns and rows, of any number in all. Chunk (column, row)
-/// has the posts from (32 * column, 32 * row) to (32 * column + 32, 32 * row + 32), both included.
+/// Like a HeightGrid without a limit of the total number of posts: 2..HeightGrid::kMaxPosts columns and rows. Chunk (column,
+/// row) has the posts from (32 * column, 32 * row) to (32 * column + 32, 32 * row + 32), both included.
 template <class Height>
 class ChunkHeights {
 public:
@@ -17,11 +17,12 @@ public:
     virtual ~ChunkHeights() = default;
     [[nodiscard]] virtual std::uint32_t columns() const = 0;
     [[nodiscard]] virtual std::uint32_t rows() const = 0;
-    /// No height of a chunk is lower or higher; row by row of chunks. A chunk without any has lowest > highest. False where that
-    /// cannot be known.
+    /// Writes lower and upper bounds of the heights of each chunk, row by row. A chunk without heights has lowest > highest.
+    /// Returns false where the bounds are unknown.
     [[nodiscard]] virtual bool read_bounds(base::Span<Height> lowest, base::Span<Height> highest) = 0;
-    /// All posts of a chunk, row by row; those beyond the last column and row are void, as posts without a height are. False
-    /// where it cannot be had. Several threads, each with a `desk` of its own (0 to those that were agreed on - 1).
+    /// Writes all posts of a chunk, row by row; posts beyond the last column and row, and posts without a height, are void.
+    /// Returns false where the chunk cannot be loaded. May be called by several threads, each with its own `desk` (0 .. agreed
+    /// number - 1).
     [[nodiscard]] virtual bool load(std::uint32_t column, std::uint32_t row, std::uint32_t desk, base::Span<Height> posts) = 0;
 
     [[nodiscard]] std::uint32_t chunk_columns() const { return (columns() + kCells - 2) / kCells; }

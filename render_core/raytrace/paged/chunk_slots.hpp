@@ -1,7 +1,8 @@
-/// Places in memory for chunks: posts and the bounds below the chunk. Those used longest ago make room for others.
+/// A cache of chunks in memory: their posts, and the bounds of levels below the chunk. The least recently used chunk is
+/// replaced.
 ///
-/// Memory  from an arena: 8 KB a slot of 16-bit heights, 16 KB of floats; 4 bytes a chunk. Thread  take() one; fill() several,
-/// each another slot.
+/// Memory  from an arena: 8 KB per slot for 16-bit heights, 16 KB for floats; 4 bytes per chunk. Thread  take() one; fill()
+/// several, each for a different slot.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -21,11 +22,13 @@ public:
     };
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t slots, std::uint32_t chunks);
-    /// One slot or more. False where the arena has no room.
+    /// Allocates one slot or more; returns false where the arena is too small.
     [[nodiscard]] bool start(std::uint32_t slots, std::uint32_t chunks, base::Arena& arena);
-    /// The slot of a chunk, which counts as used now. As many different chunks as there are slots can be used in a row.
+    /// Returns the slot of a chunk and marks it as used. As many different chunks as there are slots can be taken before one is
+    /// replaced.
     Taken take(std::uint32_t chunk);
-    /// What the source says of it. A chunk that it cannot load, or whose heights are beyond their bounds, has no surface: false.
+    /// Loads a chunk into its slot. Returns false, and the chunk then has no surface, where it cannot be loaded or its heights
+    /// exceed their bounds.
     bool fill(std::uint32_t slot, ChunkHeights<Height>& heights, const ChunkBounds<Height>& bounds, std::uint32_t desk);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
@@ -44,7 +47,7 @@ private:
     void link_as_newest(std::uint32_t slot);
 
     base::Span<Slot> slots_;
-    base::Span<std::uint32_t> slot_of_;  ///< by chunk
+    base::Span<std::uint32_t> slot_of_;  ///< slot by chunk number
     std::uint32_t in_use_ = 0, newest_ = kNone, oldest_ = kNone;
 };
 

@@ -1,9 +1,10 @@
-/// A terrain database in chunks for the paged tracer: what GroundReader gives of the same window, in metres, bit for bit.
+/// A terrain database in chunks for the paged tracer: the same heights as GroundReader gives for the window, in metres, bit for
+/// bit.
 ///
-/// The bounds of chunks stand in the directory. Where an exact chunk lies above level 0, a chunk is the part of it that the
-/// finest level would have there. What is damaged has no heights, and is counted.
+/// The bounds of chunks come from the directory. Where an exact chunk lies above level 0, a chunk is the part of it that a
+/// chunk of level 0 would cover. Damaged parts have no heights and are counted.
 ///
-/// Memory  from an arena at start: bytes_needed(). Thread  load() of different desks at once.
+/// Memory  from an arena at start: bytes_needed(). Thread  load() may run concurrently for different desks.
 #pragma once
 
 #include "render_core/raytrace/ground/ground_reader.hpp"
@@ -16,20 +17,20 @@ class DatabaseChunks final : public ChunkHeights<float> {
 
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t desks);
-    /// A window of the lattice (GroundWindow) whose first post is a chunk's: its column and row are multiples of 32. False where
-    /// the arena has no room, or a side of the window is of one post or of more than HeightGrid::kMaxPosts. The database is
-    /// borrowed and must stay.
+    /// Sets a window of the lattice (GroundWindow) whose first column and row are multiples of 32. Returns false where the
+    /// arena is too small, or a side of the window has one post or more than HeightGrid::kMaxPosts. The database must outlive
+    /// the object.
     [[nodiscard]] bool start(const terrain::TerrainDatabase& database, const terrain::PostRange& window, std::uint32_t desks,
                              base::Arena& arena);
 
     [[nodiscard]] std::uint32_t columns() const override { return window_.i1 - window_.i0 + 1; }
     [[nodiscard]] std::uint32_t rows() const override { return window_.j1 - window_.j0 + 1; }
-    /// True; chunks of damaged_pages() have no heights.
+    /// Always returns true; chunks of damaged_pages() have no heights.
     [[nodiscard]] bool read_bounds(base::Span<float> lowest, base::Span<float> highest) override;
     [[nodiscard]] bool load(std::uint32_t column, std::uint32_t row, std::uint32_t desk, base::Span<float> posts) override;
 
     [[nodiscard]] std::uint32_t damaged_pages() const { return damaged_pages_; }
-    [[nodiscard]] std::uint64_t read_bytes() const;  ///< of payloads and directory pages, by load()
+    [[nodiscard]] std::uint64_t read_bytes() const;  ///< bytes of payloads and directory pages read by load()
 
 private:
     void bound_chunks(const terrain::ChunkEntry& entry, base::Span<float> lowest, base::Span<float> highest) const;

@@ -1,4 +1,4 @@
-/// The rays that a paged tracer is asked for: those of a picture, or any. Borrowed.
+/// The rays to be traced by a paged tracer: those of a picture, or any rays. Borrowed.
 #pragma once
 
 #include "render_core/base/span.hpp"
@@ -7,12 +7,13 @@
 namespace tedavis::raytrace {
 
 struct PagedRays {
-    /// Of a picture, row by row of pixels: one, or one for each of its tiles (ViewTiles). None: the rays are `single`.
+    /// For a picture, whose rays are row by row of pixels: one camera, or one for each of its tiles (ViewTiles). Empty: the
+    /// rays are `single`.
     base::Span<const GridCamera> cameras;
     std::uint32_t width = 0, height = 0;
     RaySpan span{};
     base::Span<const Ray> single{};
-    bool goes_on = false;  ///< rays that have a hit are not asked; the others' hits say that nothing is met
+    bool goes_on = false;  ///< rays that already have a hit are not traced; the hits of the others are initialised
 
     [[nodiscard]] static PagedRays of(const GridCamera& camera, std::uint32_t width, std::uint32_t height) {
         return {{&camera, 1}, width, height};

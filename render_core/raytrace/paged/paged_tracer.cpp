@@ -247,7 +247,7 @@ std::uint32_t PagedTracer<Height>::distance(std::uint32_t chunk) const {
     return static_cast<std::uint32_t>(std::abs(across) + std::abs(down));
 }
 
-/// The nearest of the chunks asked for, as many as there are slots. Gives their rays.
+/// Selects the nearest of the requested chunks, as many as there are slots, with their rays.
 template <class Height>
 std::uint32_t PagedTracer<Height>::take_pass(const Job& job, PagedWork& work, base::Workers& workers) {
     std::uint32_t nearest = kNone, left = 0, taken = 0, count = 0;

@@ -1,11 +1,11 @@
-/// The exact tracer over heights that need not be in memory: bit for bit what trace_ray() finds over all of them.
+/// The exact tracer over heights that need not be in memory; its hits equal those of trace_ray() over all heights, bit for bit.
 ///
-/// The bounds of chunks stay in memory (chunk_bounds.hpp), a number of chunks does as rays need them (chunk_slots.hpp). A ray
-/// goes from chunk to chunk over those that it cannot meet and stops before the first that it may; there it waits. A pass takes
-/// as many of the chunks that are asked for as there are slots, those nearest to where the rays begin, and takes all rays that
-/// wait for them through them and on to their next (after Pharr et al. 1997, "Rendering complex scenes with memory-coherent ray
-/// tracing"). Rays from one place only get farther away from it: so each chunk is loaded once a picture, whatever the slots, but
-/// for those that rays ask for anew as they change their side of the surface.
+/// The bounds of chunks stay in memory (chunk_bounds.hpp); a limited number of chunks is in memory at a time (chunk_slots.hpp).
+/// A ray passes over the chunks that it cannot hit and waits before the first that it may hit. Each pass takes as many of the
+/// requested chunks as there are slots, those nearest to the rays' origin first, and advances all rays that wait for them
+/// through them and to their next chunk (after Pharr et al. 1997, "Rendering complex scenes with memory-coherent ray tracing").
+/// The distance of rays from a common origin only grows, so each chunk is loaded once per picture, whatever the number of
+/// slots, except where rays that change their side of the surface request it again.
 ///
 /// Memory  an arena at start. Thread  trace() uses the workers; the result does not depend on their number, nor on the slots.
 #pragma once
@@ -19,14 +19,14 @@ namespace tedavis::raytrace {
 
 struct PagedSettings {
     std::uint32_t slots = 1, most_rays = 0;
-    std::uint32_t desks = 1;  ///< of the ChunkHeights; threads that load at once
+    std::uint32_t desks = 1;  ///< desks of the ChunkHeights: threads that load concurrently
 };
 
-/// What a call of trace() did.
+/// Counters of a call of trace().
 struct PagedWork {
     std::uint32_t passes = 0, loads = 0;
-    std::uint32_t damaged = 0;    ///< of the loads: chunks that count as without heights
-    std::uint64_t crossings = 0;  ///< rays through chunks
+    std::uint32_t damaged = 0;    ///< failed loads: chunks that count as without heights
+    std::uint64_t crossings = 0;  ///< traversals of a chunk by a ray
     std::uint64_t loaded_bytes = 0;
 };
 
@@ -36,9 +36,10 @@ public:
     enum class Started : std::uint8_t { yes, no_room, unreadable };
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows, const PagedSettings& settings);
-    /// The heights are borrowed and must stay.
+    /// `heights` must outlive the tracer.
     [[nodiscard]] Started start(ChunkHeights<Height>& heights, const PagedSettings& settings, base::Arena& arena);
-    /// A hit a ray. `from_below`: as with TracedField::minima. A damaged chunk counts as without heights while it is in memory.
+    /// Writes one hit per ray. `from_below` enables hits from below, as TracedField::minima does. A damaged chunk counts as
+    /// without heights while it is in memory.
     PagedWork trace(const PagedRays& rays, CellSurface surface, bool from_below, const PacketKernel<Height>& kernel,
                     base::Workers& workers, base::Span<Hit> hits);
 
@@ -47,12 +48,12 @@ public:
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu, kTaskRays = 256;
 
-    /// Of a ray that is not done.
+    /// State of a ray that is not finished.
     struct Way {
         float from, t;
         std::int32_t column, row;  ///< mirrored
-        std::uint32_t turns;       ///< it looks for the surface from above, then from below, then from above...
-        std::uint32_t link;        ///< the chunk that it waits for, then the next ray that waits there
+        std::uint32_t turns;       ///< changes of side: it searches the surface from above, then from below, and so on
+        std::uint32_t link;        ///< the chunk that it waits for, then the next ray in that chunk's list
     };
     struct Task {
         std::uint32_t chunk, slot, first, end;  ///< in order_
@@ -83,7 +84,7 @@ private:
     ChunkSlots<Height> slots_;
     base::Span<Way> ways_;
     base::Span<std::uint32_t> order_;    ///< rays of a pass
-    base::Span<std::uint32_t> waiting_;  ///< by chunk: the first ray, or kNone
+    base::Span<std::uint32_t> waiting_;  ///< by chunk: the first waiting ray, or kNone
     base::Span<std::uint32_t> asked_;    ///< chunks that rays wait for
     base::Span<Task> tasks_;
     base::Span<Load> loads_;

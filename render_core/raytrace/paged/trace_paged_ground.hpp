@@ -1,6 +1,6 @@
-/// Pictures of the ground as a view of the world sees it, over ground that need not be in memory: what trace_ground() finds.
+/// Traces pictures of a view in world space, over ground that need not be in memory; the hits are those of trace_ground().
 ///
-/// Piece after piece of the rays of all tiles, each with those that have met nothing yet.
+/// The straight pieces of all tiles' rays are traced one after another, each for the rays without a hit.
 ///
 /// Memory  the caller's, and the tracer's. Thread  uses the workers; the result does not depend on their number.
 #pragma once
@@ -10,8 +10,8 @@
 
 namespace tedavis::raytrace {
 
-/// `space`: of the window that the tracer's heights are; can_trace() holds. `from_below` as in PagedTracer::trace(). The cameras
-/// are room to work in, one for each of ViewTiles(view.width, view.height); a hit a pixel, t as trace_ground() has it.
+/// `space` is that of the tracer's window, and can_trace() must hold. `from_below` is as in PagedTracer::trace(). `cameras` is
+/// scratch memory, one for each of ViewTiles(view.width, view.height). Writes one hit per pixel, with t as in trace_ground().
 template <class Height>
 PagedWork trace_paged_ground(PagedTracer<Height>& tracer, const GroundSpace& space, const terrain::View& view,
                              CellSurface surface, bool from_below, const PacketKernel<Height>& kernel, base::Workers& workers,

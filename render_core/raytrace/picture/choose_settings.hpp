@@ -1,13 +1,13 @@
-/// Which settings each region of the next picture gets (thesis 6.2.4, left open there): the best that a deadline allows, or the
-/// cheapest that a quality allows; near and lit regions before far and dark ones.
+/// Chooses the settings of each region of the next picture (an open question in the thesis, 6.2.4): the best within a deadline,
+/// or the cheapest with a given quality; near and lit regions have precedence over far and dark ones.
 ///
-/// Settings are levels from the cheapest to the best. A step of a region to the next level gains its weight times the error that
-/// the level takes away, and costs what the table says. Steps are taken by gain for cost, until the deadline or the quality is
-/// reached. What a region had in the last picture counts for more (`hysteresis`), and steps that are new only while that part of
-/// the deadline stays free: so neither noise of costs nor of weights makes levels flicker. Equal input, equal choice: ties go to
-/// the region with the lower number.
+/// Settings are levels from the cheapest to the best. A region's step to the next level gains its weight times the reduction of
+/// error, and costs what the cost table states. Steps are taken in the order of gain per cost, until the deadline or the
+/// quality is reached. Levels of the last picture are favoured (`hysteresis`), and new steps are taken only while that share of
+/// the deadline stays free, so that noise in costs and weights does not make levels flicker. The choice is deterministic: ties
+/// go to the region with the lower number.
 ///
-/// Memory  an arena's, at start: 20 bytes a step.
+/// Memory  an arena's, at start: 20 bytes per step.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -17,33 +17,33 @@ namespace tedavis::raytrace {
 
 struct ChoiceLimits {
     std::uint32_t levels = 1;                  ///< 1..TraceCosts::kMaxLevels
-    float error[TraceCosts::kMaxLevels] = {};  ///< of each level against the best, falling (picture_error.hpp)
-    float deadline_ms = 0;                     ///< of the sum of all regions' costs; 0: none
-    float most_error = 0;                      ///< weighted mean of all regions that is good enough; 0: as good as can be
+    float error[TraceCosts::kMaxLevels] = {};  ///< error of each level against the best one, descending (picture_error.hpp)
+    float deadline_ms = 0;                     ///< limit of the sum of all regions' costs; 0: none
+    float most_error = 0;                      ///< sufficient weighted mean error of all regions; 0: the best possible
     float hysteresis = 0.1f;                   ///< 0..1
 };
 
 struct Choice {
     double cost_ms = 0;          ///< expected
-    double error = 0;            ///< weighted mean, expected
-    bool keeps_deadline = true;  ///< false where even the cheapest level of all does not
+    double error = 0;            ///< expected weighted mean
+    bool keeps_deadline = true;  ///< false where even the cheapest levels exceed the deadline
 };
 
 class SettingsChooser {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t regions);
-    /// False where the arena has no room.
+    /// Allocates memory; returns false where the arena is too small.
     [[nodiscard]] bool start(std::uint32_t regions, base::Arena& arena);
-    /// `levels` holds what regions had in the last picture (0 where there was none), and then what they get.
+    /// `levels` contains the regions' levels in the last picture (0 where there was none) and receives the new ones.
     Choice choose(base::Span<const RegionView> regions, const TraceCosts& costs, const ChoiceLimits& limits,
                   base::Span<std::uint8_t> levels);
 
 private:
     struct Step {
-        float worth;  ///< gain for cost
+        float worth;  ///< gain per cost
         float cost, gain;
         std::uint32_t region;
-        std::uint8_t level;  ///< to this
+        std::uint8_t level;  ///< the level reached by the step
         bool is_new;
     };
     std::uint32_t list_steps(base::Span<const RegionView> regions, const TraceCosts& costs, const ChoiceLimits& limits,

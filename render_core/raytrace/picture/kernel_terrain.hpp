@@ -1,5 +1,4 @@
-/// Terrain traced by the vector kernels: the posts themselves, or a stored surface with `parts` posts to one of
-/// the scene's.
+/// Terrain traced by the vector kernels: the scene's posts, or a stored surface with `parts` posts per post of the scene.
 ///
 /// Memory  none of its own. set_view() before a picture; then any thread.
 #pragma once
@@ -12,19 +11,19 @@ namespace tedavis::raytrace {
 template <class Height>
 class KernelTerrain final : public TracedTerrain {
 public:
-    /// The field is borrowed, its mipmaps too; pictures are of this size.
+    /// The field and its mipmaps are borrowed; `width` and `height` are those of pictures.
     void start(const TracedField<Height>& field, std::uint32_t parts, std::uint32_t width, std::uint32_t height);
-    /// The sight is of the scene's grid space; pictures of the world are of its size. Stays where it is from then on.
+    /// Sets the view, in the scene's grid space; pictures of the world have its size. The object must not be moved afterwards.
     void set_view(const PictureSight& sight, const ViewKernel<Height>& kernel);
 
-    /// Rectangles of whole tiles of the kernel, as far as the picture has them. Asks for u and v of hits.
+    /// Traces rectangles of whole kernel tiles, clipped to the picture. Needs u and v of hits.
     void trace(const PixelRect& rect, const HitPicture& hits) const override;
     void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const override;
     [[nodiscard]] RayHit meet(const Ray& ray) const override;
     [[nodiscard]] bool is_hidden(const Ray& ray) const override;
 
 private:
-    /// A meeting of a straight ray, and where in the cell.
+    /// A hit of a straight ray, with its position in the cell.
     struct PlacedHit {
         HitSide side = HitSide::none;
         float t = std::numeric_limits<float>::infinity();
@@ -38,7 +37,7 @@ private:
     TracedField<Height> field_;
     std::uint32_t parts_ = 1, width_ = 0, height_ = 0;
     PictureSight sight_;
-    GroundView<Height> ground_;  ///< where the world is seen
+    GroundView<Height> ground_;  ///< used for pictures of the world
     const ViewKernel<Height>* kernel_ = nullptr;
 };
 

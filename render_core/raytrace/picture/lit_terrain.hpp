@@ -1,4 +1,4 @@
-/// Terrain with its look, as traced_light.hpp follows paths through it.
+/// Terrain with its look, as the scene of traced_light.hpp.
 #pragma once
 
 #include "render_core/raytrace/picture/trace_look.hpp"
@@ -7,13 +7,13 @@
 
 namespace tedavis::raytrace {
 
-/// All borrowed.
+/// All members are borrowed.
 struct LitTerrain {
     const TracedTerrain* terrain = nullptr;
     const TraceLook* look = nullptr;
     GridScale scale;
 
-    /// Borrows this.
+    /// The returned scene refers to this object.
     [[nodiscard]] LitScene scene() const;
 };
 

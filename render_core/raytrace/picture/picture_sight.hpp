@@ -1,5 +1,4 @@
-/// From where a picture is seen, and in which space its rays are straight: in grid space, or in the world over a terrain
-/// database.
+/// The view of a picture, and the space in which its rays are straight: grid space, or the world over a terrain database.
 #pragma once
 
 #include "render_core/raytrace/space/trace_ground.hpp"
@@ -7,7 +6,8 @@
 namespace tedavis::raytrace {
 
 struct PictureSight {
-    /// Of the scene's grid space. Where the world is seen it is what rays are near the eye, t being the depth in metres.
+    /// The camera in the scene's grid space. For a view of the world it approximates the rays near the eye point, with t as the
+    /// depth in metres.
     GridCamera camera;
     GroundSpace space;   ///< not set: rays are straight in grid space
     terrain::View view;  ///< of the world
@@ -19,7 +19,7 @@ struct PictureSight {
         sight.camera = camera;
         return sight;
     }
-    /// can_trace() must hold. The space borrows its database.
+    /// can_trace() must hold. The database must outlive the space.
     [[nodiscard]] static PictureSight of_world(const GroundSpace& space, const terrain::View& view) {
         constexpr double kNear_m = 200;
         PictureSight sight;
@@ -28,7 +28,7 @@ struct PictureSight {
         sight.view = view;
         return sight;
     }
-    /// Of a grid with so many posts to one of this.
+    /// Returns the same view in a grid with `parts` posts per post.
     [[nodiscard]] PictureSight refined(std::uint32_t parts) const {
         const auto many = static_cast<double>(parts);
         const glm::dvec3 finer(many, many, 1);

@@ -1,4 +1,4 @@
-/// What a region of the last picture showed, by which the next one's settings are chosen there (choose_settings.hpp).
+/// What a region of the last picture showed; the settings of the next picture are chosen by it (choose_settings.hpp).
 #pragma once
 
 #include "render_core/raytrace/picture/trace_stages.hpp"
@@ -10,11 +10,12 @@ inline constexpr std::uint32_t kRegionKinds = 4;
 
 struct RegionView {
     RegionKind kind = RegionKind::near;
-    float weight = 1;  ///< how much of the picture's quality is decided here, 0..1: by area that is ground, nearness and light
+    float weight = 1;  ///< the region's importance for the picture's quality, 0..1, from the share of ground, distance and light
 };
 
-/// Regions of a picture that has been drawn, row by row. A region is near where one of its pixels covers less than 1/8 post, in
-/// the middle below 1/2, else far; it is sky where nothing was met. `pixel_width_posts` is what a pixel covers where t is 1.
+/// Classifies the regions of a drawn picture, row by row. A region is near where one of its pixels covers less than 1/8 post,
+/// in the middle distance below 1/2, else far; it is sky where there is no hit. `pixel_width_posts` is the width covered by a
+/// pixel at t = 1.
 void view_regions(const HitPicture& hits, base::Span<const glm::vec3> light, std::uint32_t width, std::uint32_t height,
                   double pixel_width_posts, base::Span<RegionView> regions);
 

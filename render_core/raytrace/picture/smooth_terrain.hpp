@@ -12,7 +12,7 @@ namespace tedavis::raytrace {
 template <class Height>
 class SmoothTerrain final : public TracedTerrain {
 public:
-    /// Both borrowed; the mipmap's bounds are those of the surface (surface_bounds.hpp).
+    /// Mipmap and settings are borrowed; the mipmap's bounds must be those of the surface (surface_bounds.hpp).
     void start(const HeightMipmap<Height>& maxima, const SurfaceSettings& settings, std::uint32_t width);
     void set_view(const PictureSight& sight);
 

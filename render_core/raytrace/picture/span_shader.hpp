@@ -1,6 +1,6 @@
-/// From what up to 64 rays met to the light that comes along them: all operators of shading that settings ask for.
+/// Shades the hits of up to 64 rays with all operators of shading that the settings select.
 ///
-/// Pure but for the terrain that it asks; any thread. A place's light depends on its ray alone, not on the places beside it.
+/// Pure, apart from queries to the terrain; any thread. The light of a hit depends on its ray alone.
 #pragma once
 
 #include "render_core/raytrace/picture/span_light.hpp"
@@ -10,8 +10,8 @@ namespace tedavis::raytrace {
 
 /// Rays in the scene's grid space.
 struct SpanRays {
-    glm::dvec3 origin{0};                 ///< of all, where `origins` is null
-    const glm::dvec3* origins = nullptr;  ///< one a ray
+    glm::dvec3 origin{0};                 ///< of all rays, where `origins` is null
+    const glm::dvec3* origins = nullptr;  ///< one per ray
     float direction[3][PixelSpan::kMax];  ///< [x, y, z][ray]
 
     [[nodiscard]] Ray ray(std::uint32_t n) const;
@@ -23,15 +23,15 @@ struct SpanShader {
     const TracedTerrain* terrain = nullptr;
     ShadingMaps<Height> maps;
     const TraceLook* look = nullptr;
-    double pixel_width_m = 0;  ///< of a pixel where t is 1, for averages; 0: none
+    double pixel_width_m = 0;  ///< width of a pixel at t = 1, for averages; 0: no averages
 
-    /// `seeds` number the rays, for paths. The surface's slopes may be changed: by averages.
+    /// Writes the light. `seeds` number the rays, for paths. Averages may change the surface's slopes.
     void shade(const SpanRays& rays, const std::uint32_t* seeds, SpanSurface& surface, glm::vec3* light) const;
-    /// Posts that a pixel covers at `t`.
+    /// Number of posts that a pixel covers at `t`.
     [[nodiscard]] double footprint(float t) const;
-    /// The share of light that the place mirrors.
+    /// The share of light that hit n reflects as a mirror.
     [[nodiscard]] float mirror_of(const SpanSurface& surface, std::uint32_t n) const;
-    /// The ray that a mirror at place n sends on.
+    /// The ray that is reflected at hit n.
     [[nodiscard]] Ray mirrored(const SpanRays& rays, const SpanSurface& surface, std::uint32_t n) const;
 
 private:

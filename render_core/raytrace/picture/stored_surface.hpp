@@ -1,8 +1,8 @@
-/// A surface sampled more finely than its posts, once, so that the vector kernel can trace it: `parts` posts to one of the grid,
-/// bilinear between. Of approximate_bicubic with as many subdivisions it is the very same surface (heights rounded to float);
-/// micro-structure is what it is at the fine posts.
+/// A surface that is sampled once on a finer grid, with `parts` posts per post and bilinear between, so that the vector kernel
+/// can trace it. It equals approximate_bicubic with as many subdivisions (heights rounded to float); micro-structure is sampled
+/// at the fine posts.
 ///
-/// Memory  an arena's: parts^2 floats a post. Thread  build() uses the workers.
+/// Memory  an arena's: parts^2 floats per post. Thread  build() uses the workers.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -15,10 +15,10 @@ namespace tedavis::raytrace {
 template <class Height>
 class StoredSurface {
 public:
-    /// 0 where the fine grid would have too many posts.
+    /// Returns the bytes of the arena; 0 where the fine grid would have too many posts.
     [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, std::uint32_t parts);
-    /// False where the arena has no room, or too many posts would come of it. The grid is borrowed until build() has ended; of
-    /// the settings, `subdivisions` are the parts.
+    /// Allocates memory; returns false where the arena is too small or the fine grid would have too many posts. The grid must
+    /// stay valid until build() has ended; `settings.subdivisions` is the number of parts.
     [[nodiscard]] bool start(const HeightGrid<Height>& grid, const SurfaceSettings& settings, base::Arena& arena);
     void build(base::Workers& workers);
 

@@ -1,5 +1,5 @@
-/// What regions cost to be traced, by settings and by what they show: measured by the caller (the core has no clock), and
-/// followed by an exponential mean. Plain data; equal measurements give equal tables.
+/// Times to trace regions, by settings and by what they show: measured by the caller (the core has no clock) and averaged
+/// exponentially. Plain data; equal measurements give equal tables.
 #pragma once
 
 #include "render_core/raytrace/picture/region_view.hpp"
@@ -8,18 +8,19 @@ namespace tedavis::raytrace {
 
 struct TraceCosts {
     static constexpr std::uint32_t kMaxLevels = PictureVariants::kMax;
-    static constexpr float kMemory = 0.75f;  ///< of the old mean that stays with a measurement
+    static constexpr float kMemory = 0.75f;  ///< weight of the old mean after a measurement
 
-    float ms[kMaxLevels][kRegionKinds] = {};  ///< of a region
+    float ms[kMaxLevels][kRegionKinds] = {};  ///< per region
     bool is_measured[kMaxLevels][kRegionKinds] = {};
 
     [[nodiscard]] float of(std::uint32_t level, RegionKind kind) const { return ms[level][static_cast<std::size_t>(kind)]; }
-    /// Before anything has been measured.
+    /// Sets an expected cost before anything has been measured.
     void expect(std::uint32_t level, RegionKind kind, float region_ms);
-    /// A region, or the mean of several. The first measurement takes the place of what was expected. What is not above 0 and
-    /// finite is left out.
+    /// Adds the time of a region, or the mean of several. The first measurement replaces the expected cost. Values that are not
+    /// finite and above 0 are ignored.
     void measure(std::uint32_t level, RegionKind kind, float region_ms);
-    /// A whole picture whose regions had these levels: where only its time is known. All costs that took part are scaled alike.
+    /// Adds the time of a whole picture whose regions had these levels, where only that is known. All costs involved are scaled
+    /// by the same factor.
     void measure_picture(base::Span<const RegionView> regions, base::Span<const std::uint8_t> levels, float picture_ms);
     [[nodiscard]] double sum(base::Span<const RegionView> regions, base::Span<const std::uint8_t> levels) const;
 };

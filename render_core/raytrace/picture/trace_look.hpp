@@ -1,5 +1,5 @@
-/// What a traced picture shows besides the surface: lights, materials, data, trajectories. Colours are linear; lengths metres in
-/// a frame with the axes of grid space (GridScale). Borrowed memory must stay while pictures are drawn.
+/// The look of a traced picture: lights, materials, data, trajectories. Colours are linear; lengths are metres in a frame with
+/// the axes of grid space (GridScale). Borrowed memory must stay valid while pictures are drawn.
 #pragma once
 
 #include "render_core/raytrace/shading/data_color.hpp"
@@ -8,17 +8,17 @@
 
 namespace tedavis::raytrace {
 
-/// Colour by height: linear between colours at equal distances, and the first and last beyond them.
+/// Colour by height: linear between equally spaced colours, constant beyond the first and last.
 struct GroundColors {
     base::Span<const glm::vec3> palette;  ///< empty: `material.colour` everywhere
-    float lowest = 0, highest = 1;        ///< height steps; different
+    float lowest = 0, highest = 1;        ///< height steps; must differ
 };
 
 struct TraceLook {
     DirectedLight sun;
     glm::vec3 sky{0.25f};        ///< light of the sky on the ground
-    glm::vec3 background{0.6f};  ///< what rays that meet nothing see
-    Material material;           ///< of the ground; its mirror counts only up to `mirror_below`
+    glm::vec3 background{0.6f};  ///< colour of rays without a hit
+    Material material;           ///< of the ground; it reflects only up to `mirror_below`
     GroundColors ground;
     float mirror_below = std::numeric_limits<float>::lowest();  ///< height steps: water
     DataGrid values, uncertainties;

@@ -1,16 +1,16 @@
-/// Draws a traced picture: its stages as tasks of the functional model, run by the token stream on any number of workers (thesis
-/// 6.2.2.3), or called directly, which gives the same picture, bit for bit.
+/// Draws a traced picture. Its stages are tasks of the functional model, run by the token stream on any number of workers
+/// (thesis 6.2.2.3), or called directly; both give the same picture bit for bit.
 ///
 ///     tiles ──> primary ──> [spans] ──> shade ──> set pixel
 ///                            trace <────┘   │       ^ ^
 ///                             └─> trace ────│───────┘ │      recursive: mirrors
 ///                                           └─> resample     more rays where a pixel covers much
 ///
-/// Without mirrors and supersampling there are no spans: a tile goes from stage to stage in the cache.
+/// Without mirrors and supersampling there are no spans: a tile passes all stages while it is in the cache.
 ///
 /// Tasks may be replaced, inserted and removed between rounds: network() and tasks().
 ///
-/// Memory  an arena's, at start; nothing afterwards. One caller.
+/// Memory  from an arena, at start; nothing is allocated afterwards. One caller.
 #pragma once
 
 #include "render_core/raytrace/picture/trace_stages.hpp"
@@ -35,15 +35,15 @@ public:
     TracePicture& operator=(const TracePicture&) = delete;
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t width, std::uint32_t height, const StreamSettings& stream);
-    /// Gives the bytes taken, or a sentence.
+    /// Returns the allocated bytes, or one sentence.
     [[nodiscard]] Answer start(std::uint32_t width, std::uint32_t height, const StreamSettings& stream, base::Arena& arena);
 
-    /// See TraceStages::begin(). Makes the network of these settings anew, and fills the stream: false where it has no room. Then
-    /// rewrite() until it says that it is finished, or draw_directly().
+    /// See TraceStages::begin(). Builds the network for these settings and fills the stream; returns false where the stream has
+    /// no room. Afterwards call rewrite() until it is finished, or draw_directly().
     [[nodiscard]] bool begin(const TracedScene<Height>& scene, const TraceLook& look, const PictureVariants& variants,
                              base::Span<std::uint8_t> rgb8);
     [[nodiscard]] StreamRewriter::Answer rewrite(base::Workers& workers, std::uint32_t most_rounds = kManyRounds);
-    /// Forgets the stream, if begin() filled it.
+    /// Draws without the stream, which is cleared.
     void draw_directly(base::Workers& workers);
 
     [[nodiscard]] TaskNetwork& network() { return network_; }

@@ -1,20 +1,21 @@
-/// Settings that favour one of what a picture costs (thesis 6.2.2.3). A design may start from one and change single operators.
+/// Settings that favour one of time, quality and memory (thesis 6.2.2.3). A design may start from one and change single
+/// operators.
 #pragma once
 
 #include "render_core/raytrace/picture/trace_settings.hpp"
 
 namespace tedavis::raytrace {
 
-/// Shortest time: the vector kernel on the true surface, Lambert's light, nothing besides. Spends: two bounds a cell, 4/3 Height.
-/// Saves: every ray but the first, and all maps.
+/// Shortest time: the vector kernel on the true surface with Lambert's light only. It needs two bounds per cell (4/3 Height)
+/// and neither secondary rays nor maps.
 [[nodiscard]] TraceSettings time_preset();
 
-/// Best picture: bicubic patches, met exactly; apertures and cast shadows; supersampling; one mirror. Spends: time above all
-/// (each ray alone, in double), 7 bytes a post for the apertures. Saves nothing.
+/// Best picture: exact hits of bicubic patches, apertures and cast shadows, supersampling, one mirror. It needs much time (each
+/// ray separately, in double) and 7 bytes per post for the apertures.
 [[nodiscard]] TraceSettings quality_preset();
 
-/// Least memory: nothing but heights and their maxima. What maps would hold is left out (sky view) or paid for by rays (shadows;
-/// supersampling instead of the average mipmap). Spends: time where rays are many. Give it int16 heights.
+/// Least memory: only heights and their maxima. Maps are omitted (sky view) or replaced by rays (shadows; supersampling instead
+/// of the average mipmap), which takes time. Use int16 heights.
 [[nodiscard]] TraceSettings memory_preset();
 
 }  // namespace tedavis::raytrace

@@ -1,4 +1,4 @@
-/// Which operators draw a traced picture (thesis 6.2.2.2): plain data.
+/// The operators that draw a traced picture (thesis 6.2.2.2). Plain data.
 #pragma once
 
 #include "render_core/raytrace/surface/surface_settings.hpp"
@@ -7,16 +7,16 @@ namespace tedavis::raytrace {
 
 enum class Antialiasing : std::uint8_t {
     none,
-    average_mipmap,  ///< slopes of what a pixel covers are averaged; outlines stay as they are
+    average_mipmap,  ///< slopes are averaged over a pixel; outlines are not smoothed
     supersampling,   ///< more rays where a pixel covers more than half a post (pixel_footprint.hpp)
 };
 
 enum class Shading : std::uint8_t { none, lambert, phong };
 
 enum class Ambient : std::uint8_t {
-    none,       ///< the sky lights every place alike
-    sky_view,   ///< as much of it as the place sees
-    apertures,  ///< so too, and the sun only as far as the place sees it, without a ray; moves with the sun
+    none,       ///< the sky lights every point equally
+    sky_view,   ///< sky light in proportion to the visible sky
+    apertures,  ///< the same, and sunlight in proportion to the visible sun, without a shadow ray
 };
 
 struct TraceSettings {
@@ -24,22 +24,23 @@ struct TraceSettings {
     static constexpr std::uint32_t kMaxMirrors = 8;
 
     SurfaceSettings surface;
-    /// The surface is sampled `surface.subdivisions` times as finely, once at start, micro-structure included, and bilinear
-    /// between: the vector kernel traces it then. Of approximate_bicubic it is the same surface, but for the micro-structure.
+    /// The surface is sampled once at start, `surface.subdivisions` times as finely, micro-structure included, with bilinear
+    /// interpolation, so that the vector kernel can trace it. For approximate_bicubic it is the same surface, except for the
+    /// micro-structure.
     bool is_surface_stored = false;
     Antialiasing antialiasing = Antialiasing::none;
-    std::uint32_t rays_along = 2;  ///< at most, along each side of a pixel that is supersampled; 1..kMaxRaysAlong
+    std::uint32_t rays_along = 2;  ///< largest number of rays along each side of a supersampled pixel; 1..kMaxRaysAlong
     Shading shading = Shading::lambert;
     Ambient ambient = Ambient::none;
-    bool has_shadows = false;   ///< a ray to the sun from each place
-    std::uint32_t mirrors = 0;  ///< reflections of a ray that are followed, 0..kMaxMirrors
-    std::uint32_t paths = 0;    ///< 0: local light; else so many paths a pixel of up to `bounces` rays (traced_light.hpp)
+    bool has_shadows = false;   ///< a ray to the sun from each hit
+    std::uint32_t mirrors = 0;  ///< largest number of reflections of a ray, 0..kMaxMirrors
+    std::uint32_t paths = 0;    ///< 0: local light; else paths per pixel, each of up to `bounces` rays (traced_light.hpp)
     std::uint32_t bounces = 2;
-    bool has_data = false;      ///< colour of data and their certainty (TraceLook)
+    bool has_data = false;      ///< colours of data and their uncertainty (TraceLook)
     bool has_capsules = false;  ///< trajectories (TraceLook)
 };
 
-/// Traced by the vector kernel, on the posts or on the stored surface; else ray by ray.
+/// True where the vector kernel traces the posts or the stored surface; else rays are traced one by one.
 [[nodiscard]] constexpr bool is_kernel_surface(const TraceSettings& settings) {
     return settings.is_surface_stored || (!is_cubic(settings.surface.kind) && settings.surface.micro.kind == MicroKind::none);
 }

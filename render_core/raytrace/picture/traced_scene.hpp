@@ -1,7 +1,7 @@
-/// What a picture's settings need to have prepared at start: bounds, stored surface, averages, sky map; and what it takes.
+/// The data that a picture's settings need, prepared at start: bounds, stored surface, averages, sky map; and their memory.
 ///
-/// Memory  an arena's, at start. start(), then build() with workers, then set_view() before each picture; reading from any
-/// thread. Where posts have changed, build() again.
+/// Call start(), then build() with workers, then set_view() before each picture. When posts have changed, call build() again.
+/// Memory  from an arena, at start. Thread  reading from any thread.
 #pragma once
 
 #include "render_core/base/fault_text.hpp"
@@ -17,7 +17,7 @@ namespace tedavis::raytrace {
 
 struct SceneSize {
     static constexpr std::uint32_t kMaxSide = 16384;
-    std::uint32_t width = 0, height = 0;  ///< of pictures
+    std::uint32_t width = 0, height = 0;  ///< size of pictures
     std::uint32_t sky_azimuths = 16, sky_radius = 64;
 };
 
@@ -26,7 +26,7 @@ struct PreparedItem {
     std::uint64_t bytes = 0;
 };
 
-/// Maps that shading reads, null where the settings need none.
+/// Maps for shading; null where the settings do not need them.
 template <class Height>
 struct ShadingMaps {
     const SkyMap<Height>* sky = nullptr;
@@ -40,23 +40,23 @@ public:
     using Answer = base::Result<std::uint64_t, base::FaultText>;
     static constexpr std::size_t kMaxItems = 8;
 
-    /// Enough for start().
+    /// Bytes that suffice for start().
     [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings);
-    /// For pictures with any of `settings`; those that are not traced by the kernel on the posts themselves must agree about
-    /// their surface. The grid is borrowed and must stay. Gives the bytes taken, or a sentence.
+    /// Prepares pictures with any of `settings`; settings that are not traced by the kernel on the posts must have the same
+    /// surface. The grid must outlive the scene. Returns the allocated bytes, or one sentence.
     [[nodiscard]] Answer start(const HeightGrid<Height>& grid, const GridScale& scale, base::Span<const TraceSettings> settings,
                                const SceneSize& size, base::Arena& arena);
     void build(base::Workers& workers);
-    /// `kernel` and `fine_kernel` are of view_kernels().
+    /// Sets the view. `kernel` and `fine_kernel` are from view_kernels().
     void set_view(const PictureSight& sight, const ViewKernel<Height>& kernel, const ViewKernel<float>& fine_kernel);
 
-    /// Of settings that the scene has been started for.
+    /// Returns the terrain for settings with which the scene was started.
     [[nodiscard]] const TracedTerrain& terrain(const TraceSettings& settings) const;
     [[nodiscard]] ShadingMaps<Height> maps() const;
     [[nodiscard]] const PictureSight& sight() const { return sight_; }
     [[nodiscard]] const GridScale& scale() const { return scale_; }
     [[nodiscard]] const SceneSize& size() const { return size_; }
-    /// What lies in the arena; not the heights, which are the caller's.
+    /// The items in the arena, without the heights, which the caller owns.
     [[nodiscard]] base::Span<const PreparedItem> items() const { return {items_.data(), items_.size()}; }
     [[nodiscard]] std::uint64_t bytes() const;
 

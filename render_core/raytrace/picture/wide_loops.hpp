@@ -1,5 +1,5 @@
-/// Plain loops over arrays, compiled also for the wider vectors of x86; which are taken is found out when the program is loaded.
-/// Bits are the same: nothing is fused or reordered.
+/// Compiles loops over arrays also for the wider vectors of x86; the variant is selected when the program is loaded. All
+/// variants give the same bits: operations are neither fused nor reordered.
 #pragma once
 
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \

@@ -1,8 +1,8 @@
-/// The first point at which a ray meets the surface of one cell, for every surface of surface/.
+/// Finds the first hit of a ray with the surface of one cell, for every surface of surface/.
 ///
-/// Whether it is met is decided by the signs of the heights above the surface at both ends of the stretch, as patch and
-/// micro-structure give them, then by what happens between; never by a discriminant alone (NUMERICS A20). Ends on the side of a
-/// cell are equal bit for bit in its neighbour, so no ray slips between cells.
+/// A hit is decided by the signs of the heights above the surface (patch and micro-structure) at both ends of the segment, then
+/// by the search between; never by a discriminant alone (NUMERICS A20). Ends on the side of a cell are equal bit for bit in its
+/// neighbour, so no ray passes between cells.
 ///
 /// | surface | between the ends | error of s |
 /// |---|---|---|
@@ -12,7 +12,7 @@
 /// | approximate bicubic | each small cell as bilinear | rounding |
 /// | any with micro-structure | stepwise_crossing.hpp: steps that cannot pass the surface | see there |
 ///
-/// A ray that begins on the surface meets it there. Pure; any thread; bounded.
+/// A ray that begins on the surface hits it there. Pure; any thread; bounded.
 #pragma once
 
 #include "render_core/raytrace/search/cell_ray.hpp"
@@ -21,7 +21,7 @@ namespace tedavis::raytrace {
 
 [[nodiscard]] Crossing first_crossing(const CellPatch& patch, const MicroStructure& micro, const CellRay& ray);
 
-/// The first root in [0, 1] of the quadratic with value g0 > 0 at 0, g1 at 1, and coefficient a of s^2.
+/// Returns the first root in [0, 1] of the quadratic with value g0 > 0 at 0, g1 at 1, and coefficient a of s^2.
 [[nodiscard]] Crossing first_root(double g0, double g1, double a);
 
 }  // namespace tedavis::raytrace

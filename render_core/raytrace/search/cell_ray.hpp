@@ -1,4 +1,4 @@
-/// A stretch of a ray within one cell, and where it meets the surface there.
+/// A segment of a ray within one cell, and its hit there.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,11 @@ struct RayPoint {
     double z = 0;
 };
 
-/// From one point of a ray to a later one, both in (or on the sides of) one cell. Points between are linear.
+/// A segment from one point of a ray to a later one, both in (or on the sides of) one cell.
 struct CellRay {
     RayPoint from, to;
 
-    /// s from 0 to 1.
+    /// Returns the point at s, 0..1.
     [[nodiscard]] RayPoint at(double s) const {
         const auto between = [s](double a, double b) { return (1 - s) * a + s * b; };
         RayPoint point = from;
@@ -32,7 +32,7 @@ struct CellRay {
 struct Crossing {
     bool is_met = false;
     bool is_from_below = false;
-    double s = 0;  ///< along the stretch, 0..1
+    double s = 0;  ///< position on the segment, 0..1
 };
 
 }  // namespace tedavis::raytrace

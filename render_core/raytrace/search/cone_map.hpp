@@ -1,5 +1,5 @@
-/// **Inexact.** Where a ray meets a bilinear surface, by steps as long as a cone over each post allows (relaxed cone stepping:
-/// Policarpo and Oliveira 2007).
+/// **Inexact.** Finds the hit of a ray with a bilinear surface by steps that a cone over each post permits (relaxed cone
+/// stepping: Policarpo and Oliveira 2007).
 ///
 /// The cone of a post stands on its tip there, so wide that a ray which is lowered within it enters the surface at most once, as
 /// far as the map looked. A step goes to where the ray leaves the cone of the nearest post; the first step that ends below the

@@ -1,4 +1,4 @@
-/// **Inexact.** Where a ray may begin because the ray of the pixel below it went as far without meeting anything.
+/// **Inexact.** Starts a ray at the distance that the ray of the pixel below it passed without a hit.
 ///
 /// In a picture of ground from above, what a pixel sees is mostly farther than what the pixel below it sees, so the rays of a
 /// column go on where the last one ended (after Lee and Shin 1997, who prove it for vertical planes; here for any view, as a

@@ -1,5 +1,5 @@
-/// **Inexact.** The first point of a surface on a ray, found by uniform steps and halvings (uniform_search.hpp): within the cells
-/// that the maximum mipmap leaves, or over the whole ray without it, as the thesis's tracer does.
+/// **Inexact.** Finds the first hit of a ray with a surface by uniform steps and bisection (uniform_search.hpp): within the
+/// cells that the maximum mipmap leaves, or over the whole ray without it, as the thesis's tracer does.
 ///
 /// What goes wrong within cells: what dips into a cell and out again between two steps. With four steps a cell no ray in ten
 /// thousand is off by more than a cell (test_search_surface.cpp). Over the whole ray: everything that uniform_search.hpp says.

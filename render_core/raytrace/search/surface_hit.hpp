@@ -1,4 +1,4 @@
-/// What a ray met of a surface.
+/// The hit of a ray with a surface.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ struct SurfaceHit {
     HitSide side = HitSide::none;
     double t = std::numeric_limits<double>::infinity();
     CellPlace place;
-    double height = 0;     ///< of the surface there, not of the ray
+    double height = 0;     ///< height of the surface, not of the ray
     glm::dvec2 slopes{0};  ///< along x and y
 };
 
-/// What a trace took.
+/// Counters of a trace.
 struct TraceCounts {
     std::uint64_t nodes = 0, cells = 0;
 };

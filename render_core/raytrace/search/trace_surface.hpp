@@ -1,9 +1,10 @@
-/// The first point of any surface of surface/ on a ray: the tracer for smooth and micro-structured surfaces, one ray at a time.
+/// Finds the first hit of a ray with any surface of surface/: the tracer for smooth and micro-structured surfaces, one ray at a
+/// time.
 ///
-/// Nodes of the maximum mipmap (Tevs et al. 2008), whose bounds must be those of this surface (surface_bounds.hpp), then the
-/// crossing of each cell (cell_crossing.hpp). Double throughout, and with no part of the SIMD tracer's arithmetic: it also serves
-/// as that one's reference. A ray that begins below the surface meets it from below; one that enters through the border, or from
-/// a cell without a surface, below what lies there does as well.
+/// It traverses the maximum mipmap (Tevs et al. 2008), whose bounds must be those of this surface (surface_bounds.hpp), and
+/// tests cells by cell_crossing.hpp. All arithmetic is in double and shares nothing with the SIMD tracer, whose reference it
+/// is. A ray that begins below the surface hits it from below; so does one that enters below the surface through the border or
+/// from a cell without a surface.
 ///
 /// Pure; any thread; bounded by the nodes that a line crosses.
 #pragma once

@@ -1,5 +1,5 @@
-/// **Inexact.** Where a ray meets any height function, by uniform steps and halvings (Policarpo, Oliveira and Comba 2005; the
-/// thesis's default, 6.2.2.2): the fast mode that needs nothing of a surface but its height at a place.
+/// **Inexact.** Finds the hit of a ray with any height function by uniform steps and bisection (Policarpo, Oliveira and Comba
+/// 2005; the thesis's default, 6.2.2.2): a fast method that only needs the surface's height at a point.
 ///
 /// What goes wrong: whatever is thinner along the ray than a step is passed over; near the horizon 2.83-cell steps got 2.8 % of
 /// rays wrong by more than a cell, 0.35-cell steps 0.37 % (NUMERICS finding 5), and halvings mend none of those, as they only
@@ -28,7 +28,7 @@ struct SearchedPlace {
     double t = 0;
 };
 
-/// `gap(t)` is the ray's height above the surface, or no number where there is none: what lies beyond that is begun anew.
+/// `gap(t)` is the ray's height above the surface, or NaN where there is no surface; the search restarts behind such a part.
 template <class Gap>
 [[nodiscard]] SearchedPlace search_uniformly(const Gap& gap, double from, double to, const UniformSearch& search) {
     double before = gap(from), last = from;

@@ -1,4 +1,5 @@
-/// A ray through a maximum mipmap (Tevs et al. 2008): past every node that it lies above, down into the cells of the others.
+/// Traverses a maximum mipmap with a ray (Tevs et al. 2008): skips every node that the ray lies above, and descends to the
+/// cells of the others.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 namespace tedavis::raytrace {
 
-/// `look(walk)` says what is met in the walk's cell; the first that meets anything ends it. Cells come in the order of the ray.
+/// Calls `look(walk)` for the cells in the order of the ray; the first call that returns a hit ends the traversal.
 template <class Height, class Look>
 [[nodiscard]] SurfaceHit walk_nodes(const HeightMipmap<Height>& maxima, const Ray& ray, TraceCounts& counts, const Look& look) {
     const std::uint32_t top = maxima.levels() - 1;

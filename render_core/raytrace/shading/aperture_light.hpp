@@ -1,5 +1,5 @@
-/// Light through the aperture of a place (ambient aperture lighting: Oat and Sander 2007): a round sun that the terrain may hide
-/// in part, and the sky beside it. Moves with the sun, without a ray.
+/// Light through the aperture of a point (ambient aperture lighting: Oat and Sander 2007): a round sun that the terrain may
+/// hide in part, and the sky. The sun may move, and no shadow ray is needed.
 #pragma once
 
 #include "render_core/raytrace/shading/cap_overlap.hpp"
@@ -12,11 +12,11 @@ inline constexpr double kSunRadius_rad = 0.00465;
 enum class OverlapKind : std::uint8_t { exact, smooth };
 
 struct ApertureLight {
-    double sun = 0;  ///< how much of the sun is seen, 0..1
-    double sky = 0;  ///< light of an even sky on the surface, 0..1
+    double sun = 0;  ///< visible share of the sun, 0..1
+    double sky = 0;  ///< light of a uniform sky on the surface, 0..1
 };
 
-/// `towards_sun` and `normal` are unit vectors in a frame in metres. A sun of no size is seen or not.
+/// `towards_sun` and `normal` are unit vectors in a frame in metres. A sun of size 0 is visible or not.
 [[nodiscard]] ApertureLight aperture_light(const Aperture& aperture, const glm::dvec3& normal, const glm::dvec3& towards_sun,
                                            double sun_radius_rad, OverlapKind kind);
 

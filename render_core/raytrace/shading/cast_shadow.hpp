@@ -1,9 +1,9 @@
-/// Whether a point of the surface is in the shadow of the terrain: one more ray, from the point to the light.
+/// Cast shadows: whether the terrain hides the light from a point of the surface, by one ray to the light.
 ///
-/// The ray must not meet the surface that it starts from because rounding put its start below it, and must not start so high that
-/// light leaks under what stands next to it. So it starts on the surface itself (not where the eye's ray was when it met it,
-/// which is off by that ray's rounding, more with the distance) and is lifted by a bound of the rounding errors of the tracer
-/// that follows it (Pharr, Jakob and Humphreys 2023, 6.8), not by a fixed length (Dammertz and Keller 2006; NUMERICS A22).
+/// The ray must not hit its own surface because of rounding, and must not start so high that light leaks below neighbouring
+/// terrain. So it starts on the surface itself (not at the hit of the view ray, whose rounding error grows with the distance)
+/// and is lifted by a bound of the rounding errors of the tracer (Pharr, Jakob and Humphreys 2023, 6.8), not by a fixed length
+/// (Dammertz and Keller 2006; NUMERICS A22).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,30 +13,30 @@
 
 namespace tedavis::raytrace {
 
-/// Asks whoever traces: true where anything lies on a ray.
+/// Port: returns true where anything lies on a ray.
 struct OcclusionTest {
     bool (*is_occluded)(const void* context, const Ray& ray) = nullptr;
     const void* context = nullptr;
 };
 
-/// How precise the tracer is that follows the ray.
+/// The precision of the tracer.
 struct TracerPrecision {
-    double rounding = 0x1p-24;  ///< of its numbers: 2^-24 for floats relative to the origin's cell, 2^-53 for doubles
-    double operations = 16;     ///< how many roundings may add up in a height
+    double rounding = 0x1p-24;  ///< unit roundoff: 2^-24 for floats relative to the origin's cell, 2^-53 for doubles
+    double operations = 16;     ///< number of roundings that may add up in a height
 };
 
-/// How far above a surface point a ray must start, in height steps: roundings of heights of this size, and of places within a
-/// cell on a slope of this steepness.
+/// Returns how far above a surface point a ray must start, in height steps: a bound of the rounding of its height, and of its
+/// position in the cell on its slope.
 [[nodiscard]] double lift_above(const SurfacePoint& point, const TracerPrecision& precision);
 
-/// From a surface point at (x, y) of grid space along a direction of grid space, to infinity.
+/// Returns the ray from a surface point at (x, y) along a direction, both in grid space, to infinity.
 [[nodiscard]] Ray ray_from_surface(double x, double y, const SurfacePoint& point, const glm::dvec3& direction,
                                    const TracerPrecision& precision);
 
-/// A direction in metres as one of grid space.
+/// Converts a direction in metres to grid space.
 [[nodiscard]] glm::dvec3 in_grid_space(const glm::dvec3& direction, const GridScale& scale);
 
-/// True where the surface faces away from the light, or something hides it. `towards_light` in metres.
+/// Returns true where the surface faces away from the light or terrain hides it. `towards_light` is in metres.
 [[nodiscard]] bool is_in_shadow(double x, double y, const SurfacePoint& point, const glm::dvec3& towards_light,
                                 const GridScale& scale, const OcclusionTest& test, const TracerPrecision& precision);
 

@@ -1,9 +1,8 @@
-/// The colour of spatial data and of how certain they are, at a place of the ground (thesis 7: intrinsic display in the traced
+/// The colour of spatial data and their uncertainty at a point of the ground (thesis 7: intrinsic display in the traced
 /// picture).
 ///
-/// Two grids over the terrain: a value, that picks a colour of a palette, and an uncertainty, that picks how transparent it is.
-/// Where either has none, nothing of the terrain's own colour is covered. No unknown value is interpolated over. Pure; any
-/// thread.
+/// Two grids over the terrain give a value, which selects a colour of a palette, and an uncertainty, which sets its
+/// transparency. Where either is missing, the terrain's colour is shown. Missing values are not interpolated. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -14,24 +13,24 @@
 
 namespace tedavis::raytrace {
 
-/// Values at regular posts; NaN where there is none. Borrowed.
+/// Values at regular posts; NaN where missing. Borrowed.
 struct DataGrid {
     const float* values = nullptr;  ///< row by row
     std::uint32_t columns = 0, rows = 0;
-    double first_x = 0, first_y = 0;  ///< of the first post, in the grid space of the terrain
-    double step_x = 1, step_y = 1;    ///< from post to post, in posts of the terrain; not 0
+    double first_x = 0, first_y = 0;  ///< position of the first post, in the terrain's grid space
+    double step_x = 1, step_y = 1;    ///< spacing of posts, in posts of the terrain; not 0
 };
 
 struct DataColor {
     glm::vec3 colour{0};
-    float cover = 0;  ///< 0: the terrain alone; 1: the data alone
+    float cover = 0;  ///< 0: only the terrain's colour; 1: only the data's
 };
 
 struct DataLegend {
     base::Span<const glm::vec3> palette;  ///< from the lowest value to the highest; classes of equal width
     float lowest = 0, highest = 1;        ///< beyond them the first and last colour
-    float certain = 0, uncertain = 1;     ///< uncertainties with full and with no cover; linear between
-    float cover = 1;                      ///< of what is certain
+    float certain = 0, uncertain = 1;     ///< uncertainties with full and with no opacity; linear between
+    float cover = 1;                      ///< opacity of certain data
 };
 
 /// Bilinear between four posts that all have values; NaN elsewhere.

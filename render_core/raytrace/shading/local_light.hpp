@@ -1,7 +1,6 @@
-/// Light that a surface reflects by itself: material colour, Lambert's diffuse and Phong's glossy part (Lambert 1760; Phong
-/// 1975).
+/// Local illumination: material colour, Lambert's diffuse and Phong's glossy part (Lambert 1760; Phong 1975).
 ///
-/// Colours are linear; all vectors are unit vectors in a frame in metres. Pure; no function of the C library but sqrt.
+/// Colours are linear; all vectors are unit vectors in a frame in metres. Pure; of the C library only sqrt is used.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 namespace tedavis::raytrace {
 
 struct Material {
-    glm::vec3 colour{0.5f};        ///< what it reflects of each colour, 0..1
+    glm::vec3 colour{0.5f};        ///< reflectance of each colour, 0..1
     float gloss = 0;               ///< share of Phong's highlight, 0..1
     std::uint32_t sharpness = 16;  ///< exponent of the highlight, 1..65536
     float mirror = 0;              ///< share of light that it reflects as a mirror, 0..1; only in traced_light.hpp
@@ -28,7 +27,7 @@ struct DirectedLight {
     return std::max(0.0, glm::dot(normal, towards_light));
 }
 
-/// x to a whole power, by squarings: equal on every machine.
+/// x to an integer power, by squarings: equal on every machine.
 [[nodiscard]] inline double whole_power(double x, std::uint32_t exponent) {
     double power = 1;
     for (; exponent != 0; exponent >>= 1, x *= x)
@@ -36,7 +35,7 @@ struct DirectedLight {
     return power;
 }
 
-/// 0 where the light is behind the surface, or the mirrored light goes away from the eye.
+/// Phong's term; 0 where the light is behind the surface, or its reflection points away from the eye.
 [[nodiscard]] inline double phong(const glm::dvec3& normal, const glm::dvec3& towards_light, const glm::dvec3& towards_eye,
                                   std::uint32_t sharpness) {
     const double cosine = glm::dot(normal, towards_light);
@@ -45,7 +44,8 @@ struct DirectedLight {
     return along <= 0 ? 0 : whole_power(std::min(along, 1.0), sharpness);
 }
 
-/// From all sides alike (`sky`, times how much of the sky the place sees, 0..1), and from the light (times how much of it, 0..1).
+/// Returns the reflected light of a uniform sky (`sky` times its visible share, 0..1) and of the directed light (times its
+/// visible share, 0..1).
 [[nodiscard]] inline glm::vec3 local_light(const Material& material, const glm::dvec3& normal, const glm::dvec3& towards_eye,
                                            const DirectedLight& light, double light_seen, const glm::vec3& sky, double sky_seen) {
     const auto diffuse = static_cast<float>(light_seen * lambert(normal, light.towards));

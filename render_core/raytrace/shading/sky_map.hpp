@@ -1,9 +1,9 @@
-/// How much of the sky each post sees: ambient occlusion (Zhukov et al. 1998; Pharr and Green 2004) and ambient apertures (Oat
-/// and Sander 2007), precomputed from horizons.
+/// The sky visible from each post: ambient occlusion (Zhukov et al. 1998; Pharr and Green 2004) and ambient apertures (Oat and
+/// Sander 2007), precomputed from horizons.
 ///
-/// The horizon is looked for along some azimuths, out to a radius, where the ray crosses columns or rows of posts (whichever it
-/// crosses more of), between whose posts heights are linear; it is nowhere below the horizontal, nor below the plane of the
-/// surface itself. Voids and what lies beyond the border hide nothing.
+/// The horizon is searched along a number of azimuths, out to a radius, where the ray crosses columns or rows of posts
+/// (whichever are more), with heights interpolated linearly between posts. It is never below the horizontal, nor below the
+/// tangent plane of the surface. Voids and the outside of the grid hide nothing.
 ///
 /// - Sky view: the share of the light of an even sky that falls on the surface (Dozier and Frew 1990). A plane has exactly 1
 /// where it
@@ -12,11 +12,11 @@
 ///   it lies between them: that is the method's error (NUMERICS A29), none of precision.
 ///
 /// What is inexact: few azimuths (error about n^-1.6) and above all a short radius, which makes it too light (NUMERICS A28 has
-/// figures; the radius decides). Stored in 8 and 16 bits. No function of the C library but sqrt takes part: equal maps
-/// everywhere.
+/// figures; the radius decides). Results are stored in 8 and 16 bits. Of the C library only sqrt is used, so maps are equal on
+/// every machine.
 ///
-/// Memory  from an arena: 1 byte a post, 7 with apertures. Thread  build() uses the workers; reading any. Cost of build():
-/// azimuths times radius posts a post.
+/// Memory  from an arena: 1 byte per post, 7 with apertures. Thread  build() uses the workers; reading any. Cost of build():
+/// azimuths times radius posts per post.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -39,24 +39,25 @@ struct SkyMapSettings {
     bool has_apertures = false;
 };
 
-/// A cone through which sky is seen.
+/// A cone through which the sky is visible.
 struct Aperture {
     glm::dvec3 axis{0, 0, 1};  ///< unit vector
-    double cos_radius = 0;     ///< 0: half of all directions; 1: none
+    double cos_radius = 0;     ///< 0: a hemisphere; 1: nothing
 };
 
-/// Of one place, as precise as doubles are.
+/// The result for one point, in double precision.
 struct SkySeen {
     double view = 1;
     Aperture aperture;
 };
 
-/// Highest tangent of elevation over the posts along one azimuth, 0 or more. `direction` is a unit vector in metres.
+/// Returns the highest tangent of elevation over the posts along one azimuth, 0 or more. `direction` is a unit vector in
+/// metres.
 template <class Height>
 [[nodiscard]] double horizon_slope(const HeightGrid<Height>& grid, const GridScale& scale, std::uint32_t column,
                                    std::uint32_t row, const glm::dvec2& direction, std::uint32_t radius);
 
-/// At a post that has a height.
+/// Returns the sky visible from a post that has a height.
 template <class Height>
 [[nodiscard]] SkySeen sky_seen_at(const HeightGrid<Height>& grid, const SkyMapSettings& settings, std::uint32_t column,
                                   std::uint32_t row);
@@ -65,20 +66,20 @@ template <class Height>
 class SkyMap {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows, bool has_apertures);
-    /// False where the arena has no room. The grid is borrowed and must stay until build() has ended.
+    /// Allocates memory; returns false where the arena is too small. The grid must stay valid until build() has ended.
     [[nodiscard]] bool start(const HeightGrid<Height>& grid, const SkyMapSettings& settings, base::Arena& arena);
     void build(base::Workers& workers);
 
-    /// Between the posts round a place of grid space; outside the grid that of its border.
+    /// Returns the sky view at a point of grid space, interpolated between posts; outside the grid that of its border.
     [[nodiscard]] double view_at(double x, double y) const;
-    /// Only with apertures. Where the mean direction is no direction, `normal` takes its place.
+    /// Returns the aperture; only with apertures. Where there is no mean direction, `normal` is used.
     [[nodiscard]] Aperture aperture_at(double x, double y, const glm::dvec3& normal) const;
 
     struct StoredAperture {
         std::int16_t x, y;         ///< of the axis, 1 is 32767
         std::uint16_t cos_radius;  ///< 1 is 65535
     };
-    /// What is stored for each post, row by row, for those who read many at once; 1 is 255.
+    /// The stored sky views of all posts, row by row, for bulk reading; 1 is 255.
     [[nodiscard]] base::Span<const std::uint8_t> stored_views() const { return views_; }
     /// Empty without apertures.
     [[nodiscard]] base::Span<const StoredAperture> stored_apertures() const { return apertures_; }

@@ -1,10 +1,10 @@
-/// Rays of the world as straight pieces of grid space.
+/// Divides rays of the world into straight pieces of grid space.
 ///
-/// Over a stretch s a ray bends away from its chord by s^2 / 8R or less, R being the radius of what bends it most: the Earth, or
-/// at high latitudes the parallel. Each piece is the line through the ray at the two nodes of Chebyshev on it, so that it is off
-/// by half of that, alike at its ends and in its middle. What is off by e metres at a distance t is off by an angle of e / t: so
-/// pieces may grow with the root of the distance. Neighbouring pieces do not meet exactly; `gap_steps` bounds what lies between
-/// them, so that nobody slips through there (Ray::gap).
+/// Over a length s a ray deviates from its chord by at most s^2 / 8R, R being the smallest radius involved: the Earth's, or at
+/// high latitudes the parallel's. Each piece is the line through the ray's points at its two Chebyshev nodes, which halves the
+/// deviation and makes it equal at the ends and in the middle. A deviation of e metres at a distance t is an angle of e / t, so
+/// the length of pieces may grow with the root of the distance. Neighbouring pieces do not join exactly; `gap_steps` bounds the
+/// gap, so that no ray passes through the surface there (Ray::gap).
 ///
 /// Pure, bounded; any thread.
 #pragma once
@@ -14,40 +14,41 @@
 
 namespace tedavis::raytrace {
 
-/// Times at which rays are cut, in metres along the direction that they are measured in.
+/// The distances at which rays are divided, in metres along the measured direction.
 struct PieceEnds {
     static constexpr int kMax = 48;
 
     double end[kMax + 1] = {};  ///< the first is 0
     int count = 0;              ///< of pieces
-    double angle_rad = 0;       ///< that pieces are off by, at most
+    double angle_rad = 0;       ///< largest angular deviation of the pieces
 
     [[nodiscard]] double most_off_m(int piece) const { return angle_rad * end[piece]; }
 };
 
-/// To a distance, or as far as kMax pieces go; `angle_rad`: what they may be off by, of the ray's own direction; a ray may be
-/// longer than t says by `stretch`, the length of the longest direction.
+/// Divides rays up to a distance, or as far as kMax pieces reach. `angle_rad` is the allowed angular deviation; `stretch` is
+/// the length of the longest direction per unit of t.
 [[nodiscard]] PieceEnds cut_rays(const earth::Ecef& from, double angle_rad, double stretch, double far_m);
 
-/// A line of grid space: origin + t * direction.
+/// A line in grid space: origin + t * direction.
 struct StraightPiece {
     glm::dvec3 origin{0}, direction{0};
 };
 
-/// The piece from one time to another; the first one (`from` 0) begins where the ray begins.
+/// Returns the piece from one distance to another; the first one (`from` 0) begins at the ray's origin.
 [[nodiscard]] StraightPiece straight_piece(const GroundSpace& space, const earth::Ecef& origin, const glm::dvec3& direction,
                                            double from, double to);
 
-/// What single rays of the world may be off by.
+/// Allowed angular deviation of single rays of the world.
 inline constexpr double kSingleOff_rad = 5e-5;
 
-/// Traces a ray of grid space as the ray of the world that it is where it begins: `trace` takes Rays, one piece after the other,
-/// and gives something with `side` and `t`. No further than 400 km, nor than where it has risen above `highest` for good.
+/// Traces a ray of grid space as the world ray that is tangent to it at its origin: `trace` receives the pieces as Rays, one
+/// after another, and returns an object with `side` and `t`. It ends at 400 km, or where the ray has risen above `highest` for
+/// good.
 template <class Trace>
 [[nodiscard]] auto trace_bent(const GroundSpace& space, const Ray& ray, double highest, const Trace& trace)
     -> decltype(trace(ray));
 
-/// A piece of a ray for trace_ray().
+/// Returns a piece of a ray for trace_ray().
 [[nodiscard]] Ray ray_of(const GroundSpace& space, const earth::Ecef& origin, const glm::dvec3& direction, const PieceEnds& ends,
                          int piece);
 

@@ -1,4 +1,4 @@
-/// A place in a linked list of blocks, which reads on from there. What it reads must be there.
+/// A read position in a linked list of blocks. The caller must not read beyond the end.
 #pragma once
 
 #include "render_core/raytrace/stream/block_pool.hpp"
@@ -12,7 +12,7 @@ public:
     [[nodiscard]] std::uint32_t block() const { return block_; }
     [[nodiscard]] std::uint32_t offset() const { return offset_; }
     [[nodiscard]] const std::uint32_t* words() const { return pool_->words(block_) + offset_; }
-    /// Words from here to the end of the block; 0 only at the end of all.
+    /// Words from here to the end of the block; 0 only at the end of the list.
     [[nodiscard]] std::uint32_t together() const { return block_ == kNoBlock ? 0 : pool_->block(block_).words - offset_; }
 
     void skip(std::uint32_t count) {

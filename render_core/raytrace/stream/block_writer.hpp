@@ -1,4 +1,4 @@
-/// Fills blocks with tokens, one after the other, each to its end but for the last and those that end early.
+/// Writes tokens to blocks; all blocks are filled completely, except the last one and those that end early.
 #pragma once
 
 #include "render_core/raytrace/stream/block_cursor.hpp"
@@ -18,10 +18,11 @@ class BlockWriter {
 public:
     BlockWriter(BlockPool& pool, const BlockAllowance& allowance) : pool_(pool), allowance_(allowance) {}
 
-    /// Literals, but for the words at `call_places`, in order, which are counted from `first` words before `words`.
+    /// Writes words as literals, except those at `call_places` (ascending), which are counted from `first` words before
+    /// `words`.
     void write(const std::uint32_t* words, std::uint32_t count, const std::uint16_t* call_places, std::uint32_t calls,
                std::uint32_t first);
-    /// Copies tokens from where the cursor is, which goes on behind them.
+    /// Copies tokens from the cursor, which is advanced behind them.
     void copy(BlockCursor& from, std::uint32_t count);
     /// Links the blocks.
     void finish();
@@ -36,7 +37,7 @@ private:
 
     BlockPool& pool_;
     BlockAllowance allowance_;
-    std::uint32_t id_ = kNoBlock;  ///< of the block that is being filled
+    std::uint32_t id_ = kNoBlock;  ///< number of the current block
     std::uint32_t blocks_ = 0, words_ = 0;
     bool is_ended_ = true;
 };

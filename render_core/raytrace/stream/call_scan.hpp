@@ -1,4 +1,4 @@
-/// The calls of a group of blocks, in order. Words are passed over 64 at a time, so that literals cost next to nothing.
+/// Iterates over the calls of a group of blocks. Words are scanned 64 at a time, so that literals cost very little.
 #pragma once
 
 #include "render_core/raytrace/stream/block_group.hpp"
@@ -8,8 +8,8 @@ namespace tedavis::raytrace {
 
 struct FoundCall {
     std::uint32_t call = 0;
-    std::uint32_t place = 0;   ///< words of the group before it
-    std::uint32_t before = 0;  ///< literals between the call before, or the group's begin, and this one
+    std::uint32_t place = 0;   ///< words of the group before the call
+    std::uint32_t before = 0;  ///< literals between the previous call, or the group's begin, and this one
     bool is_first = false;
 };
 

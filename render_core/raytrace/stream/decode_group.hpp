@@ -1,4 +1,5 @@
-/// First pass (thesis 6.2.2.1): what of a group can be executed, and how long it may become. Any thread, each group by one.
+/// First pass (thesis 6.2.2.1): finds the calls of a group that can be executed, and its largest possible length. Any thread,
+/// one per group.
 #pragma once
 
 #include "render_core/raytrace/stream/block_group.hpp"

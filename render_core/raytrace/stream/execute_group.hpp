@@ -1,5 +1,6 @@
-/// Third pass (thesis 6.2.2.1): runs the tasks of a group's calls and writes what they give, and what stays, to its new blocks.
-/// Any thread, each group by one; groups are read while others are written, so old blocks stay until all are done.
+/// Third pass (thesis 6.2.2.1): runs the tasks of a group's calls and writes their output and the remaining words to its new
+/// blocks. Any thread, one per group. Groups are read while others are written, so old blocks are kept until all groups are
+/// done.
 #pragma once
 
 #include "render_core/raytrace/stream/allocate_round.hpp"

@@ -1,4 +1,4 @@
-/// The place of the lowest bit that is set; one must be.
+/// Returns the index of the lowest set bit; the argument must not be 0.
 #pragma once
 
 #include <cstdint>

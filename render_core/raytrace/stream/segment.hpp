@@ -1,11 +1,11 @@
-/// Calls of a group whose kernels run together: those of one task are gathered into one batch, so that SIMD kernels stay full; a
-/// token that stands for enough calls to fill the kernel by itself is handed on where it lies.
+/// Calls of a group that are executed together: calls of one task are gathered into one batch, so that SIMD kernels stay full;
+/// a token that stands for enough calls to fill the kernel alone is executed in place.
 ///
-/// What a call gave is rewritten again at once, while it lies in the cache, a few times at most ("can be optionally repeated
-/// several times", thesis 6.2.2.1): if it is nothing but few calls that are complete and do not lengthen the stream. As that
-/// depends on what the call gave alone, rounds stay the same for all block sizes.
+/// The output of a call is rewritten again at once, while it is in the cache, a few times at most ("can be optionally repeated
+/// several times", thesis 6.2.2.1), if it consists only of few complete calls that do not lengthen the stream. This depends
+/// only on the call's output, so rounds are the same for all block sizes.
 ///
-/// Memory  an arena's, at start; one for each worker.
+/// Memory  from an arena, at start; one segment per worker.
 #pragma once
 
 #include "render_core/raytrace/stream/block_group.hpp"
@@ -18,22 +18,22 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed();
     [[nodiscard]] bool start(base::Arena& arena);
 
-    /// Whether there is room for one more; there is for the first.
+    /// True where there is room for one more call; always for the first.
     [[nodiscard]] bool fits(const CallShape& shape) const {
         return count_ == 0 || (count_ < kMaxItems && words_ + shape.arguments <= kMaxArguments &&
                                outputs_ + shape.most_outputs + shape.left_words <= kOutputsTogether);
     }
-    /// A call whose arguments lie at `from`. Before it `kept` words of the group stay as they are, then `skipped` go with the
-    /// call.
+    /// Adds a call whose arguments are at `from`. Before it `kept` words of the group are copied, then `skipped` words belong
+    /// to the call.
     void add(std::uint32_t call, const CallShape& shape, std::uint32_t kept, std::uint32_t skipped, BlockCursor from);
-    /// Runs the tasks. On a fault says whose.
+    /// Runs the tasks. On a fault it records the task.
     void run(const TaskNetwork& network, BlockGroup& group);
-    /// What is kept and what the calls gave, in order; then the segment is empty. `from` goes on behind them.
+    /// Writes kept words and the calls' output in order and clears the segment. `from` is advanced behind them.
     void write(BlockCursor& from, BlockWriter& to);
 
 private:
     static constexpr std::uint32_t kMaxItems = 512;  ///< added
-    static constexpr std::uint32_t kMaxParts = 4;    ///< calls that an item may come to
+    static constexpr std::uint32_t kMaxParts = 4;    ///< calls that an item may lead to
     static constexpr std::uint32_t kMaxArguments = 2 * kMaxPatternWords;
     static constexpr std::uint32_t kMaxOutputs = kMaxOutputWords;
     static constexpr std::uint32_t kOutputsTogether =
@@ -43,7 +43,7 @@ private:
     struct Item {
         std::uint32_t kept = 0, skipped = 0;
         std::uint32_t call = 0;
-        std::uint32_t parts = 0;  ///< calls that it may still come to; 0: it is done
+        std::uint32_t parts = 0;  ///< calls that it may still lead to; 0: finished
         const std::uint32_t* arguments = nullptr;
         WrittenRun given;
     };
@@ -61,7 +61,7 @@ private:
     base::Span<std::uint16_t> gathered_;
     base::Span<std::uint32_t> borders_;
     base::Span<WrittenRun> runs_;
-    base::Span<std::uint32_t> copies_;   ///< arguments that lie in several blocks
+    base::Span<std::uint32_t> copies_;   ///< arguments that span several blocks
     base::Span<std::uint32_t> records_;  ///< arguments of a batch
     base::Span<std::uint32_t> output_;
     base::Span<std::uint16_t> call_places_;

@@ -1,10 +1,11 @@
-/// Rewrites a token stream by workers, round by round, until no call is left (thesis 6.2.2.1).
+/// Rewrites a token stream on several workers, round by round, until no call is left (thesis 6.2.2.1).
 ///
-/// A round executes every call that is complete when it begins and has room (allocate_round.hpp), and what these give a few times
-/// more where that is calls alone (segment.hpp). So the streams after each round, and what tasks see that are changed between two
-/// rounds, are the same for every number of workers and every block size, bit for bit. Counts of batches and lanes are not.
+/// A round executes every call that is complete when it begins and has room (allocate_round.hpp), and the output of these calls
+/// a few times more where it consists of calls only (segment.hpp). So the stream after each round, and the effect of tasks
+/// changed between rounds, are the same for every number of workers and every block size, bit for bit. Counts of batches and
+/// lanes are not.
 ///
-/// Memory  an arena's, at start; no heap. One caller; the workers' tasks are over when a function returns.
+/// Memory  from an arena, at start; no heap. One caller; the workers' tasks have ended when a function returns.
 #pragma once
 
 #include "render_core/base/ports/workers.hpp"
@@ -18,7 +19,7 @@ struct RewriteReport {
     bool is_finished = false;  ///< no calls are left
     RewriteCounts counts;
     std::uint32_t waits = 0;  ///< rounds in which calls had to wait for room
-    /// Groups of the round that had the most of them: no more workers than that had anything to do at once.
+    /// Largest number of groups in a round, which is the largest number of workers that could be used at once.
     std::uint32_t most_groups = 0;
 };
 
@@ -29,11 +30,11 @@ public:
     using Answer = base::Result<RewriteReport, base::FaultText>;
 
     [[nodiscard]] static std::uint64_t bytes_needed(const StreamSettings& settings);
-    /// Gives the bytes taken, or a sentence. The stream has been started; it is borrowed.
+    /// Returns the allocated bytes, or one sentence. The stream must have been started; it is borrowed.
     [[nodiscard]] base::Result<std::uint64_t, base::FaultText> start(TokenStream& stream, base::Arena& arena);
 
-    /// At most so many rounds. A sentence where calls are left and none can be executed (no room, arguments missing, no such
-    /// task), or where a task gave what it must not: the stream stays as it is then, and can be read or cleared.
+    /// Runs at most `most_rounds` rounds. Returns one sentence where calls are left and none can be executed (no room, missing
+    /// arguments, unknown task), or where a task wrote invalid output; the stream is then unchanged and can be read or cleared.
     [[nodiscard]] Answer rewrite(const TaskNetwork& network, base::Workers& workers, std::uint32_t most_rounds);
 
 private:

@@ -1,8 +1,7 @@
-/// The functional model: tasks by number, each with what follows it. Calls name the number, so that a task can be inserted,
-/// replaced or removed between two rewritings of a stream that calls it (thesis 6.2.2.3); what is still to be called is done the
-/// new way.
+/// The functional model: numbered tasks, each with its next task. Calls refer to the number, so a task can be inserted,
+/// replaced or removed between two rounds (thesis 6.2.2.3); pending calls then use the new task.
 ///
-/// Errors are one sentence; then nothing has changed. Not to be changed while a stream is being rewritten. No heap.
+/// On an error, one sentence is returned and nothing is changed. The network must not be changed during a round. No heap.
 #pragma once
 
 #include "render_core/base/fault_text.hpp"
@@ -12,9 +11,9 @@
 
 namespace tedavis::raytrace {
 
-/// What a call takes and by how much it may lengthen the stream.
+/// The arguments of a call, and the number of words by which it may lengthen the stream.
 struct CallShape {
-    bool is_known = false;  ///< such a task is there, and a token may stand for so many calls
+    bool is_known = false;  ///< the task exists, and a token may stand for this many calls
     std::uint32_t arguments = 0;
     std::uint32_t most_outputs = 0;
     std::uint32_t growth = 0;
@@ -26,17 +25,19 @@ public:
     using Answer = base::Result<TaskId, base::FaultText>;
 
     [[nodiscard]] Answer add(const Task& task);
-    /// Another task for the calls of `id`, with as many arguments. Without a `next` it keeps the present one.
+    /// Replaces the task for the calls of `id` by one with as many arguments. Without a `next` the current one is kept.
     [[nodiscard]] Answer replace(TaskId id, const Task& task);
-    /// Calls of `at` go to `task`, which takes as many arguments and has what was there as its next. Gives its new number.
+    /// Inserts `task`, which has as many arguments, before task `at`: calls of `at` go to it, and its next is the previous
+    /// task. Returns the new number of the previous task.
     [[nodiscard]] Answer insert(TaskId at, const Task& task);
-    /// Calls of `id` become calls of its next where that takes as many arguments; else they vanish with their arguments.
+    /// Removes a task: its calls become calls of its next task where that has as many arguments; else they are dropped with
+    /// their arguments.
     [[nodiscard]] Answer remove(TaskId id);
     [[nodiscard]] Answer set_next(TaskId id, TaskId next);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tasks_.size()); }
     [[nodiscard]] const Task& task(TaskId id) const { return tasks_[id]; }
-    /// Calls that one token may stand for; does not change once the task is added.
+    /// Largest number of calls that one token may stand for; constant after the task is added.
     [[nodiscard]] std::uint32_t most_count(TaskId id) const { return tasks_[id].most_count; }
     [[nodiscard]] CallShape shape(std::uint32_t call) const {
         const TaskId id = called_task(call);

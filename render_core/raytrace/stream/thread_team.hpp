@@ -1,8 +1,9 @@
-/// Workers that stay together over many short passes: waking them for each pass costs more than a pass of a small stream takes.
+/// Keeps workers running over many short passes, because waking them for each pass would cost more than a pass of a small
+/// stream.
 ///
-/// One of them leads; the others look for work that it shares, in turns of bounded length, and leave where there is none for
-/// long. Whoever comes late or leaves is not waited for: the leader does all that nobody takes. Thread-safe by its atomics; no
-/// heap, no locks.
+/// One thread leads; the others poll for shared work in bounded intervals and leave when there is none for long. The leader
+/// does not wait for late or missing threads and executes all work that is not taken. Thread-safe by atomics; no heap, no
+/// locks.
 #pragma once
 
 #include <atomic>
@@ -14,15 +15,15 @@ namespace tedavis::raytrace {
 class ThreadTeam {
 public:
     using Lead = void (*)(void* context, ThreadTeam& crew);
-    /// `lane` below that of run(), another for each thread that works at the same time.
+    /// `lane` is below `lanes` of run() and differs between threads that work at the same time.
     using Work = void (*)(void* context, std::uint32_t index, std::uint32_t lane);
 
     /// Calls lead(context, crew) once, on any thread, and returns when it is over. 1 to 64 lanes.
     static void run(base::Workers& workers, std::uint32_t lanes, Lead lead, void* context);
 
-    /// For the leader: calls work(context, i, lane) once for each i below `count`, and returns when all are done.
+    /// To be called by the leader: calls work(context, i, lane) once for each i below `count`, and returns when all are done.
     void share(std::uint32_t count, Work work, void* context);
-    /// Some have left. To have them back, end the lead and run again.
+    /// True where threads have left; end the lead function and call run() again to use them.
     [[nodiscard]] bool has_lost() const { return lost_.load(std::memory_order_relaxed) > 0; }
 
 private:
@@ -37,7 +38,7 @@ private:
     std::uint32_t lanes_;
     Work work_ = nullptr;
     void* work_context_ = nullptr;
-    /// Below: the next index; above: how many there are. Setting it hands the work over, taking one receives it.
+    /// Low half: the next index; high half: the count. Storing it publishes the work; taking an index acquires it.
     alignas(64) std::atomic<std::uint64_t> ticket_{0};
     alignas(64) std::atomic<std::uint32_t> done_{0};
     alignas(64) std::atomic<std::uint32_t> arrived_{0};

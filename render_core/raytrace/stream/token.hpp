@@ -1,8 +1,7 @@
 /// The words of a token stream: literals, and calls in post-order (thesis 6.2.2.1; Middendorf 2014).
 ///
-/// `a1 .. an f` is a call of f with n literals; what it gives takes its place. A call may stand for several: `a1 .. an b1 .. bn f
-/// x 2` is `a1 .. an f b1 .. bn f`, written shorter. Every literal has all of its 32 bits; which word is a call is told beside
-/// the words.
+/// `a1 .. an f` is a call of f with n literals; its output replaces it. A call may stand for several: `a1 .. an b1 .. bn f x 2`
+/// is `a1 .. an f b1 .. bn f`, written shorter. A literal uses all 32 bits; whether a word is a call is stored separately.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ using TaskId = std::uint8_t;
 inline constexpr std::uint32_t kMaxTasks = 64;
 inline constexpr TaskId kNoTask = 255;
 inline constexpr std::uint32_t kMaxPatternWords = 4096;  ///< a call with its arguments
-inline constexpr std::uint32_t kMaxOutputWords = 16384;  ///< what a call may give, however many it stands for
+inline constexpr std::uint32_t kMaxOutputWords = 16384;  ///< largest output of a token, for all calls that it stands for
 
 struct Token {
     std::uint32_t word = 0;

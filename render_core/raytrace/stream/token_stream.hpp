@@ -1,7 +1,7 @@
 /// A program in post-order as a linked list of blocks from a fixed pool (thesis 6.2.2.1). StreamRewriter works on it.
 ///
-/// Capacity is counted in words, whatever the block size; the pool has several times that, for what is read and what is written,
-/// and for blocks that are not full. What does not fit is refused and counted. Memory  an arena's, at start.
+/// Capacity is counted in words, independent of the block size; the pool is several times larger, for reading and writing at
+/// the same time and for partly filled blocks. What does not fit is refused and counted. Memory  from an arena, at start.
 #pragma once
 
 #include "render_core/base/fault_text.hpp"
@@ -14,34 +14,34 @@ namespace tedavis::raytrace {
 struct StreamSettings {
     std::uint32_t block_words = 512;            ///< 64 to 4096, a power of two
     std::uint32_t capacity_words = 128 * 1024;  ///< 2 kMaxOutputWords to 2^26
-    /// Of the capacity: what only the first call that lengthens the stream may use, so that it can always go on. A task that
-    /// needs no more than this beyond its own words, when it is evaluated first call first, and leaves no more than it took,
-    /// comes to its end.
+    /// The part of the capacity that only the first call that lengthens the stream may use, so that progress is always
+    /// possible. A task that needs no more than this beyond its own words when its first call is always evaluated first, and
+    /// whose output is not longer than its input, terminates.
     std::uint32_t reserve_words = 20 * 1024;
-    std::uint32_t most_workers = 8;  ///< that rewrite at once, 1 to 64
+    std::uint32_t most_workers = 8;  ///< workers that rewrite at once, 1 to 64
 };
 
-/// For each worker a round may have so many groups, and blocks, that end early, because they hold much work in few words.
+/// Number of groups, and of blocks, per worker and round that may end early because they contain much work in few words.
 inline constexpr std::uint32_t kEarlyEndsOfWorker = 8;
-/// Words of every other group, but for the last.
+/// Least number of words of other groups, except the last.
 [[nodiscard]] std::uint32_t least_group_words(const StreamSettings& settings);
 [[nodiscard]] std::uint32_t most_groups(const StreamSettings& settings);
 
 class TokenStream {
 public:
     [[nodiscard]] static std::uint64_t bytes_needed(const StreamSettings& settings);
-    /// Gives the bytes taken, or a sentence.
+    /// Returns the allocated bytes, or one sentence.
     [[nodiscard]] base::Result<std::uint64_t, base::FaultText> start(const StreamSettings& settings, base::Arena& arena);
 
-    /// Behind all that is there. False, and nothing is added, where there is no room.
+    /// Appends tokens. Returns false, and adds nothing, where there is no room.
     [[nodiscard]] bool try_append(base::Span<const Token> tokens);
     void clear();
 
     [[nodiscard]] std::uint32_t words() const { return words_; }
-    /// In words; refused: appendings turned away, and rounds in which calls had to wait for room.
+    /// In words. `refused` counts refused appends, and rounds in which calls had to wait for room.
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }
     [[nodiscard]] const StreamSettings& settings() const { return settings_; }
-    /// The first tokens, as many as fit; how many that are.
+    /// Reads the first tokens, as many as fit, and returns their number.
     std::uint32_t read(base::Span<Token> out) const;
 
     // For the rewriting.

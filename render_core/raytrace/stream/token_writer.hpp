@@ -1,7 +1,7 @@
-/// Where a batch function puts what its calls give: literals and further calls, in order, and after each call done().
+/// Receives the output of a batch function: literals and further calls, in order, and done() after each call.
 ///
-/// Calls of one task that one token of the stream gave, one behind the other, are written as one token for all of them. What does
-/// not fit the task's most_outputs is a fault of the task: it is left out, and the rewriting ends with a sentence.
+/// Consecutive calls of one task that result from one token are written as one token. Output beyond the task's most_outputs is
+/// a fault of the task: it is dropped, and the rewriting ends with one sentence.
 #pragma once
 
 #include "render_core/base/span.hpp"
@@ -9,7 +9,7 @@
 
 namespace tedavis::raytrace {
 
-/// What the calls of one token gave: words [first, first + words) of the output, among them those calls whose places are listed.
+/// The output of one token: words [first, first + words), with the positions of the calls among them.
 struct WrittenRun {
     std::uint32_t first_word = 0, words = 0;
     std::uint32_t first_call = 0, calls = 0;
@@ -19,7 +19,7 @@ enum class WriterFault : std::uint8_t { none, too_much, unknown_task, nobody };
 
 class TokenWriter {
 public:
-    /// As many `call_places` as `words`, at most 65536.
+    /// `call_places` has the size of `words`, at most 65536.
     TokenWriter(const TaskNetwork& network, base::Span<std::uint32_t> words, base::Span<std::uint16_t> call_places)
         : network_(network),
           words_(words.data()),
@@ -34,26 +34,25 @@ public:
         words_[end_++] = word;
     }
     void literals(const std::uint32_t* words, std::uint32_t count);
-    /// Of literals written before, or of what lies before this call in the stream.
+    /// Writes a call; its arguments are literals written before, or words before this call in the stream.
     void call(TaskId task);
-    /// The present call gives so many calls, whose arguments are records of 32-bit words, one behind the other.
+    /// Writes `count` calls for the current call; their arguments are consecutive records of 32-bit words.
     void calls(TaskId task, const void* records, std::uint32_t count);
-    /// The same for records that the caller writes there, all of them, before it writes anything else; `count` to most_count().
-    /// Null, and a fault, where there is no room.
+    /// The same for records that the caller then writes in place, completely, before any other output; `count` is at most
+    /// most_count(). Returns null, and records a fault, where there is no room.
     template <class Record>
     [[nodiscard]] Record* calls_in_place(TaskId task, std::uint32_t count) {
         static_assert(std::is_trivially_copyable_v<Record> && alignof(Record) == alignof(std::uint32_t));
         return reinterpret_cast<Record*>(place_calls(task, count, sizeof(Record)));
     }
-    /// Each of the next `count` calls, the present one first, gives one call, and is done.
+    /// Writes one call for each of the next `count` calls, beginning with the current one, which are then done.
     void each_calls(TaskId task, const void* records, std::uint32_t count);
-    /// All that the present call gives has been written.
+    /// Ends the output of the current call.
     void done() {
         if (++done_ == border_) close_run();
     }
-    /// Calls from the present one on that one token of the stream stands for. Where it does not matter in which order they are
-    /// answered, what they give may be sorted by task, which makes fewer and longer tokens; then done(count), of no more than
-    /// these.
+    /// Number of calls, from the current one on, of the same token of the stream. Where their order does not matter, their
+    /// output may be sorted by task, which gives fewer and longer tokens; then call done(count) with at most this number.
     [[nodiscard]] std::uint32_t together() const { return border_ - done_; }
     void done(std::uint32_t count) {
         if (count > together()) return note(WriterFault::nobody);
@@ -62,12 +61,12 @@ public:
 
     // For the rewriting.
 
-    /// Before a batch: how many calls each of its tokens stands for, added up, where to note what they gave, and how much each
-    /// call may.
+    /// Begins a batch. `borders` are the cumulative numbers of calls of its tokens, `runs` receives their outputs, and
+    /// `most_outputs` is the limit per call.
     void begin(base::Span<const std::uint32_t> borders, WrittenRun* runs, std::uint32_t most_outputs);
-    /// After it. Calls that were not said to be done gave nothing.
+    /// Ends a batch. Calls without done() have no output.
     void finish();
-    /// Forgets what was written, but no fault.
+    /// Clears the output, but not faults.
     void clear();
     [[nodiscard]] WriterFault fault() const { return fault_; }
     [[nodiscard]] const std::uint32_t* words() const { return words_; }
@@ -88,7 +87,7 @@ private:
     std::uint32_t limit_;
     std::uint32_t stop_;  ///< for literals: one before the limit while a call is pending
     std::uint32_t end_ = 0, calls_ = 0;
-    /// The last call is written when it is known how many follow; literals behind its place move on by one then.
+    /// The last call is written when the number of following equal calls is known; literals behind it are then moved by one.
     TaskId pending_task_ = kNoTask;
     std::uint32_t pending_count_ = 0, pending_place_ = 0;
     base::Span<const std::uint32_t> borders_;

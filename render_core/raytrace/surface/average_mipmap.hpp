@@ -1,15 +1,16 @@
-/// Averages of the posts over squares of 2, 4, 8... posts, for surfaces that a pixel sees many posts of (thesis 6.2.2.2:
+/// Averages of posts over squares of 2, 4, 8... posts, for surfaces of which a pixel covers many posts (thesis 6.2.2.2:
 /// antialiasing by an average mipmap, trilinear by distance; Williams 1983).
 ///
-/// Level 0 is the grid itself. A post of level n + 1 lies on every second one of level n and is their average with weights 1-2-1
-/// both ways; posts without a height, and what lies beyond the border, weigh nothing. So cells of level n are the nodes of level
-/// n of a HeightMipmap, whatever the size of the grid. Averages are rounded to Height: by half a step a level for std::int16_t.
+/// Level 0 is the grid itself. A post of level n + 1 lies on every second post of level n and is the average there with weights
+/// 1-2-1 in both directions; posts without a height, and posts outside the grid, have weight 0. So cells of level n coincide
+/// with the nodes of level n of a HeightMipmap. Averages are rounded to Height: by up to half a step per level for
+/// std::int16_t.
 ///
-/// What it changes: ridges and skylines sink, valleys rise. An averaged height lies between the lowest and highest post that it
-/// was made from, but **not** below the highest post of its own cell: beside a peak it is above it. Rays need the bounds of
-/// average_bounds(), which know all levels.
+/// Effect: ridges and skylines sink, valleys rise. An averaged height lies between the lowest and highest of its posts, but may
+/// be **above** the highest post of its own cell, beside a peak. Rays need the bounds of average_bounds(), which cover all
+/// levels.
 ///
-/// Memory  from an arena: Height times a third of the posts and a little. Thread  build() uses the workers; reading any.
+/// Memory  from an arena: sizeof(Height) times about a third of the posts. Thread  build() uses the workers; reading any.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -26,16 +27,17 @@ public:
     static constexpr std::uint32_t kMaxLevels = 17;
 
     [[nodiscard]] static std::uint64_t bytes_needed(std::uint32_t columns, std::uint32_t rows);
-    /// False where the arena has no room. The grid is borrowed and must stay. Never more than `levels` and what the grid gives.
+    /// Allocates memory; returns false where the arena is too small. The grid must outlive the object. At most `levels` levels,
+    /// fewer for a small grid.
     [[nodiscard]] bool start(const HeightGrid<Height>& grid, base::Arena& arena, std::uint32_t levels = kMaxLevels);
     void build(base::Workers& workers);
 
     [[nodiscard]] std::uint32_t levels() const { return levels_; }
     [[nodiscard]] const HeightGrid<Height>& level(std::uint32_t n) const { return grids_[n]; }
 
-    /// The surface as a pixel sees it that covers `footprint` posts there: between the two levels whose posts are that far apart,
-    /// bilinear in each. Below 1 it is the bilinear surface of the posts. Where that has none (a void, outside the grid) false; a
-    /// coarser level fills no hole.
+    /// Computes the surface for a pixel that covers `footprint` posts: interpolated between the two levels with about that
+    /// spacing, bilinear in each. Below 1 it is the bilinear surface of the posts. Returns false where that has no surface (a
+    /// void, outside the grid); coarser levels do not fill holes.
     [[nodiscard]] bool find_surface(double x, double y, double footprint, SurfacePoint& point) const;
 
 private:
@@ -45,11 +47,11 @@ private:
     HeightGrid<Height> grids_[kMaxLevels];
     base::Span<Height> posts_[kMaxLevels];
     std::uint32_t levels_ = 0;
-    std::uint32_t in_work_ = 0;  ///< the level that build() is at
+    std::uint32_t in_work_ = 0;  ///< level that build() is computing
 };
 
-/// For a HeightMipmap over the same grid: bounds of the surface of all levels, so of every footprint. Borrows the pyramid, which
-/// must be built.
+/// Returns bounds of the surface of all levels, valid for every footprint, for a HeightMipmap over the same grid. The pyramid
+/// must be built and outlive the bounds.
 template <class Height>
 [[nodiscard]] CellBounds<Height> average_bounds(const AverageMipmap<Height>& averages);
 

@@ -1,6 +1,6 @@
-/// The surface within one cell, of any kind but without micro-structure: its height, how steep it is, and what bounds it.
+/// The surface within one cell, of any kind, without micro-structure: height, slopes and bounds.
 ///
-/// u and v, 0..1, go from the cell's first post along its row and its column. Neighbouring cells have equal heights along the
+/// u and v, 0..1, run from the cell's first post along its row and its column. Neighbouring cells have equal heights along the
 /// side that they share, bit for bit. Slopes along creases are those of the triangle or small cell with the lower u and v.
 #pragma once
 
@@ -15,15 +15,15 @@ struct HeightRange {
 
 struct CellPatch {
     SurfaceKind kind = SurfaceKind::bilinear;
-    bool has_surface = false;  ///< else all else means nothing
+    bool has_surface = false;  ///< false: the other members are meaningless
     std::uint32_t subdivisions = 1;
     double corner[2][2] = {};  ///< heights of the posts, [row][column]
-    BicubicPatch cubic;        ///< of the two kinds that need it
+    BicubicPatch cubic;        ///< for the two bicubic kinds
 
     [[nodiscard]] SurfacePoint at(double u, double v) const;
-    /// Of the points that the approximation goes between, 0..subdivisions each way.
+    /// Height of a point of the approximation, 0..subdivisions in each direction.
     [[nodiscard]] double small_post(std::uint32_t column, std::uint32_t row) const;
-    /// Holds for every height that `at` can return: of the posts or of the control heights.
+    /// Range of all heights that at() can return, from the posts or the control heights.
     [[nodiscard]] HeightRange range() const;
 };
 

@@ -1,10 +1,10 @@
-/// Noise over the grid that stands for relief finer than the posts: the same at the same place for ever, on every machine.
+/// Noise over the grid for relief finer than the posts; it depends only on the position and is equal on every machine.
 ///
 /// Octaves of value noise (lattice values, faded between) or gradient noise (Perlin 1985, 2002: lattice slopes, quintic fade),
 /// each of twice the frequency and `gain` times the height of the one before. Lattice values come from an integer hash of the
-/// place, no table: any place of any grid, neighbouring grids without a seam where their origins differ by whole posts.
+/// position, without a table, so neighbouring grids whose origins differ by whole posts join without a seam.
 ///
-/// Bounds that hold bit for bit: |height| <= amplitude, which is what all octaves share. Pure; any thread; 4 hashes an octave.
+/// |height| <= amplitude holds bit for bit for the sum of all octaves. Pure; any thread; 4 hashes per octave.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +22,19 @@ struct MicroNoise {
     std::uint32_t octaves = 3;  ///< 1..kMaxOctaves
     std::uint32_t seed = 1;
     double amplitude = 1;                          ///< height steps, 0 or more
-    double frequency = 1;                          ///< lattice points a post, of the first octave; above 0
+    double frequency = 1;                          ///< lattice points per post in the first octave; above 0
     double gain = 0.5;                             ///< 0..1
-    std::int64_t first_column = 0, first_row = 0;  ///< of the grid, among grids that lie side by side
+    std::int64_t first_column = 0, first_row = 0;  ///< origin of the grid among neighbouring grids
 };
 
-/// x and y in grid space.
+/// Returns the noise at x and y of grid space.
 [[nodiscard]] SurfacePoint noise_at(const MicroNoise& noise, double x, double y);
 
-/// No slope of the noise is steeper than this, along x or along y, in height steps a post.
+/// Upper bound of the noise's slopes along x or y, in height steps per post.
 [[nodiscard]] double steepest_slope(const MicroNoise& noise);
 
-/// -1..1 (1 left out) of a lattice point: every bit of the three changes every bit of it with probability one half.
+/// Returns the value in [-1, 1) of a lattice point; each bit of the arguments changes each bit of the hash with probability one
+/// half.
 [[nodiscard]] double lattice_value(std::int64_t column, std::int64_t row, std::uint32_t seed);
 
 }  // namespace tedavis::raytrace

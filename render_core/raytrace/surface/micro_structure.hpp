@@ -1,4 +1,4 @@
-/// What finer relief is added to a surface: none, noise or a relief map (thesis 6.2.2.2).
+/// The finer relief that is added to a surface: none, noise or a relief map (thesis 6.2.2.2).
 #pragma once
 
 #include "render_core/raytrace/surface/micro_noise.hpp"
@@ -14,7 +14,7 @@ struct MicroStructure {
     ReliefMap relief;
 };
 
-/// What it adds at a place of grid space.
+/// Returns the added height and slopes at a point of grid space.
 [[nodiscard]] inline SurfacePoint micro_structure_at(const MicroStructure& micro, double x, double y) {
     switch (micro.kind) {
         case MicroKind::noise: return noise_at(micro.noise, x, y);
@@ -24,7 +24,7 @@ struct MicroStructure {
     return {};
 }
 
-/// It adds or takes away no more than this, in height steps.
+/// Upper bound of the added height's magnitude, in height steps.
 [[nodiscard]] inline double amplitude_of(const MicroStructure& micro) {
     switch (micro.kind) {
         case MicroKind::noise: return micro.noise.amplitude;
@@ -34,7 +34,7 @@ struct MicroStructure {
     return 0;
 }
 
-/// It is nowhere steeper than this, along x or along y.
+/// Upper bound of its slopes along x or y.
 [[nodiscard]] inline double steepest_slope(const MicroStructure& micro) {
     switch (micro.kind) {
         case MicroKind::noise: return steepest_slope(micro.noise);

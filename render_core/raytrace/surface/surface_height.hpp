@@ -1,4 +1,4 @@
-/// The whole surface at a place of the grid: patch of its cell and micro-structure.
+/// The surface at a point of the grid: patch of its cell plus micro-structure.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ struct CellPlace {
     double u = 0, v = 0;  ///< 0..1
 };
 
-/// The cell of a place; of the grid's border the last one. False outside the grid.
+/// Finds the cell of a point; on the grid's far border the last one. Returns false outside the grid.
 template <class Height>
 [[nodiscard]] bool find_cell(const HeightGrid<Height>& grid, double x, double y, CellPlace& place) {
     if (!(x >= 0 && y >= 0 && x <= grid.columns - 1 && y <= grid.rows - 1)) return false;
@@ -24,7 +24,7 @@ template <class Height>
     return true;
 }
 
-/// A patch and the micro-structure on it; x and y in grid space, within the patch's cell.
+/// Returns a patch plus the micro-structure; x and y are in grid space, within the patch's cell.
 [[nodiscard]] inline SurfacePoint surface_on(const CellPatch& patch, const MicroStructure& micro, const CellPlace& place) {
     SurfacePoint point = patch.at(place.u, place.v);
     if (micro.kind == MicroKind::none) return point;
@@ -35,7 +35,7 @@ template <class Height>
     return point;
 }
 
-/// False where there is no surface.
+/// Computes the surface at a point; returns false where there is none.
 template <class Height>
 [[nodiscard]] bool find_surface(const HeightGrid<Height>& grid, const SurfaceSettings& settings, double x, double y,
                                 SurfacePoint& point) {

@@ -1,4 +1,4 @@
-/// Which surface lies over the posts: operators of surface generation of the thesis (6.2.2.2).
+/// The surface over the posts: operators of surface generation of the thesis (6.2.2.2).
 #pragma once
 
 #include "render_core/raytrace/surface/micro_structure.hpp"
@@ -20,7 +20,7 @@ struct SurfaceSettings {
     static constexpr std::uint32_t kMaxSubdivisions = 64;
 
     SurfaceKind kind = SurfaceKind::bilinear;
-    std::uint32_t subdivisions = 4;  ///< of a cell, each way, where the bicubic surface is approached; 1..kMaxSubdivisions
+    std::uint32_t subdivisions = 4;  ///< subdivisions of a cell in each direction for approximate_bicubic; 1..kMaxSubdivisions
     MicroStructure micro;
 };
 
