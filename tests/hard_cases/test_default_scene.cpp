@@ -17,9 +17,9 @@ namespace {
 
 using scene::LayerRole;
 
-constexpr std::uint32_t kWidth = 1024, kHeight = 768;
+constexpr std::uint32_t kWidth = 512, kHeight = 384;
 constexpr double kFirst_s = 12, kStep_s = 20;
-constexpr int kSeen_px = 60;
+constexpr int kSeen_px = 30;
 
 struct Moment {
     flight::FrameInput instant;

@@ -76,7 +76,7 @@ TEST_F(InterruptSignal, ConvertKeepsAValidLogThatEndsEarly) {
 
 TEST_F(InterruptSignal, TerrainBuildGoesOnWhereItWasStopped) {
     const std::string raster = place_.file("r.tif"), work = place_.file("t.tdb.part/journal");
-    ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
+    ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "1025", "-o", raster}).code,
               0);
     for (const int which : {SIGINT, SIGTERM}) {
         std::filesystem::remove_all(place_.file("t.tdb.part"));
@@ -92,7 +92,7 @@ TEST_F(InterruptSignal, TerrainBuildGoesOnWhereItWasStopped) {
 
 TEST_F(InterruptSignal, TerrainBuildKeepsWhatWasThereBefore) {
     const std::string older = "TEDAVTDB, an older one", raster = place_.file("r.tif"), database = place_.write("t.tdb", older);
-    ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "2049", "-o", raster}).code,
+    ASSERT_EQ(test_support::run_program({ProgramSamples::program(), "terrain", "fractal", "--size", "1025", "-o", raster}).code,
               0);
     EXPECT_EQ(stop({"terrain", "build", raster, "-o", database}, place_.file("t.tdb.part/journal"), 0).code, kInterruptedCode);
     EXPECT_EQ(place_.read("t.tdb"), older);

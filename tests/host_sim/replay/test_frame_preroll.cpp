@@ -22,11 +22,13 @@ const test_support::FlownFiles& files() {
     return kFiles;
 }
 
+constexpr PictureSize kSmall{160, 120};  ///< most of what a frame costs here is its pixels
 constexpr double kScarce_ms = 3;
 constexpr double kStep_s = 1.0 / 30;  ///< of the device: terrain arrives while frames are drawn
 
 ReplayOptions options(double from_s, double to_s, double step_s) {
     ReplayOptions o = files().options("unused");
+    o.picture.size = kSmall;
     o.from_s = from_s;
     o.to_s = to_s;
     o.step_s = step_s;
@@ -191,6 +193,7 @@ ReplayOptions of_two_designs(double from_s, double to_s, double step_s) {
                                                           "[terrain.sketch]\ncontours = 1\n[effects]\nfade_s = 0.5\n" +
                                                               kPlaces + "[labels]\nmost_changes = 20\npopulation = 0\n");
     ReplayOptions o = kFiles.options("unused");
+    o.picture.size = kSmall;
     o.picture.design = kDesign;
     o.from_s = from_s;
     o.to_s = to_s;
