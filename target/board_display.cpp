@@ -6,6 +6,8 @@
 #include "platform/surface_factory.hpp"
 #include "platform/threads/thread_reader.hpp"
 #include "platform/threads/thread_workers.hpp"
+#include "render_core/display/calibration_subject.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "render_core/gl/program.hpp"
 #include "target/file_text.hpp"
 
@@ -47,7 +49,7 @@ void BoardDisplay::give_up_terrain(const base::Error& why) {
 }
 
 base::Error BoardDisplay::start_workers(const display::DisplaySettings& settings) {
-    if (!terrain_reader_ || !display::Display::asks_for_rays(settings)) return {};
+    if (!terrain_reader_ || !settings.asks_for_rays()) return {};
     auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
     if (!workers.ok()) return base::make_error(workers.error().message.view());
     workers_ = std::move(workers.value());
@@ -57,7 +59,7 @@ base::Error BoardDisplay::start_workers(const display::DisplaySettings& settings
 base::Error BoardDisplay::start() {
     if (!settings_.terrain.empty())
         if (const base::Error error = open_terrain()) give_up_terrain(error);
-    auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), settings_.residency);
+    auto reserved = platform::reserve_memory(display::DisplayMemory::bytes_needed(settings_.device.budget), settings_.residency);
     if (!reserved.ok()) return base::make_error(reserved.error().message.view());
     reservation_ = std::move(reserved.value());
     display::DisplaySettings settings;
@@ -99,11 +101,12 @@ base::Error BoardDisplay::hold_deadline() {
     if (!settings_.costs.empty()) {
         const auto text = read_file_text(settings_.costs.c_str());
         if (!text.ok()) return text.error();
-        const auto read = effects::read_calibration(text.value().view(), settings_.costs.view(), display_->calibration_subject());
+        const auto read =
+            effects::read_calibration(text.value().view(), settings_.costs.view(), display::calibration_subject(*display_));
         if (!read.ok()) return base::make_error(read.error().message.view());
         costs = read.value().costs;
     }
-    display_->frame_budget().hold(settings_.device.deadline_ms, costs);
+    display_->memory().budget.hold(settings_.device.deadline_ms, costs);
     return {};
 }
 

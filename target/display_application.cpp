@@ -28,7 +28,7 @@ base::Error DisplayApplication::start() {
 /// The first scene comes the way all others do: the display shows what it has until then, and without a thread nothing.
 void DisplayApplication::start_scene() {
     if (settings_.scene.empty()) return;
-    if (!scene_watch_.start(settings_.scene.c_str(), display().spare_scene_memory(), 0))
+    if (!scene_watch_.start(settings_.scene.c_str(), display().planner().data().spare(), 0))
         ports_.log.write({settings_.scene.view(),
                           ": is not shown, for the machine gives no thread for reading it; end other programs and start again"});
 }
@@ -41,13 +41,13 @@ void DisplayApplication::take_new_scene() {
     const std::uint64_t revision = loaded->header().revision;
     if (display().take_scene(*loaded))
         ports_.log.write({settings_.scene.view(), ": has revision ", base::digits(revision).view()});
-    scene_watch_.go_on(display().spare_scene_memory(), revision);
+    scene_watch_.go_on(display().planner().data().spare(), revision);
 }
 
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
-    const flight::FrameInput input = flight_.at(now, display());
-    display().update(input.state, input.phase, now, input.trail);
+    const flight::FrameInput input = flight_.at(now, display().planner());
+    display().plan({input.state, input.phase, now, input.trail});
     display().draw(board_.surface());
     return board_.surface().present();
 }
@@ -64,7 +64,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
             report.end = RunEnd::surface_lost;
             break;
         }
-        display().frame_budget().note_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
+        display().memory().budget.note_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
         ++report.frames;
         watchdog_.alive();
         clocks.sleep_until(pacer.next(clocks.live.monotonic()));

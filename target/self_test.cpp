@@ -8,6 +8,7 @@
 #include "platform/reservation/memory_reservation.hpp"
 #include "platform/surface_factory.hpp"
 #include "render_core/display/display.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/gl/readback.hpp"
 #include "target/json_line.hpp"
 #include "target/self_test/embedded_files.hpp"
@@ -53,7 +54,7 @@ public:
 
     void run() {
         if (!read_settings() || !open_surface() || !start_display()) return;
-        const KnownFlight flight = play_known_flight(inputs_.log, bus_, *display_);
+        const KnownFlight flight = play_known_flight(inputs_.log, bus_, display_->planner());
         check_known_flight(flight, report_);
         draw(flight);
     }
@@ -98,7 +99,8 @@ private:
 
     bool start_display() {
         const std::uint64_t picture_bytes = std::uint64_t{4} * settings_.width_px * settings_.height_px;
-        auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), platform::Residency::lazy);
+        auto reserved =
+            platform::reserve_memory(display::DisplayMemory::bytes_needed(settings_.device.budget), platform::Residency::lazy);
         auto picture = platform::reserve_memory(picture_bytes, platform::Residency::lazy);
         if (!reserved.ok() || !picture.ok()) {
             report_.add("memory", false, (reserved.ok() ? picture : reserved).error().message.view());
@@ -118,8 +120,8 @@ private:
     }
 
     void draw(const KnownFlight& flight) {
-        display_->settle(flight.aircraft, flight.phase, flight.now);
-        display_->update(flight.aircraft, flight.phase, flight.now);
+        display::settle(*display_, {flight.aircraft, flight.phase, flight.now});
+        display_->plan({flight.aircraft, flight.phase, flight.now});
         display_->draw(*surface_);
         report_.add("presented", surface_->present() == base::SurfaceState::ready, "one frame");
         const display::FrameRecord& record = display_->record();

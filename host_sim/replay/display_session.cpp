@@ -10,6 +10,8 @@
 #include "platform/threads/thread_reader.hpp"
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/base/hash.hpp"
+#include "render_core/display/calibration_subject.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/gl/readback.hpp"
 
@@ -112,7 +114,7 @@ void DisplaySession::open_surface(const platform::SurfaceSettings& settings, con
 }
 
 base::Workers* DisplaySession::trace_workers(const display::DisplaySettings& settings) {
-    if (!display::Display::asks_for_rays(settings)) return nullptr;
+    if (!settings.asks_for_rays()) return nullptr;
     auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
     if (!workers.ok()) throw UserError(std::string(workers.error().message.view()));
     workers_ = std::move(workers.value());
@@ -121,7 +123,7 @@ base::Workers* DisplaySession::trace_workers(const display::DisplaySettings& set
 
 void DisplaySession::start_display(const display::DisplaySettings& settings, const PictureOptions& options) {
     const std::string device = resolve_config(options.device, "devices");
-    auto reservation = platform::reserve_memory(display::Display::bytes_needed(device_), platform::Residency::lazy);
+    auto reservation = platform::reserve_memory(display::DisplayMemory::bytes_needed(device_.budget), platform::Residency::lazy);
     if (!reservation.ok()) throw UserError(device + ": " + std::string(reservation.error().message.view()));
     reservation_ = std::move(reservation.value());
     display_ = std::make_unique<display::Display>();
@@ -130,7 +132,7 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
         terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact, trace_workers(settings)};
     const base::Error error =
         display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
-    display_->force_effects(options.force_effects);
+    display_->planner().force_effects(options.force_effects);
     if (!error) return hold_deadline(options);
     display_.reset();  // what has not started is not stopped
     throw UserError(with_file(std::string(error.message.view()), device, options));
@@ -139,11 +141,12 @@ void DisplaySession::start_display(const display::DisplaySettings& settings, con
 void DisplaySession::hold_deadline(const PictureOptions& options) {
     effects::Calibration calibration;
     if (!options.costs.empty()) {
-        const auto read = effects::read_calibration(read_file(options.costs), options.costs, display_->calibration_subject());
+        const auto read =
+            effects::read_calibration(read_file(options.costs), options.costs, display::calibration_subject(*display_));
         if (!read.ok()) throw UserError(std::string(read.error().message.view()));
         calibration = read.value();
     }
-    display_->frame_budget().hold(options.deadline_ms.value_or(0), calibration.costs);
+    display_->memory().budget.hold(options.deadline_ms.value_or(0), calibration.costs);
 }
 
 DisplaySession::~DisplaySession() {

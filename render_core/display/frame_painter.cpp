@@ -171,15 +171,24 @@ effects::ClutterMap FramePainter::measure_clutter(const base::Surface& surface) 
     return edges_.densities(gl_, surface);
 }
 
-void FramePainter::show_clutter(const base::Surface& surface, design::ClutterView view) {
+void FramePainter::draw_measures(const PlannedFrame& frame, const base::Surface& surface) {
+    draw_edges(frame, surface);
+    draw_saliency(frame, surface);
+}
+
+void FramePainter::draw_edges(const PlannedFrame& frame, const base::Surface& surface) {
+    const design::ClutterView view = frame.shown->effects.clutter;
+    if (view == design::ClutterView::none || !frame.effects.runs(effects::Effect::clutter)) return;
     const WorkScope scope(gl_, drawn_.work[effects::Effect::clutter], 2);
     edges_.measure(gl_, surface);
     edges_.show(gl_, view == design::ClutterView::edges ? draw::EdgeView::edges : draw::EdgeView::regions);
 }
 
-void FramePainter::draw_saliency(const PlannedFrame& frame, const base::Surface& surface, bool measures) {
-    const WorkScope scope(gl_, drawn_.work[effects::Effect::saliency], measures ? 2 : 1);
-    if (measures) saliency_.measure(gl_, surface, frame.shown->effects.saliency.scale);
+void FramePainter::draw_saliency(const PlannedFrame& frame, const base::Surface& surface) {
+    if (!frame.saliency.is_shown) return;
+    const bool is_measured = frame.saliency.is_measured;
+    const WorkScope scope(gl_, drawn_.work[effects::Effect::saliency], is_measured ? 2 : 1);
+    if (is_measured) saliency_.measure(gl_, surface, frame.shown->effects.saliency.scale);
     saliency_.show(gl_, frame.shown->effects.saliency.view);
 }
 

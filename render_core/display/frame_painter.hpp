@@ -71,9 +71,9 @@ public:
     void draw_symbology(const PlannedFrame& frame, const base::Surface& surface);
     /// The density of edges of what is on the surface.
     [[nodiscard]] effects::ClutterMap measure_clutter(const base::Surface& surface);
-    void show_clutter(const base::Surface& surface, design::ClutterView view);
-    /// The saliency map over what is on the surface, measured anew or as it was; and the light of the panel.
-    void draw_saliency(const PlannedFrame& frame, const base::Surface& surface, bool measures);
+    /// Edges and the saliency map over what is on the surface, where the frame shows them.
+    void draw_measures(const PlannedFrame& frame, const base::Surface& surface);
+    /// The light of the panel.
     void dim(const PlannedFrame& frame);
 
     /// The ground's colours without what lies before a layer; then as the frame has them.
@@ -86,6 +86,8 @@ public:
     [[nodiscard]] const gl::Gl& gl() const { return gl_; }
 
 private:
+    void draw_edges(const PlannedFrame& frame, const base::Surface& surface);
+    void draw_saliency(const PlannedFrame& frame, const base::Surface& surface);
     [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design, bool has_focus) const;
     void follow_look(const PlannedFrame& frame);
 

@@ -83,6 +83,19 @@ void FramePlanner::plan(const flight::FrameInput& input, PlannerMemory& memory, 
     plan_elements();
     plan_effects();
     end();
+    plan_probe();
+}
+
+void FramePlanner::plan_again(const PainterFindings& findings, PlannerMemory& memory, PlannedFrame& frame) {
+    memory_ = &memory;
+    frame_ = &frame;
+    if (findings.terrain_failed) {
+        plan_without_terrain();
+    } else {
+        memory.clutter.take(findings.edges);
+        if (memory.clutter.step() == ClutterControl::Step::none) return plan_measured();
+    }
+    plan_probe();
 }
 
 void FramePlanner::begin(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame) {
@@ -118,12 +131,12 @@ void FramePlanner::set_camera_data() {
     frame_->camera.casters = elements_.casters(look_.effects.shadows.casters);
 }
 
-void FramePlanner::plan_without_terrain(PlannerMemory& memory, PlannedFrame& frame) {
-    memory_ = &memory;
-    frame_ = &frame;
-    memory.terrain_failed = true;
+void FramePlanner::plan_without_terrain() {
+    memory_->terrain_failed = true;
+    if (frame_->clutter.probe != Probe::none) frame_->declutter = frame_->clutter.before_probes;
+    frame_->clutter = {};
     give_up_terrain(policy::TerrainSource::failed);
-    frame.labels = {};
+    frame_->labels = {};
     put_symbology();
     plan_effects();
     end();
@@ -131,9 +144,7 @@ void FramePlanner::plan_without_terrain(PlannerMemory& memory, PlannedFrame& fra
 
 /// The design of another phase may decide; what painters have been told of the shown one holds on.
 void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch) {
-    memory_ = &memory;
-    frame_ = &scratch;
-    sync_look();
+    const LookOf look = look_of_;
     const std::uint64_t look_key = look_key_;
     PlannerMemory passing = memory;
     passing.shown = phases_.place_of(input.phase.presented);
@@ -142,8 +153,7 @@ void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemor
     begin_plan();
     if (elements_.is_started()) elements_.labels().keep(memory.labels);
     memory.boost = passing.boost;
-    memory_ = &memory;
-    sync_look();
+    if (look_key_ != look_key) take_look(look);
     look_key_ = look_key;
 }
 

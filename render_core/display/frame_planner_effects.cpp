@@ -44,6 +44,7 @@ void FramePlanner::plan_effects() {
     frame_->effects = memory_->budget.plan(effects::effect_requests(facts), settings_.device.capability, frame_->counters,
                                            terrain_tolerance(), frame_->time);
     memory_->saliency.plan(frame_->effects.runs(effects::Effect::saliency), frame_->time);
+    frame_->saliency = {memory_->saliency.runs(), memory_->saliency.measures()};
     const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;
     memory_->clutter.plan(frame_->effects.runs(effects::Effect::clutter), frame_->time, memory_->shown,
                           may_hold ? look_.priority.held_clutter() : 1);

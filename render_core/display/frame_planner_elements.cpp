@@ -137,21 +137,32 @@ void FramePlanner::plan_detail_again(bool is_shown) {
     frame_->labels.changed += changed;
 }
 
-void FramePlanner::plan_probe(PlannerMemory& memory, PlannedFrame& frame) {
-    memory_ = &memory;
-    frame_ = &frame;
-    frame.declutter = policy::declutter_of(memory.clutter.step_regions(), look_.priority, memory.weights);
+/// The picture that the budget of clutter asks to be measured. Where the frame itself has all its detail, and no other design's
+/// picture stands in it, it is the first one.
+void FramePlanner::plan_probe() {
+    using Step = ClutterControl::Step;
+    PlannedClutter& clutter = frame_->clutter;
+    const Step step = memory_->clutter.step();
+    if (step == Step::none) return;
+    if (clutter.probe == Probe::none) clutter.before_probes = frame_->declutter;
+    const bool has_all = frame_->declutter.regions.is_whole() && !frame_->keeps_scene && frame_->earlier_share <= 0;
+    clutter.probe = step == Step::whole && has_all ? Probe::shown : Probe::hidden;
+    if (clutter.probe == Probe::shown) return;
+    frame_->declutter = policy::declutter_of(memory_->clutter.step_regions(), look_.priority, memory_->weights);
     plan_detail_again(false);
     set_camera_data();
 }
 
-void FramePlanner::plan_measured(policy::Declutter planned, PlannerMemory& memory, PlannedFrame& frame) {
-    memory_ = &memory;
-    frame_ = &frame;
+/// The frame that is shown, by what its probes have measured. A probe that is shown stays as it is.
+void FramePlanner::plan_measured() {
+    PlannedClutter& clutter = frame_->clutter;
+    const bool is_planned = clutter.probe == Probe::shown;
+    clutter.probe = Probe::none;
+    if (is_planned) return;
     plan_declutter();
-    plan_detail_again(planned.regions.factor != frame.declutter.regions.factor);
+    plan_detail_again(clutter.before_probes.regions.factor != frame_->declutter.regions.factor);
     set_camera_data();
-    if (elements_.is_started()) elements_.labels().keep(memory.labels);
+    if (elements_.is_started()) elements_.labels().keep(memory_->labels);
 }
 
 PlannedCamera FramePlanner::plan_side(const EyePair& pair, draw::EyeSide side, PlannerMemory& memory, PlannedFrame& frame) {
@@ -172,6 +183,7 @@ PlannedCamera FramePlanner::plan_side(const EyePair& pair, draw::EyeSide side, P
 }
 
 void FramePlanner::conclude(PlannerMemory& memory, PlannedFrame& frame) {
+    if (frame.saliency.is_measured) memory.saliency.take();
     if (look_.priority.held_clutter() >= 1) return;
     const ClutterControl::Measured measured = memory.clutter.measured(frame.time, memory.shown);
     frame.clutter.measured = measured.clutter;

@@ -95,7 +95,7 @@ void FramePlanner::weigh() {
     if (weights == memory_->weights && shows_alert == memory_->shows_alert) return;
     memory_->weights = weights;
     memory_->shows_alert = shows_alert;
-    take_look();
+    take_look(asked_look());
 }
 
 ObstaclePlaces FramePlanner::obstacles_ahead(const PlannedFrame& frame, const PlannerMemory& memory) {

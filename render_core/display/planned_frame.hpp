@@ -33,8 +33,28 @@ struct PlannedCamera {
     CasterSet casters;
 };
 
+/// What is measured of a planned picture before the frame is shown.
+enum class Probe : std::uint8_t {
+    none,    ///< nothing: the picture is shown
+    shown,   ///< the edges of the picture; it is shown where the next plan asks for no other one
+    hidden,  ///< the edges of the picture, which is not shown
+};
+
+/// What the painter found of a planned picture: plain input of FramePlanner::plan_again().
+struct PainterFindings {
+    bool terrain_failed = false;  ///< it could not be drawn; then nothing was measured
+    effects::ClutterMap edges;    ///< of the picture that PlannedFrame::probe asks for
+};
+
+struct PlannedSaliency {
+    bool is_shown = false;
+    bool is_measured = false;  ///< of this picture; else the map is an earlier frame's
+};
+
 /// How the budget of clutter is held: what the frame follows from, and what gives way in it.
 struct PlannedClutter {
+    Probe probe = Probe::none;
+    policy::Declutter before_probes;  ///< of the frame, while its probes are planned
     effects::ClutterMeasures measured;
     effects::ClutterMap reached;
     std::uint32_t roles = 0;  ///< of layers that give way; a bit for each scene::LayerRole
@@ -63,6 +83,7 @@ struct PlannedFrame : FrameStatement {
     FociPlan foci_plan;
     policy::Declutter declutter;
     PlannedClutter clutter;
+    PlannedSaliency saliency;
     SpatialDataPlan data;
     std::uint64_t ground_key = 0;                    ///< another one: `ground_slice` has changed
     const scene::GridSlice* ground_slice = nullptr;  ///< what colours the ground; null for nothing

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "platform/programs/program_folder.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/terrain/verify_page.hpp"
 #include "target/board_display.hpp"
@@ -88,7 +89,7 @@ private:
         return is_started;
     }
     [[nodiscard]] base::FixedString<127> budgets() {
-        const base::BudgetTable& table = display_.core().budget();
+        const base::BudgetTable& table = display_.core().planner().budget();
         const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / kMegabyte; };
         char text[128];
         std::snprintf(text, sizeof text, "%u x %u, %.1f MB of the processor's and %.1f MB of the GPU's memory",
@@ -114,7 +115,7 @@ private:
         const auto memory = platform::reserve_memory(2 * file.value().size() + kSlackBytes, platform::Residency::lazy);
         if (!memory.ok()) return fail("board_scene", {memory.error().message.view()});
         base::Arena own = memory.value().arena();
-        const auto scene = scene::Scene::load(file.value(), is_started ? display_.core().spare_scene_memory() : own);
+        const auto scene = scene::Scene::load(file.value(), is_started ? display_.core().planner().data().spare() : own);
         if (!scene.ok()) return fail("board_scene", {settings_.scene.view(), ": ", scene::describe(scene.error()).view()});
         if (is_started && !display_.core().take_scene(scene.value()))
             return fail("board_scene",

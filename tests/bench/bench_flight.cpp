@@ -32,7 +32,7 @@ struct Timing {
 /// Planned, drawn and finished; nothing is read back.
 double frame_ms(test_support::HeadlessDisplay& headless, const flight::FrameInput& instant, base::Time now) {
     const base::Time start = platform::monotonic_now();
-    headless.display().update(instant.state, instant.phase, now);
+    headless.display().plan({instant.state, instant.phase, now});
     headless.display().draw(headless.surface());
     headless.display().gl()->Finish();
     return (platform::monotonic_now() - start).to_seconds() * 1000;

@@ -15,6 +15,7 @@
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "platform/threads/thread_workers.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/default_flight.hpp"
 
@@ -70,7 +71,7 @@ public:
 
     [[nodiscard]] double start_ms(design::TerrainRenderer of) const { return start_ms_[static_cast<std::size_t>(of)]; }
     [[nodiscard]] terrain::FileHeader header() {
-        const terrain::TerrainDatabase* const database = displays_[0]->display().terrain_database();
+        const terrain::TerrainDatabase* const database = displays_[0]->display().planner().terrain_database();
         if (database == nullptr) throw std::runtime_error("the display has no terrain");
         return database->header();
     }
@@ -83,7 +84,7 @@ public:
         if (traced.record().terrain.renderer.view() != "trace")
             throw std::runtime_error("the terrain was not traced: " +
                                      std::string(traced.record().terrain.renderer_reason.view()));
-        return {median(ms[0]), median(ms[1]), traced.budget().find(effects::kTracedTerrain)->use.in_use};
+        return {median(ms[0]), median(ms[1]), traced.planner().budget().find(effects::kTracedTerrain)->use.in_use};
     }
 
 private:
@@ -95,9 +96,9 @@ private:
         make_current(headless);
         display::Display& display = headless.display();
         const flight::AircraftState aircraft = host_sim::posed_aircraft(pose, display);
-        display.settle(aircraft, {}, host_sim::kPosedTime);
+        display::settle(display, {aircraft, {}, host_sim::kPosedTime});
         const double ms = spent_ms([&] {
-            display.update(aircraft, {}, host_sim::kPosedTime);
+            display.plan({aircraft, {}, host_sim::kPosedTime});
             display.draw(headless.surface());
             display.gl()->Finish();
         });

@@ -106,7 +106,7 @@ public:
         if (!made.ok()) throw std::runtime_error(made.error().message.c_str());
         surface_ = wrap(std::move(made.value()));
         if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
-        memory_ = std::make_unique<KeptReservation>(display::Display::bytes_needed(settings.device));
+        memory_ = std::make_unique<KeptReservation>(display::DisplayMemory::bytes_needed(settings.device.budget));
         display::TerrainInput input;
         if (terrain != nullptr) {
             reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);

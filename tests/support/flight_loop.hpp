@@ -35,7 +35,7 @@ public:
     bool fly_to(double seconds, base::Duration frame_step) {
         const base::Time end = first_ + base::Duration::from_seconds(seconds);
         while (tracker_.next_step() <= end) {
-            const flight::FrameInput input = tracker_.advance_to(tracker_.next_step(), display_.display());
+            const flight::FrameInput input = tracker_.advance_to(tracker_.next_step(), display_.display().planner());
             note_source(input.phase.source);
             if (next_frame_ > input.time) continue;
             draw(input);
@@ -63,7 +63,7 @@ private:
     }
     void draw(const flight::FrameInput& input) {
         display::Display& display = display_.display();
-        display.update(input.state, input.phase, input.time, input.trail);
+        display.plan({input.state, input.phase, input.time, input.trail});
         display.draw(display_.surface());
         seen_.good += display_.surface().present() == base::SurfaceState::ready ? 1 : 0;
         ++seen_.frames;

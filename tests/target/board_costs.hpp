@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "render_core/display/calibration_subject.hpp"
 #include "render_core/effects/effect_table.hpp"
 #include "target/board_display.hpp"
 
@@ -25,7 +26,7 @@ inline std::string costs_of(const BoardSettings& settings, const std::string& re
 inline std::string costs_of_this_board(const BoardSettings& settings) {
     BoardDisplay board(settings);
     EXPECT_TRUE(board.open_surface().message.empty() && !board.start());
-    return costs_of(settings, std::string(board.core().calibration_subject().renderer.view()));
+    return costs_of(settings, std::string(display::calibration_subject(board.core()).renderer.view()));
 }
 
 }  // namespace tedavis::target

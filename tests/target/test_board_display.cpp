@@ -26,7 +26,7 @@ bool has_flag(const display::FrameRecord& record, std::string_view name) {
 
 /// Draws a frame and gives its record.
 const display::FrameRecord& drawn(BoardDisplay& board) {
-    board.core().update({}, {}, base::Time{1});
+    board.core().plan({{}, {}, base::Time{1}});
     board.core().draw(board.surface());
     EXPECT_EQ(board.surface().present(), base::SurfaceState::ready);
     return board.core().record();
@@ -37,7 +37,7 @@ TEST(BoardDisplay, StartsWithItsTerrain) {
     BoardDisplay board(settings);
     ASSERT_EQ(start(board), "");
     EXPECT_EQ(board.terrain_fault().message.view(), "");
-    EXPECT_NE(board.core().terrain_database(), nullptr);
+    EXPECT_NE(board.core().planner().terrain_database(), nullptr);
     EXPECT_FALSE(has_flag(drawn(board), "terrain.failed"));
 }
 

@@ -232,6 +232,19 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
     return next;
 }
 
+void LabelMemory::keep_looks(const LabelMemory& shown) {
+    for (Label& label : labels) label.look = 0;
+    gone = shown.gone;
+    for (const Label& before : shown.labels) {
+        const auto stays =
+            std::find_if(labels.begin(), labels.end(), [&](const Label& label) { return label.key == before.key; });
+        if (stays != labels.end())
+            stays->look = before.look;
+        else if (before.look != 0)
+            ++gone;
+    }
+}
+
 void LabelPlanner::keep(LabelMemory& memory) const {
     memory.interval = interval_.number;
     memory.changes_left = changes_left_;

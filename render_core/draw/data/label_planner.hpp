@@ -165,6 +165,9 @@ struct LabelMemory {
     bool has_memory = false, was_skipped = false;
     std::uint32_t gone = 0;  ///< disappeared labels that have not been counted yet
     base::FixedVector<Label, LabelPlanner::kMax> labels;
+
+    /// Takes the looks of these labels from those that a frame showed, and counts what it showed and is not among them.
+    void keep_looks(const LabelMemory& shown);
 };
 
 }  // namespace tedavis::draw

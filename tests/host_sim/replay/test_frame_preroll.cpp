@@ -59,7 +59,7 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool has_preroll) 
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (has_preroll) preroll.preroll(times.at(n));
         const flight::FrameInput instant = player.at(times.at(n));
-        session.display().update(instant.state, instant.phase, times.at(n));
+        session.display().plan({instant.state, instant.phase, times.at(n)});
         session.draw();
         const display::TerrainRecord& terrain = session.display().record().terrain;
         frames[times.at(n).ns] = {session.frame_hash(),
@@ -135,7 +135,7 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_prer
     DisplaySession session(asked.picture, false);
     effects::GovernorSettings settings;
     settings.dwell = base::Duration::milliseconds(200);
-    session.display().frame_budget().hold(kScarce_ms, costs_of_triangles(), settings);
+    session.display().memory().budget.hold(kScarce_ms, costs_of_triangles(), settings);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
@@ -144,7 +144,7 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_prer
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (has_preroll) preroll.preroll(times.at(n));
         const flight::FrameInput instant = player.at(times.at(n));
-        session.display().update(instant.state, instant.phase, times.at(n));
+        session.display().plan({instant.state, instant.phase, times.at(n)});
         session.draw();
         const display::FrameRecord& record = session.display().record();
         frames[times.at(n).ns] = {session.frame_hash(),

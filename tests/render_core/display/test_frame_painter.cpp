@@ -35,7 +35,7 @@ struct Hills {
     explicit Hills(const design::DesignSettings& design, std::uint32_t width = kWidth)
         : headless("egl", "desktop", width, kHeight, &bytes, design) {}
     std::vector<std::uint8_t> from(const terrain::View& view) {
-        headless.display().set_free_view(view);
+        headless.display().planner().set_free_view(view);
         return test_support::settled_pixels(headless, state, test_support::kHillsNow);
     }
     test_support::MemoryBytes bytes{test_support::hills().image};
@@ -48,7 +48,7 @@ terrain::View view_of(const design::DesignSettings& design) {
     mono.effects.stereo.mode = StereoMode::none;
     Hills hills(mono);
     (void)test_support::settled_pixels(hills.headless, hills.state, test_support::kHillsNow);
-    return hills.headless.display().view();
+    return hills.headless.display().planned().camera.eye.view;
 }
 
 TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
@@ -138,7 +138,7 @@ int greatest_difference(const std::vector<std::uint8_t>& a, const std::vector<st
 /// The picture so long after kHillsNow.
 std::vector<std::uint8_t> later(Hills& hills, double seconds) {
     const base::Time now = test_support::kHillsNow + base::Duration::from_seconds(seconds);
-    hills.headless.display().update(hills.state, {}, now);
+    hills.headless.display().plan({hills.state, {}, now});
     return test_support::drawn_pixels(hills.headless);
 }
 
