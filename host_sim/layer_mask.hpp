@@ -1,6 +1,6 @@
 /// Layer masks: the part of the display to which each pixel of a picture belongs.
 ///
-/// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey a pixel, which count from 0 through the names that the
+/// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey per pixel, which count from 0 through the names that the
 /// picture's record has under `layers` (the frame's line of `frames.jsonl`, `P.json` of a `shot`, `sheet.json` of a sheet).
 #pragma once
 
