@@ -20,7 +20,7 @@ namespace tedavis::draw {
 /// Number of cells of all maps together. A map has one more cell across and down than fit, for those cut at its edges.
 inline constexpr std::uint32_t kAdjacentCells = 676;
 
-/// What the maps show. Layer and attribute must stay until the picture is built.
+/// What the maps show. Layer and attribute must stay valid until the picture is built.
 struct AdjacentInput {
     const scene::Layer* layer = nullptr;  ///< null: there are no maps
     const scene::Attribute* attribute = nullptr;
