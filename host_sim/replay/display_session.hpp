@@ -26,7 +26,7 @@ public:
     DisplaySession(const PictureOptions& options, bool generated_flight);
     /// Draws on the surface that `make_surface` opens.
     DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface);
-    /// Of the device; throws UserError where there is no such file.
+    /// True where the device has a shader compiler; throws UserError where its file does not exist.
     [[nodiscard]] static bool has_compiler(const PictureOptions& options);
     /// The programs that a display with these options is started with, made by this machine's compiler; the device need not
     /// have one. No other session may be current. Throws UserError.

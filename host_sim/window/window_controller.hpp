@@ -21,10 +21,10 @@ public:
     WindowController(const Transport& transport, std::uint32_t patterns, bool has_tour);
 
     void handle(const platform::WindowEvent& event);
-    /// `wall` has gone by: the flight plays on, the free camera flies on.
+    /// Advances playback and the free camera by the elapsed time `wall`.
     void advance(base::Duration wall);
-    /// Where the picture on the screen is seen from, and its pixels per unit tangent: a free camera starts there, and the
-    /// mouse turns it by as much as the picture moves.
+    /// States the pose of the current picture, from which a free camera starts, and its focal length in pixels, by which the
+    /// mouse turns the camera as far as the picture moves.
     void note_picture(const CameraPose& eye, double focal_px);
 
     [[nodiscard]] bool closed() const { return closed_; }

@@ -3,8 +3,8 @@
 ///
 ///   hold(deadline, costs) once · tau_factor(), detail_factor() before, plan() after terrain and data are chosen, each frame
 ///
-/// Without a deadline or without known costs it plans the requested effects and states why nothing is reduced. Pure. Thread
-/// one. Memory  none beside itself.
+/// Without a deadline or without known costs it plans the requested effects and states why nothing is reduced.
+/// Pure. Thread  one. Memory  none besides itself.
 #pragma once
 
 #include "render_core/effects/frame_governor.hpp"

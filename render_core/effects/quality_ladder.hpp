@@ -26,7 +26,7 @@ inline constexpr std::array<Rung, kRungs> kLadder{{{1, 1}, {1.4, 0.8}, {2, 0.65}
 [[nodiscard]] double tau_px_on(std::size_t rung, double design_px, double coarse_px) noexcept;
 
 /// Estimates how a frame's counters change with the terrain's error and the glyphs' detail. Costs are overestimated in both
-/// directions: triangles of a finer terrain grow by the error's ratio, and those of a coarser one shrink by less than they do.
+/// directions: a finer terrain is assumed to have more triangles than it really has, and a coarser one too.
 struct Quality {
     double tau_px = 1;
     double detail = 1;  ///< detail of the glyphs, 0..1

@@ -9,7 +9,7 @@
 /// that motion between two intervals seldom makes labels overlap. Markers of protected features neither wait nor are removed.
 ///
 /// The result is a function of the offered features, in any order, and of the previous labels; a replay therefore restores
-/// these (keep(), restore()) or starts at the begin of the flight. Work is bounded by kMax; offered features beyond the best
+/// these (keep(), restore()) or starts at the beginning of the flight. Work is bounded by kMax; offered features beyond the best
 /// kMax are only counted.
 ///
 /// Memory  from an arena, once. Thread  one. No clock: an interval is a number that grows with the source's time.

@@ -59,7 +59,7 @@ TEDAVIS_LANES_INLINE TraversalState<V> enter_times(const TracedNodes<Height>& fi
     return m;
 }
 
-/// In which cells they do.
+/// Computes the cells in which they enter the grid.
 template <class V, class Height>
 TEDAVIS_LANES_INLINE void enter_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     using Int = typename V::Int;
@@ -79,7 +79,7 @@ TEDAVIS_LANES_INLINE TraversalState<V> enter(const TracedNodes<Height>& field, c
     return m;
 }
 
-/// Whether rays stay on their side of all that a node bounds, until they leave it.
+/// Returns which rays stay on their side of the node's bound until they leave the node.
 template <class V, class Height, HitSide side>
 TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& field, const RayLanes<V>& ray,
                                                   const TraversalState<V>& m, typename V::Float t_out, typename V::Int node,
