@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "target/board_display.hpp"
 #include "target/frame_pacer.hpp"
 
 namespace tedavis::target {
@@ -9,16 +10,14 @@ namespace tedavis::target {
 DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts ports)
     : settings_(settings),
       ports_(std::move(ports)),
-      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log),
-      board_(settings_) {}
+      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log) {}
 
 DisplayApplication::~DisplayApplication() { scene_watch_.stop(); }
 
 base::Error DisplayApplication::start() {
-    if (base::Error error = board_.open_surface()) return error;
-    if (base::Error error = board_.start()) return error;
-    if (base::Error error = board_.hold_deadline()) return error;
-    if (const base::Error& why = board_.terrain_fault(); !why.message.empty())
+    if (const platform::HostFault fault = start_board_display(settings_, host_)) return fault.error;
+    if (base::Error error = hold_board_deadline(settings_, host_)) return error;
+    if (const base::Error& why = host_.terrain_fault(); !why.message.empty())
         ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});
     start_scene();
     flight_.start(ports_.clocks.live.monotonic());
@@ -47,9 +46,9 @@ void DisplayApplication::take_new_scene() {
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
     const flight::FrameInput input = flight_.at(now, display().planner());
-    display().plan({input.state, input.phase, now, input.trail});
-    display().draw(board_.surface());
-    return board_.surface().present();
+    display().plan(input);
+    display().draw(host_.surface());
+    return host_.surface().present();
 }
 
 RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) {

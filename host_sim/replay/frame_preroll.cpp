@@ -123,6 +123,7 @@ void FramePreroll::decide_interval(std::int64_t interval) {
     const base::Time begins = std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first());
     flight::FrameInput input = player_.at(begins);
     input.phase = phase_before(begins);
+    input.trail = nullptr;  // nothing that an interval decides reads it
     decided_.budget = display_.memory().budget;
     decided_.terrain_failed = display_.memory().terrain_failed;
     display_.planner().decide_interval(input, decided_, *scratch_);

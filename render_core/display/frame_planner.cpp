@@ -147,6 +147,8 @@ void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemor
     const LookOf look = look_of_;
     const std::uint64_t look_key = look_key_;
     PlannerMemory passing = memory;
+    passing.weights = look.weights;  // what the design looks like now is the least work to begin from
+    passing.shows_alert = look.shows_alert;
     passing.shown = phases_.place_of(input.phase.presented);
     passing.view = ViewTransition();
     begin(input, passing, scratch);

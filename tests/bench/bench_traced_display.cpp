@@ -89,8 +89,7 @@ public:
 
 private:
     static void make_current(test_support::HeadlessDisplay& headless) {
-        if (!headless.surface().make_current()) throw std::runtime_error("the surface cannot be made current");
-        headless.display().gl().activate();
+        if (!headless.make_current()) throw std::runtime_error("the surface cannot be made current");
     }
     static double frame_ms(test_support::HeadlessDisplay& headless, const host_sim::AircraftPose& pose) {
         make_current(headless);

@@ -63,7 +63,7 @@ private:
     }
     void draw(const flight::FrameInput& input) {
         display::Display& display = display_.display();
-        display.plan({input.state, input.phase, input.time, input.trail});
+        display.plan(input);
         display.draw(display_.surface());
         seen_.good += display_.surface().present() == base::SurfaceState::ready ? 1 : 0;
         ++seen_.frames;
