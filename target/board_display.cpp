@@ -5,12 +5,12 @@
 namespace tedavis::target {
 namespace {
 
-base::Error sentence_of(const platform::HostFault& fault, const BoardSettings& settings) {
-    const std::string_view sentence = fault.error.message.view();
+base::Error message_of(const platform::HostFault& fault, const BoardSettings& settings) {
+    const std::string_view message = fault.error.message.view();
     switch (fault.part) {
         case platform::HostPart::surface:
-        case platform::HostPart::context: return base::make_error("[surface]: ", sentence);
-        case platform::HostPart::display: return base::make_error("device '", settings.device.name.view(), "': ", sentence);
+        case platform::HostPart::context: return base::make_error("[surface]: ", message);
+        case platform::HostPart::display: return base::make_error("device '", settings.device.name.view(), "': ", message);
         default: return fault.error;
     }
 }
@@ -32,7 +32,7 @@ platform::HostFault start_board_display(const BoardSettings& settings, platform:
     of_host.programs = settings.programs.view();
     of_host.residency = settings.residency;
     const platform::HostFault fault = host.start(of_host);
-    return {fault.part, sentence_of(fault, settings)};
+    return {fault.part, message_of(fault, settings)};
 }
 
 base::Error hold_board_deadline(const BoardSettings& settings, platform::DisplayHost& host) {

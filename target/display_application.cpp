@@ -63,7 +63,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
             report.end = RunEnd::surface_lost;
             break;
         }
-        display().memory().budget.note_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
+        display().memory().budget.record_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
         ++report.frames;
         watchdog_.alive();
         clocks.sleep_until(pacer.next(clocks.live.monotonic()));

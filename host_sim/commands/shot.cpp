@@ -33,7 +33,7 @@ flight::PhaseStatus named_phase(const std::string& name) {
 }
 
 /// Requested foci come before those of the design.
-void note_hidden_foci(const display::FrameRecord& record, std::size_t asked, Console& console) {
+void add_hidden_foci_note(const display::FrameRecord& record, std::size_t asked, Console& console) {
     for (std::size_t n = 0; n < std::min<std::size_t>(asked, record.foci.size()); ++n)
         if (!record.foci[n].is_shown)
             console.note("note: focus " + std::to_string(n + 1) +
@@ -71,7 +71,7 @@ int run_shot(const ShotOptions& options, Console& console) {
                        " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +
                        hash_text(result.hash),
                    json);
-    note_hidden_foci(result.record, options.picture.foci.size(), console);
+    add_hidden_foci_note(result.record, options.picture.foci.size(), console);
     const std::string fault = session.terrain_fault();
     if (fault.empty()) return exit_code_of(*result.warnings, options.strict);
     console.note("note: " + fault);

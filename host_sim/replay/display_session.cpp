@@ -21,14 +21,14 @@ effects::DeviceSettings load_device(const std::string& name) {
 }
 
 /// Memory, programs and their limits come from the device file.
-std::string sentence_of(const platform::HostFault& fault, const PictureOptions& options) {
+std::string message_of(const platform::HostFault& fault, const PictureOptions& options) {
     using platform::HostPart;
-    const std::string sentence(fault.error.message.view());
+    const std::string message(fault.error.message.view());
     if (fault.part == HostPart::context)
         return "the drawing surface cannot be made current; try another --gl, or another screen for --window";
     if (fault.part == HostPart::memory || fault.part == HostPart::display)
-        return resolve_config(options.device, "devices") + ": " + sentence;
-    return sentence;
+        return resolve_config(options.device, "devices") + ": " + message;
+    return message;
 }
 
 /// `maker` must stay until the display is started.
@@ -91,7 +91,7 @@ void DisplaySession::open(const PictureOptions& options, bool generated_flight, 
 }
 
 void DisplaySession::start(const platform::DisplayHostSettings& settings, const PictureOptions& options) {
-    if (const platform::HostFault fault = host_.start(settings)) throw UserError(sentence_of(fault, options));
+    if (const platform::HostFault fault = host_.start(settings)) throw UserError(message_of(fault, options));
     display().planner().force_effects(options.force_effects);
     const std::string costs = options.costs.empty() ? std::string() : read_file(options.costs);
     const base::Error error = host_.hold_deadline(options.deadline_ms.value_or(0), {options.costs, costs});

@@ -242,8 +242,8 @@ std::vector<std::string> FlightPlayer::notes() const {
     return notes;
 }
 
-void FlightPlayer::say(const std::string& sentence) {
-    if (console_ != nullptr) console_->note(sentence);
+void FlightPlayer::say(const std::string& message) {
+    if (console_ != nullptr) console_->note(message);
 }
 
 }  // namespace tedavis::host_sim

@@ -41,7 +41,7 @@ void FramePreroll::preroll_frame(base::Time time) {
     const effects::FrameGovernor governor = display_.memory().budget.governor();
     for (std::int64_t planned = needed - kWindow; planned < frame; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
-        if (is_governed) restore_rung(planned);
+        if (is_governed) restore_quality_level(planned);
         plan(is_on_grid ? grid : std::max(grid + off_grid, player_.first()));
     }
     if (is_governed) display_.memory().budget.restore(governor);
@@ -61,13 +61,13 @@ std::int64_t FramePreroll::first_needed(std::int64_t frame, base::Time time) {
 /// Plans the frames of the grid before this one, from the last one on whose governor is known, but not after the one needed.
 void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
     effects::FrameBudget& budget = display_.memory().budget;
-    if (rungs_.empty()) {
+    if (quality_levels_.empty()) {
         budget.restore(effects::FrameGovernor());
         learn(0);
     }
-    const std::int64_t kept = std::min<std::int64_t>(needed, static_cast<std::int64_t>(rungs_.size()) - 1) / kKeepEvery;
+    const std::int64_t kept = std::min<std::int64_t>(needed, static_cast<std::int64_t>(quality_levels_.size()) - 1) / kKeepEvery;
     for (std::int64_t planned = kept * kKeepEvery - kWindow; planned < kept * kKeepEvery; ++planned) {
-        restore_rung(planned);
+        restore_quality_level(planned);
         plan(grid_time(std::max<std::int64_t>(planned, 0)));
     }
     budget.restore(governors_[static_cast<std::size_t>(kept)]);
@@ -79,16 +79,16 @@ void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
 
 /// The display has planned every frame before this one.
 void FramePreroll::learn(std::int64_t frame) {
-    if (frame != static_cast<std::int64_t>(rungs_.size())) return;
+    if (frame != static_cast<std::int64_t>(quality_levels_.size())) return;
     const effects::FrameGovernor& governor = display_.memory().budget.governor();
-    rungs_.push_back(static_cast<std::uint8_t>(governor.rung()));
+    quality_levels_.push_back(static_cast<std::uint8_t>(governor.quality_level()));
     if (frame % kKeepEvery == 0) governors_.push_back(governor);
 }
 
-/// The terrain of a frame is chosen by the rung before it; nothing else of the governor matters to it.
-void FramePreroll::restore_rung(std::int64_t frame) {
+/// The terrain of a frame is chosen by the quality level before it; nothing else of the governor matters to it.
+void FramePreroll::restore_quality_level(std::int64_t frame) {
     const auto known = static_cast<std::size_t>(std::max<std::int64_t>(frame, 0));
-    display_.memory().budget.restore(effects::FrameGovernor(rungs_[known]));
+    display_.memory().budget.restore(effects::FrameGovernor(quality_levels_[known]));
 }
 
 void FramePreroll::plan(base::Time time) {
@@ -147,7 +147,7 @@ void FramePreroll::forget() {
     intervals_.clear();
     interval_.reset();
     shown_interval_.reset();
-    rungs_.clear();
+    quality_levels_.clear();
     governors_.clear();
 }
 

@@ -7,7 +7,7 @@
 ///
 /// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
 /// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_schedule.hpp), and with
-/// the clutter of earlier frames, by which data give way (display/clutter_control.hpp).
+/// the clutter of earlier frames, by which data give way (display/declutter_control.hpp).
 ///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
@@ -48,7 +48,7 @@ private:
     void plan(base::Time time);
     void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
-    void restore_rung(std::int64_t frame);
+    void restore_quality_level(std::int64_t frame);
     void reach_interval(base::Time time);
     void restore_interval(std::int64_t interval);
     void decide_interval(std::int64_t interval);
@@ -61,7 +61,7 @@ private:
     double rate_hz_;
     std::optional<std::int64_t> last_;  ///< frame of the grid that was drawn last
     // Before the frames of the grid, from the log's first on.
-    std::vector<std::uint8_t> rungs_;
+    std::vector<std::uint8_t> quality_levels_;
     std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
     std::optional<std::int64_t> shown_interval_;     ///< that the display's weights and labels are of
     std::optional<std::int64_t> interval_;           ///< that `decided_` is of

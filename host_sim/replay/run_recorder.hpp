@@ -29,7 +29,7 @@ public:
     /// Adds the frame drawn last to the run.
     void keep();
     /// A sentence for the summary.
-    void note(const std::string& sentence) { notes_.push_back(sentence); }
+    void note(const std::string& message) { notes_.push_back(message); }
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
     /// Writes the records, the summary and the report, and states the command's result and what was found. Once, at the end.

@@ -101,11 +101,11 @@ void LiveRun::turn_switches(std::uint32_t pattern) {
     write_switches();
     ++revision_;
     if (!latest_kept_ || *latest_kept_ <= now) return;
-    char sentence[160];
-    std::snprintf(sentence, sizeof sentence,
+    char message[160];
+    std::snprintf(message, sizeof message,
                   "frames later than %.3f s in the first %llu lines of frames.jsonl were drawn before the switches were set anew",
                   seconds(now), static_cast<unsigned long long>(recorder_.kept()));
-    recorder_.note(sentence);
+    recorder_.note(message);
     latest_kept_ = now;
 }
 
@@ -149,14 +149,14 @@ void LiveRun::draw(const Shown& wanted) {
     const base::Time now = shown_time();
     preroll_.preroll(now);
     const display::FrameRecord& record = recorder_.draw(now).record;
-    CameraPose eye = wanted.camera;
+    CameraPose pose = wanted.camera;
     if (wanted.mode == CameraMode::cockpit) {
         recorder_.keep();
         latest_kept_ = latest_kept_ ? std::max(*latest_kept_, now) : now;
-        eye = {earth::from_ecef(session_.display().planned().camera.eye.view.eye), record.heading_rad, record.pitch_rad,
-               record.roll_rad};
+        pose = {earth::from_ecef(session_.display().planned().camera.eye.view.eye), record.heading_rad, record.pitch_rad,
+                record.roll_rad};
     }
-    controller_.note_picture(eye, session_.display().planned().camera.eye.view.focal_px);
+    controller_.record_picture(pose, session_.display().planned().camera.eye.view.focal_px);
     session_.present();
     shown_ = wanted;
 }

@@ -15,8 +15,8 @@ namespace {
 HostFault fault_of(HostPart part, const base::Error& error) { return {error ? part : HostPart::none, error}; }
 
 /// A fault of a database's bytes; one that came without a path keeps the display's sentence.
-HostFault database_fault(HostPart part, const DatabaseSource& source, std::string_view fault, const base::Error& sentence) {
-    return {part, source.bytes != nullptr ? sentence : base::make_error(source.path, ": ", fault)};
+HostFault database_fault(HostPart part, const DatabaseSource& source, std::string_view fault, const base::Error& message) {
+    return {part, source.bytes != nullptr ? message : base::make_error(source.path, ": ", fault)};
 }
 
 base::Error open_database(const DatabaseSource& source, FileByteSource& file, base::ByteSource*& bytes) {

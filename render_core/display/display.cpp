@@ -35,7 +35,7 @@ base::Error Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (base::Error error = painter_.open(surface, settings.device, settings.programs)) return error;
     if (base::Error error = start_all(terrain, scene)) return error;
     painter_.seal();
-    arenas_.note_use(budget);
+    arenas_.record_use(budget);
     frame_.shown = &planner_.look();  // who draws before the first plan sees no terrain
     frame_.look_key = planner_.look_key();
     return {};
@@ -139,7 +139,7 @@ draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
         const EffectWork measuring = painter_.work()[Effect::clutter];
         painter_.work() = begun;
         painter_.work()[Effect::clutter] = measuring;
-        painter_.prepare_elements(frame_.camera);
+        painter_.prepare_elements(frame_.picture);
         drawn = paint_next(surface);
     }
     return drawn;
@@ -166,13 +166,13 @@ draw::TerrainDrawResult Display::draw_scene(base::Surface& surface, PictureLayer
         gl::bind_surface(painter_.gl(), surface);
         return drawn;  // what was kept covers the surface
     }
-    return painter_.draw_scene(frame_, frame_.camera, surface, last);
+    return painter_.draw_scene(frame_, frame_.picture, surface, last);
 }
 
-draw::TerrainDrawResult Display::draw_side(const EyePair& pair, draw::EyeSide side, PictureLayer last) {
-    const PlannedCamera camera = planner_.plan_side(pair, side, memory_, frame_);
-    painter_.prepare_elements(camera);
-    return painter_.draw_side(frame_, camera, last, side);
+draw::TerrainDrawResult Display::draw_side(const StereoCameras& pair, draw::EyeSide side, PictureLayer last) {
+    const PlannedPicture picture = planner_.plan_side(pair, side, memory_, frame_);
+    painter_.prepare_elements(picture);
+    return painter_.draw_side(frame_, picture, last, side);
 }
 
 /// One picture is for both where they cannot be told apart; in its own colours then.
@@ -186,11 +186,11 @@ draw::TerrainDrawResult Display::draw_sides(base::Surface& surface, PictureLayer
         if (has_halves) painter_.put_side(surface, mode, EyeSide::right, 0);
         return drawn;
     }
-    const draw::TerrainDrawResult drawn = draw_side(frame_.eyes, EyeSide::left, last);
-    painter_.put_side(surface, mode, EyeSide::left, frame_.eyes.shift_px);
+    const draw::TerrainDrawResult drawn = draw_side(frame_.stereo_cameras, EyeSide::left, last);
+    painter_.put_side(surface, mode, EyeSide::left, frame_.stereo_cameras.shift_px);
     const WorkScope work(painter_.gl(), painter_.work()[Effect::stereo]);
-    static_cast<void>(draw_side(frame_.eyes, EyeSide::right, last));
-    painter_.put_side(surface, mode, EyeSide::right, frame_.eyes.shift_px);
+    static_cast<void>(draw_side(frame_.stereo_cameras, EyeSide::right, last));
+    painter_.put_side(surface, mode, EyeSide::right, frame_.stereo_cameras.shift_px);
     return drawn;
 }
 

@@ -61,7 +61,7 @@ private:
     [[nodiscard]] draw::TerrainDrawResult paint_next(base::Surface& surface);
     [[nodiscard]] draw::TerrainDrawResult paint(base::Surface& surface, PictureLayer last);
     [[nodiscard]] draw::TerrainDrawResult draw_scene(base::Surface& surface, PictureLayer last);
-    [[nodiscard]] draw::TerrainDrawResult draw_side(const EyePair& pair, draw::EyeSide side, PictureLayer last);
+    [[nodiscard]] draw::TerrainDrawResult draw_side(const StereoCameras& pair, draw::EyeSide side, PictureLayer last);
     [[nodiscard]] draw::TerrainDrawResult draw_sides(base::Surface& surface, PictureLayer last);
 
     DisplayMemory arenas_;

@@ -298,9 +298,9 @@ void ElementLabels::Pass::add_protected() {
 /// Those that gave way come last: they must not take the room of what stands where it was placed.
 void ElementLabels::Pass::add_others() {
     const base::Span<const Label> labels = labels_.planner_.labels();
-    for (const bool gave_way : {false, true})
+    for (const bool was_decluttered : {false, true})
         for (std::size_t n = protected_; n < labels.size(); ++n)
-            if ((labels[n].level < labels[n].wanted) == gave_way) add(n);
+            if ((labels[n].level < labels[n].wanted) == was_decluttered) add(n);
 }
 
 LabelCounts ElementLabels::Pass::count() {

@@ -118,31 +118,31 @@ bool FramePainter::prepare(const PlannedFrame& frame) {
         drawn_.ground_data_is_missing = !terrain_.set_ground_data(gl_, frame.ground_slice);
     }
     const bool ready = frame.decisions.show_terrain &&
-                       terrain_.prepare(gl_, frame.camera.terrain, make_terrain_input(context_of(frame, frame.camera.eye)));
-    prepare_elements(frame.camera);
+                       terrain_.prepare(gl_, frame.picture.terrain, make_terrain_input(context_of(frame, frame.picture.camera)));
+    prepare_elements(frame.picture);
     return ready || !frame.decisions.show_terrain;
 }
 
-void FramePainter::prepare_elements(const PlannedCamera& camera) {
-    if (elements_.is_started()) elements_.prepare(gl_, camera.data);
+void FramePainter::prepare_elements(const PlannedPicture& picture) {
+    if (elements_.is_started()) elements_.prepare(gl_, picture.data);
 }
 
-draw::TerrainDrawResult FramePainter::draw_scene(const PlannedFrame& frame, const PlannedCamera& camera,
+draw::TerrainDrawResult FramePainter::draw_scene(const PlannedFrame& frame, const PlannedPicture& picture,
                                                  const gl::DrawPlace& place, PictureLayer last, bool has_shadow_map) {
-    const DrawContext context = context_of(frame, camera.eye, last);
+    const DrawContext context = context_of(frame, picture.camera, last);
     return passes_.draw(gl_, place,
-                        {context, frame.effects, terrain_, camera.terrain, elements_, camera.data, camera.casters, drawn_.work,
+                        {context, frame.effects, terrain_, picture.terrain, elements_, picture.data, picture.casters, drawn_.work,
                          frame.terrain_has_void, has_shadow_map});
 }
 
 draw::TerrainDrawResult FramePainter::draw_kept(const PlannedFrame& frame) {
     follow_look(frame);
-    return draw_scene(frame, frame.camera, fade_.target());
+    return draw_scene(frame, frame.picture, fade_.target());
 }
 
-draw::TerrainDrawResult FramePainter::draw_side(const PlannedFrame& frame, const PlannedCamera& camera, PictureLayer last,
+draw::TerrainDrawResult FramePainter::draw_side(const PlannedFrame& frame, const PlannedPicture& picture, PictureLayer last,
                                                 draw::EyeSide side) {
-    return draw_scene(frame, camera, stereo_.target(), last, side == draw::EyeSide::right);
+    return draw_scene(frame, picture, stereo_.target(), last, side == draw::EyeSide::right);
 }
 
 void FramePainter::put_side(const base::Surface& surface, design::StereoMode mode, draw::EyeSide side, std::int32_t shift_px) {

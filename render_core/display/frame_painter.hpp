@@ -33,7 +33,7 @@ struct DrawnFrame {
 struct PainterStart {
     effects::DeviceSettings& device;
     draw::DrawnDesigns designs;
-    const ClutterControl& clutter;  ///< what the designs ask for
+    const DeclutterControl& clutter;  ///< what the designs ask for
     std::uint32_t width_px = 0, height_px = 0, stereo_margin_px = 0;
 };
 
@@ -55,14 +55,14 @@ public:
     void begin(base::Surface& surface);
     /// Uploads what is new. False where the planned terrain cannot be drawn.
     [[nodiscard]] bool prepare(const PlannedFrame& frame);
-    void prepare_elements(const PlannedCamera& camera);
+    void prepare_elements(const PlannedPicture& picture);
     /// Terrain, sky, data and signs as a camera of the frame sees them, up to a layer.
-    draw::TerrainDrawResult draw_scene(const PlannedFrame& frame, const PlannedCamera& camera, const gl::DrawPlace& place,
+    draw::TerrainDrawResult draw_scene(const PlannedFrame& frame, const PlannedPicture& picture, const gl::DrawPlace& place,
                                        PictureLayer last = PictureLayer::symbology, bool has_shadow_map = false);
     /// Into the picture that later frames fade from.
     draw::TerrainDrawResult draw_kept(const PlannedFrame& frame);
     /// For one eye of a pair; then put_side() puts it onto the surface.
-    draw::TerrainDrawResult draw_side(const PlannedFrame& frame, const PlannedCamera& camera, PictureLayer last,
+    draw::TerrainDrawResult draw_side(const PlannedFrame& frame, const PlannedPicture& picture, PictureLayer last,
                                       draw::EyeSide side);
     void put_side(const base::Surface& surface, design::StereoMode mode, draw::EyeSide side, std::int32_t shift_px);
     /// What fades out.

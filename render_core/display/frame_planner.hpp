@@ -64,7 +64,8 @@ public:
     void decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch);
 
     /// The planned frame as one camera of a pair sees it.
-    [[nodiscard]] PlannedCamera plan_side(const EyePair& pair, draw::EyeSide side, PlannerMemory& memory, PlannedFrame& frame);
+    [[nodiscard]] PlannedPicture plan_side(const StereoCameras& pair, draw::EyeSide side, PlannerMemory& memory,
+                                           PlannedFrame& frame);
     /// The planned frame has been drawn: states how the budget of clutter was held, and remembers that saliency was measured.
     void conclude(PlannerMemory& memory, PlannedFrame& frame);
 
@@ -145,7 +146,7 @@ private:
     // What may be shown, and what comes first
     void begin_plan();
     [[nodiscard]] policy::TerrainSource terrain_source() const;
-    void weigh();
+    void apply_priorities();
     void decide();
     void decide_again();
     void give_up_terrain(policy::TerrainSource reason);
@@ -164,11 +165,11 @@ private:
     void widen_bands();
     void plan_data();
     void set_elements(std::size_t shown);
-    void note_intervals();
+    void record_intervals();
     void decide_labels();
     void plan_elements();
     void plan_detail_again(bool is_shown);
-    void plan_signs(const Eye& eye, SignFrame signs);
+    void plan_signs(const Camera& camera, SignFrame signs);
     void state_labels();
     void state_stale_data();
     void state_stale_source(const scene::Layer& source, const scene::AttributeEntry& made, double stale_after_s);
@@ -179,7 +180,7 @@ private:
     void put_symbology();
     void plan_declutter();
     [[nodiscard]] bool shows_measure() const;
-    [[nodiscard]] bool has_what_gives_way() const;
+    [[nodiscard]] bool has_declutterable_data() const;
     void plan_effects();
     void state_view(effects::EffectFacts& facts);
     void state_data(effects::EffectFacts& facts);

@@ -2,8 +2,8 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/design/weighted_design.hpp"
-#include "render_core/display/eye_pair.hpp"
 #include "render_core/display/frame_planner.hpp"
+#include "render_core/display/stereo_cameras.hpp"
 #include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::display {
@@ -57,7 +57,7 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
     show_design(0);
     memory.labels.forget();
     memory.boost.forget();
-    note_intervals();
+    record_intervals();
 }
 
 void FramePlanner::show_design(std::size_t place) {
@@ -80,7 +80,7 @@ void FramePlanner::sync_look() {
 void FramePlanner::take_look(const LookOf& of) {
     const design::DesignSettings& stated = design_at(of.shown);
     look_ = stated;
-    design::weigh(of.weights, look_);
+    design::apply_priorities(of.weights, look_);
     if (!(of.weights == stated.priority.weights)) design::keep_programs(stated, look_);
     if (of.shows_alert) design::require_warning_colors(look_);
     band_deviations_ = design::deviations_of_coverage(look_.widening.coverage);
@@ -123,7 +123,7 @@ bool FramePlanner::has_warning() const {
 }
 
 void FramePlanner::keep_scene(const PlannedFrame& frame, PlannerMemory& memory) const {
-    memory.transition.kept_view = frame.camera.eye.view;
+    memory.transition.kept_view = frame.picture.camera.view;
     memory.transition.fades_next = true;
 }
 
@@ -142,8 +142,9 @@ double FramePlanner::next_fade_share() {
     if (!memory_->transition.fade_lasts) return 0;
     const double share = 1 - (frame_->time - memory_->transition.fade_began).to_seconds() / look_.effects.fade_s;
     // A scene that stands still while the horizon turns would mislead.
-    const bool has_turned = glm::dot(memory_->transition.kept_view.forward, frame_->camera.eye.view.forward) < kMinTurnCosine ||
-                            glm::dot(memory_->transition.kept_view.right, frame_->camera.eye.view.right) < kMinTurnCosine;
+    const bool has_turned =
+        glm::dot(memory_->transition.kept_view.forward, frame_->picture.camera.view.forward) < kMinTurnCosine ||
+        glm::dot(memory_->transition.kept_view.right, frame_->picture.camera.view.right) < kMinTurnCosine;
     memory_->transition.fade_lasts = share > 0 && share <= 1 && !has_turned && !has_warning();
     return memory_->transition.fade_lasts ? share : 0;
 }

@@ -3,14 +3,14 @@
 /// Plain but for references to the planner's own, which stay until the next plan. Thread  the display's.
 #pragma once
 
+#include "render_core/display/camera.hpp"
 #include "render_core/display/caster_set.hpp"
 #include "render_core/display/element_planner.hpp"
-#include "render_core/display/eye.hpp"
-#include "render_core/display/eye_pair.hpp"
 #include "render_core/display/foci_plan.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/display/spatial_data.hpp"
+#include "render_core/display/stereo_cameras.hpp"
 #include "render_core/display/symbology_data.hpp"
 #include "render_core/display/terrain_planner.hpp"
 #include "render_core/draw/color_table.hpp"
@@ -26,8 +26,8 @@
 namespace tedavis::display {
 
 /// What stands in the picture of one camera: the frame's own, or one of a pair.
-struct PlannedCamera {
-    Eye eye;
+struct PlannedPicture {
+    Camera camera;
     SeenTerrain terrain;
     PlannedElements data;
     CasterSet casters;
@@ -71,9 +71,9 @@ struct PlannedFrame : FrameStatement {
     std::uint64_t look_key = 0;                     ///< another one: painters must be told of the design anew
     bool draws_foci = false;                        ///< with what they change of the ground
 
-    PlannedCamera camera;
+    PlannedPicture picture;
     terrain::View seen;  ///< all that is drawn of the frame: the camera's view, or as wide as a picture for each eye
-    EyePair eyes;
+    StereoCameras stereo_cameras;
     double eye_msl_m = 0;
     double map_share = 0;       ///< of the way from 3D to the map, 0..1
     bool is_free_view = false;  ///< the camera is nobody's

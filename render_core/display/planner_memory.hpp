@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "render_core/display/clutter_control.hpp"
+#include "render_core/display/declutter_control.hpp"
 #include "render_core/display/element_labels.hpp"
 #include "render_core/display/saliency_schedule.hpp"
 #include "render_core/display/view_transition.hpp"
@@ -45,7 +45,7 @@ struct PlannerMemory {
     ViewTransition view;
     policy::PriorityBoost boost;
     LabelHistory labels;
-    ClutterControl clutter;
+    DeclutterControl clutter;
     SaliencySchedule saliency;
     effects::FrameBudget budget;
 

@@ -27,7 +27,7 @@ namespace {
 using namespace tedavis;
 
 constexpr std::uint32_t kWidth = 1024, kHeight = 768;
-constexpr int kTurns = 21;
+constexpr int kIterations = 21;
 constexpr double kMaxPass = 1.15, kMaxFrame = 1.5;  // of the floor
 constexpr double kMinRate = 60;                     // frames/s
 constexpr std::uint32_t kMaxTriangles = 120'000;    // up to which the rate must hold
@@ -98,10 +98,10 @@ private:
         for (glm::dvec3& light : input.light_direction) light = glm::normalize(view.eye);
         input.warning_colors = true;
         input.aircraft_msl_m = 1e5;
-        display::Eye eye;
-        eye.view = view;
-        eye.haze_per_m = input.haze_per_m;
-        alone_.look(eye, input);
+        display::Camera camera;
+        camera.view = view;
+        camera.haze_per_m = input.haze_per_m;
+        alone_.look(camera, input);
     }
 
     /// What the display has selected, selected once more.
@@ -139,7 +139,7 @@ private:
                                        2 * display.planned().camera.eye.view.near_m);
         const terrain::View view = display.planned().camera.eye.view;
         std::vector<double> floor, pass, plan, scene, frame;
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int iteration = 0; iteration < kIterations; ++iteration) {
             bare_.make_current();
             floor.push_back(spent_ms([&] {
                 bare_.draw(display.planned().camera.eye.view, {display.planned().camera.eye.view.near_m, far_m});

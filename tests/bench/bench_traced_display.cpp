@@ -24,7 +24,7 @@ namespace {
 using namespace tedavis;
 
 constexpr std::uint32_t kWidth = 1024, kHeight = 768, kThreads = 2;
-constexpr int kTurns = 15;
+constexpr int kIterations = 15;
 constexpr double kTurn_deg = 0.2;
 constexpr double kMinRate = 40;  // frames/s, by rays
 
@@ -78,7 +78,7 @@ public:
 
     Measured measure(host_sim::AircraftPose pose) {
         std::vector<double> ms[2];
-        for (int turn = 0; turn < kTurns; ++turn, pose.heading_deg += kTurn_deg)
+        for (int iteration = 0; iteration < kIterations; ++iteration, pose.heading_deg += kTurn_deg)
             for (std::size_t n = 0; n < 2; ++n) ms[n].push_back(frame_ms(*displays_[n], pose));
         display::Display& traced = displays_[1]->display();
         if (traced.record().terrain.renderer.view() != "trace")

@@ -65,7 +65,7 @@ public:
         sample[Signal::baro_altitude] = 2350;
         return sample;
     }
-    std::vector<HeardAircraft> traffic(base::Time time) const override {
+    std::vector<ReceivedAircraft> traffic(base::Time time) const override {
         const double second = (time - begin()).to_seconds();
         if (second >= kHeardUntil_s) return {};
         const Target there = target_at(second);

@@ -33,7 +33,7 @@ void LabelPlanner::rest() {
     gone_ = 0;
 }
 
-void LabelPlanner::begin(const LabelHistory& interval, const design::LabelSettings& settings) {
+void LabelPlanner::begin(const LabelInterval& interval, const design::LabelSettings& settings) {
     const std::int64_t elapsed = interval.number - interval_.number;
     is_first_ = !has_memory_ || was_skipped_ || elapsed < 1 || elapsed > kMaxGap;
     elapsed_ = static_cast<std::uint8_t>(is_first_ ? 1 : elapsed);

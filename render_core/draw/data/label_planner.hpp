@@ -76,7 +76,7 @@ protected:
     LabelShapes& operator=(const LabelShapes&) = default;
 };
 
-struct LabelHistory {
+struct LabelInterval {
     std::int64_t number = 0;
     Rect screen;  ///< bounds of all boxes
     float text_px = 16;
@@ -105,7 +105,7 @@ public:
     /// An interval without labels; the next one places all at once.
     void skip(std::int64_t interval);
     /// Begins an interval. Previous labels are dropped where it is not one of the next kMaxGap intervals.
-    void begin(const LabelHistory& interval, const design::LabelSettings& settings);
+    void begin(const LabelInterval& interval, const design::LabelSettings& settings);
     /// Adds a group, in order; groups beyond kMaxLabelGroups are refused.
     [[nodiscard]] bool add_group(const LabelGroup& group);
     /// Offers a feature. `interest` 0..1 decides on marker and name, `rank` 0..1 on the order; NaN is left out.
@@ -144,7 +144,7 @@ private:
     [[nodiscard]] Label before_now(const Label& asked, const Label* before) const;
     void count_gone();
 
-    LabelHistory interval_;
+    LabelInterval interval_;
     design::LabelSettings settings_;
     base::FixedVector<LabelGroup, kMaxLabelGroups> groups_;
     std::array<std::uint32_t, kMaxLabelGroups> offered_{}, visited_{}, shown_{}, suppressed_{};

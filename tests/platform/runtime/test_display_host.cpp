@@ -45,7 +45,7 @@ struct BadTerrain {
     std::string cut = folder.write("cut.tdb", sound.substr(0, 3000));
 };
 
-std::string sentence(const HostFault& fault) { return std::string(fault.error.message.view()); }
+std::string message(const HostFault& fault) { return std::string(fault.error.message.view()); }
 
 const display::FrameRecord& drawn(DisplayHost& host) {
     host.display().plan({{}, {}, kNow});
@@ -104,7 +104,7 @@ TEST(DisplayHost, StartsWithTerrainOfAFileAndDraws) {
     DisplayHostSettings settings = shipped();
     settings.terrain.path = terrain_path().c_str();
     DisplayHost host;
-    ASSERT_EQ(sentence(host.start(settings)), "");
+    ASSERT_EQ(message(host.start(settings)), "");
     EXPECT_EQ(host.surface().width(), 64u);
     EXPECT_NE(host.display().planner().terrain_database(), nullptr);
     const display::FrameRecord& record = drawn(host);
@@ -154,7 +154,7 @@ TEST(DisplayHost, TerrainThatCannotBeUsedIsRefusedWithItsPath) {
         DisplayHost host;
         const HostFault fault = host.start(settings);
         EXPECT_EQ(fault.part, HostPart::terrain) << path;
-        EXPECT_THAT(sentence(fault), StartsWith(path + ": "));
+        EXPECT_THAT(message(fault), StartsWith(path + ": "));
     }
     DisplayHost next;
     EXPECT_FALSE(next.start(shipped())) << "nothing of them is left on this thread";
@@ -168,7 +168,7 @@ TEST(DisplayHost, DamagedBytesWithoutAPathKeepTheSentenceOfTheDisplay) {
     DisplayHost host;
     const HostFault fault = host.start(settings);
     EXPECT_EQ(fault.part, HostPart::terrain);
-    EXPECT_THAT(sentence(fault), StartsWith("the terrain database is not a terrain database"));
+    EXPECT_THAT(message(fault), StartsWith("the terrain database is not a terrain database"));
 }
 
 TEST(DisplayHost, RunsWithoutTerrainThatCannotBeUsedWhereItIsToldTo) {
@@ -179,7 +179,7 @@ TEST(DisplayHost, RunsWithoutTerrainThatCannotBeUsedWhereItIsToldTo) {
         settings.terrain_fault = TerrainFaultPolicy::run_without;
         settings.arrival = terrain::ArrivalMode::live;
         DisplayHost host;
-        ASSERT_EQ(sentence(host.start(settings)), "");
+        ASSERT_EQ(message(host.start(settings)), "");
         EXPECT_THAT(std::string(host.terrain_fault().message.view()), StartsWith(path + ": "));
         const display::FrameRecord& record = drawn(host);
         EXPECT_TRUE(has_flag(record, "terrain.failed")) << path;
@@ -197,7 +197,7 @@ TEST(DisplayHost, ASceneThatCannotBeUsedIsRefusedWithItsPath) {
         DisplayHost host;
         const HostFault fault = host.start(settings);
         EXPECT_EQ(fault.part, HostPart::scene) << path;
-        EXPECT_THAT(sentence(fault), StartsWith(path + ": "));
+        EXPECT_THAT(message(fault), StartsWith(path + ": "));
     }
 }
 
@@ -209,7 +209,7 @@ TEST(DisplayHost, ABudgetThatIsTooSmallIsTheDisplaysFault) {
     DisplayHost host;
     const HostFault fault = host.start(settings);
     EXPECT_EQ(fault.part, HostPart::display);
-    EXPECT_THAT(sentence(fault), StartsWith("the budget line 'lod_scratch' is too small"));
+    EXPECT_THAT(message(fault), StartsWith("the budget line 'lod_scratch' is too small"));
 }
 
 TEST(DisplayHost, MoreMemoryThanTheMachineHasIsRefused) {
@@ -218,7 +218,7 @@ TEST(DisplayHost, MoreMemoryThanTheMachineHasIsRefused) {
     DisplayHost host;
     const HostFault fault = host.start(settings);
     EXPECT_EQ(fault.part, HostPart::memory);
-    EXPECT_THAT(sentence(fault), HasSubstr("the machine gives no block of "));
+    EXPECT_THAT(message(fault), HasSubstr("the machine gives no block of "));
 }
 
 TEST(DisplayHost, ASurfaceThatCannotBeMadeIsRefused) {
@@ -227,7 +227,7 @@ TEST(DisplayHost, ASurfaceThatCannotBeMadeIsRefused) {
     DisplayHost host;
     const HostFault fault = host.start(settings);
     EXPECT_EQ(fault.part, HostPart::surface);
-    EXPECT_THAT(sentence(fault), StartsWith("the surface 'kms' is not known"));
+    EXPECT_THAT(message(fault), StartsWith("the surface 'kms' is not known"));
 }
 
 TEST(DisplayHost, TheSurfaceIsOfTheLaneAndSizeOfTheDisplay) {
@@ -237,7 +237,7 @@ TEST(DisplayHost, TheSurfaceIsOfTheLaneAndSizeOfTheDisplay) {
         settings.display.device = test_support::shipped_device(device);
         settings.surface = LosableSurface::source(state);
         DisplayHost host;
-        ASSERT_EQ(sentence(host.start(settings)), "");
+        ASSERT_EQ(message(host.start(settings)), "");
         EXPECT_EQ(state.settings.width_px, 64u);
         EXPECT_EQ(state.settings.height_px, 48u);
         EXPECT_EQ(state.settings.lane == ContextLane::es2, std::string_view(device) == "es2-small");
@@ -252,7 +252,7 @@ TEST(DisplayHost, ASurfaceThatIsLostBeforeTheStartIsRefused) {
     DisplayHost host;
     const HostFault fault = host.start(settings);
     EXPECT_EQ(fault.part, HostPart::context);
-    EXPECT_THAT(sentence(fault), StartsWith("the surface cannot be made current"));
+    EXPECT_THAT(message(fault), StartsWith("the surface cannot be made current"));
 }
 
 TEST(DisplayHost, ASurfaceThatIsLostLaterCannotBeMadeCurrentAndTheHostGoesWithoutIt) {
@@ -302,7 +302,7 @@ TEST(DisplayHost, ADeviceWithoutACompilerNeedsItsFolderOfPrograms) {
         DisplayHost host;
         const HostFault fault = host.start(settings);
         EXPECT_EQ(fault.part, HostPart::programs);
-        EXPECT_THAT(sentence(fault), HasSubstr(absent));
+        EXPECT_THAT(message(fault), HasSubstr(absent));
     }
     settings.programs = folder.path();
     DisplayHost host;

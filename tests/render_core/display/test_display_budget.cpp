@@ -55,7 +55,7 @@ TEST(DisplayBudget, AScarceDeadlineCoarsensTheTerrainButTakesNoWarningColors) {
     display.memory().budget.hold(0.8 * whole / 1000, costs_of_triangles());
     const HillsPicture reduced = hills_picture(over.display, high());
     const FrameRecord& record = display.record();
-    EXPECT_GT(record.governor.rung, 0u);
+    EXPECT_GT(record.governor.quality_level, 0u);
     EXPECT_GT(record.terrain.tau_px, tau_px);
     EXPECT_LE(record.terrain.worst_error_px, 4) << "degraded terrain would lose its warning colours";
     EXPECT_LT(display.planned().counters.triangles, 0.8 * whole);
@@ -72,7 +72,7 @@ TEST(DisplayBudget, WhereNothingSufficesItSaysSoAndGivesUpSilhouettes) {
     display.memory().budget.hold(0.001, costs_of_triangles());
     static_cast<void>(hills_picture(over.display, aircraft_over_hills(1500)));
     const FrameRecord& record = display.record();
-    EXPECT_EQ(record.governor.rung, effects::kRungs - 1);
+    EXPECT_EQ(record.governor.quality_level, effects::kQualityLevelCount - 1);
     EXPECT_EQ(record.governor.why.view(), "the cheapest picture is too dear");
     EXPECT_TRUE(has_flag(over.display, "deadline.missed"));
     const EffectRecord* const silhouettes = effect_of(record, "silhouettes");

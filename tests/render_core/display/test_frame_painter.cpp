@@ -53,10 +53,10 @@ terrain::View view_of(const design::DesignSettings& design) {
 
 TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
     const design::DesignSettings design = stereo_design(StereoMode::anaglyph);
-    Eye middle;
+    Camera middle;
     middle.view = view_of(design);
     const std::uint32_t margin = eye_margin_px(design.view.horizontal_field_of_view_rad, kWidth);
-    const EyePair pair = eye_pair(design.effects.stereo, middle.view.focal_px, middle.view.near_m, margin);
+    const StereoCameras pair = stereo_cameras(design.effects.stereo, middle.view.focal_px, middle.view.near_m, margin);
     ASSERT_GT(pair.base_m, 0.5);
     ASSERT_GT(pair.shift_px, 0);
     std::vector<std::uint8_t> both;
@@ -70,7 +70,7 @@ TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
     int differs = 0;
     for (const EyeSide side : draw::kEyeSides) {
         Hills one(mono, kWidth + 2 * margin);
-        const auto alone = one.from(eye_of(middle, pair, side, margin).view);
+        const auto alone = one.from(camera_of(middle, pair, side, margin).view);
         const std::uint32_t begins = margin + static_cast<std::uint32_t>(side == EyeSide::left ? pair.shift_px : -pair.shift_px);
         for (std::size_t y = 0; y < kHeight; ++y)
             for (std::size_t x = 0; x < kWidth; ++x)

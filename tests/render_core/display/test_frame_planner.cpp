@@ -29,9 +29,9 @@ std::string bytes_of(const T& value) {
 bool are_same(const PlannedFrame& a, const PlannedFrame& b) {
     const auto same = [](const auto& one, const auto& other) { return bytes_of(one) == bytes_of(other); };
     return same(static_cast<const FrameStatement&>(a), static_cast<const FrameStatement&>(b)) &&
-           same(a.camera.eye.view.eye, b.camera.eye.view.eye) && same(a.decisions, b.decisions) && same(a.weights, b.weights) &&
-           same(a.earlier_share, b.earlier_share) && same(a.declutter.regions, b.declutter.regions) &&
-           a.terrain.chunks == b.terrain.chunks;
+           same(a.picture.camera.view.eye, b.picture.camera.view.eye) && same(a.decisions, b.decisions) &&
+           same(a.weights, b.weights) && same(a.earlier_share, b.earlier_share) &&
+           same(a.declutter.regions, b.declutter.regions) && a.terrain.chunks == b.terrain.chunks;
 }
 
 TEST(FramePlanner, EqualInputAndCopiesOfOneMemoryGiveEqualFrames) {

@@ -54,7 +54,7 @@ TEST(DisplayWeights, APictureIsThatOfTheWeighedDesign) {
     const flight::AircraftState state = test_support::aircraft_over_hills(3000);
     for (const char* device : {"es3-mid", "es2-small"}) {
         design::DesignSettings weighed = design_of(0.55);
-        design::weigh(weighed.priority.weights, weighed);
+        design::apply_priorities(weighed.priority.weights, weighed);
         weighed.priority.is_stated = false;
         const auto expected = alone(weighed, state, device), shown = alone(design_of(0.55), state, device);
         EXPECT_EQ(shown, expected) << device;
