@@ -118,7 +118,8 @@ private:
         return mask;
     }
     void judge_place(const Sweep& sweep, SweptView& view) {
-        view.place = place_in_picture(session_.display().planned().camera.eye.view, earth::to_ecef(sweep.place), job_.radius_m);
+        view.place =
+            place_in_picture(session_.display().planned().picture.camera.view, earth::to_ecef(sweep.place), job_.radius_m);
         if (!view.place.is_inside) {
             view.sight = PlaceSight::outside_picture;
             return;

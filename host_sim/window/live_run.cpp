@@ -153,10 +153,10 @@ void LiveRun::draw(const Shown& wanted) {
     if (wanted.mode == CameraMode::cockpit) {
         recorder_.keep();
         latest_kept_ = latest_kept_ ? std::max(*latest_kept_, now) : now;
-        pose = {earth::from_ecef(session_.display().planned().camera.eye.view.eye), record.heading_rad, record.pitch_rad,
+        pose = {earth::from_ecef(session_.display().planned().picture.camera.view.eye), record.heading_rad, record.pitch_rad,
                 record.roll_rad};
     }
-    controller_.record_picture(pose, session_.display().planned().camera.eye.view.focal_px);
+    controller_.record_picture(pose, session_.display().planned().picture.camera.view.focal_px);
     session_.present();
     shown_ = wanted;
 }

@@ -75,8 +75,8 @@ public:
         display.plan({aircraft, {}, host_sim::kPosedTime});
         display.draw(display_.surface());
         release_current();
-        look_alone(display.planned().camera.eye.view);
-        take_bare(display.planned().camera.eye.view);
+        look_alone(display.planned().picture.camera.view);
+        take_bare(display.planned().picture.camera.view);
         Measured measured{bare_.triangles(), display.record().terrain.tau_reached_px, display.record().terrain.triangles};
         take_turns(aircraft, measured);
         return measured;
@@ -135,14 +135,14 @@ private:
 
     void take_turns(const flight::AircraftState& aircraft, Measured& measured) {
         display::Display& display = display_.display();
-        const double far_m = std::fmax(alone_.scene().farthest_depth_m(display.planned().camera.eye.view),
-                                       2 * display.planned().camera.eye.view.near_m);
-        const terrain::View view = display.planned().camera.eye.view;
+        const double far_m = std::fmax(alone_.scene().farthest_depth_m(display.planned().picture.camera.view),
+                                       2 * display.planned().picture.camera.view.near_m);
+        const terrain::View view = display.planned().picture.camera.view;
         std::vector<double> floor, pass, plan, scene, frame;
         for (int iteration = 0; iteration < kIterations; ++iteration) {
             bare_.make_current();
             floor.push_back(spent_ms([&] {
-                bare_.draw(display.planned().camera.eye.view, {display.planned().camera.eye.view.near_m, far_m});
+                bare_.draw(display.planned().picture.camera.view, {display.planned().picture.camera.view.near_m, far_m});
             }));
             bare_.release_current();
             alone_.make_current();

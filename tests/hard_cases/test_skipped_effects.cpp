@@ -72,7 +72,7 @@ protected:
             headless.display().planner().clear_free_view();
             display::settle(headless.display(), {at.played.state, at.played.phase, at.now});
             headless.display().planner().set_free_view(
-                headless.display().planned().camera.eye.view);  // the same eye, without symbology
+                headless.display().planned().picture.camera.view);  // the same eye, without symbology
             headless.display().plan({at.played.state, at.played.phase, at.now});
             frame.rgba = test_support::drawn_pixels(headless);
             frame.record = headless.display().record();

@@ -19,7 +19,7 @@ public:
         display::Display& display = headless.display();
         display.planner().clear_free_view();
         display::preroll(display, {state, {}, now});
-        display.planner().set_free_view(display.planned().camera.eye.view);
+        display.planner().set_free_view(display.planned().picture.camera.view);
         rgba_ = settled_pixels(headless, state, now);
         record_ = display.record();
     }

@@ -196,7 +196,7 @@ TEST(Display, WithoutAttitudeThereIsNoHorizon) {
 TEST(Display, AFreeViewHasNoSymbolsAndGivesTheOwnOneBack) {
     OverHills over;
     const HillsPicture own = hills_picture(over.display, aircraft_over_hills(2000));
-    const terrain::View same = over.display.display().planned().camera.eye.view;
+    const terrain::View same = over.display.display().planned().picture.camera.view;
     over.display.display().planner().set_free_view(same);
     const HillsPicture bare = hills_picture(over.display, aircraft_over_hills(2000));
     std::size_t different = 0;
@@ -217,14 +217,14 @@ TEST(Display, TheEyeIsWhereTheAircraftAndTheDesignPutIt) {
     const flight::AircraftState state = aircraft_over_hills(2000, 90, 0);
     static_cast<void>(hills_picture(over.display, state));
     const glm::dvec3 own = earth::to_ecef(state.own_ship.position);
-    EXPECT_LT(glm::length(over.display.display().planned().camera.eye.view.eye - own), 1e-6);
+    EXPECT_LT(glm::length(over.display.display().planned().picture.camera.view.eye - own), 1e-6);
     design::DesignSettings design = test_support::shipped_design("default");
     design.view.eye_forward_m = 3;
     design.view.eye_down_m = -1.5;
     ASSERT_TRUE(over.display.display().set_design(design));
     static_cast<void>(hills_picture(over.display, state));
     const glm::dmat3 ned = earth::north_east_down(radians(47.0), radians(9.7));
-    const glm::dvec3 moved = over.display.display().planned().camera.eye.view.eye - own;
+    const glm::dvec3 moved = over.display.display().planned().picture.camera.view.eye - own;
     EXPECT_NEAR(glm::dot(moved, ned[1]), 3, 1e-6) << "forward is east";
     EXPECT_NEAR(glm::dot(moved, ned[2]), -1.5, 1e-6);
 }

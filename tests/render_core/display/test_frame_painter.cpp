@@ -48,7 +48,7 @@ terrain::View view_of(const design::DesignSettings& design) {
     mono.effects.stereo.mode = StereoMode::none;
     Hills hills(mono);
     (void)test_support::settled_pixels(hills.headless, hills.state, test_support::kHillsNow);
-    return hills.headless.display().planned().camera.eye.view;
+    return hills.headless.display().planned().picture.camera.view;
 }
 
 TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
