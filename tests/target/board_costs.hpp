@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "render_core/display/calibration_subject.hpp"
 #include "target/board_display.hpp"
 #include "tests/support/even_costs.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "platform/surface_factory.hpp"
+#include "render_core/display/calibration_subject.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/even_costs.hpp"
 #include "tests/support/memory_bytes.hpp"

@@ -7,6 +7,8 @@
 namespace tedavis::display::test_display_settings {
 namespace {
 
+constexpr flight::FlightPhase kCruise{flight::Scenario::cruise, 0};
+
 TEST(DisplaySettings, AnyDesignMayAskForRays) {
     design::DesignSettings triangles, rays;
     triangles.terrain.renderer = design::TerrainRenderer::raster;
@@ -16,7 +18,7 @@ TEST(DisplaySettings, AnyDesignMayAskForRays) {
     EXPECT_FALSE(settings.asks_for_rays());
     const auto phases = std::make_unique<design::PhaseDesigns>();
     settings.phases = phases.get();
-    ASSERT_TRUE(phases->add({flight::kCruise, "flat"}, triangles));
+    ASSERT_TRUE(phases->add({kCruise, "flat"}, triangles));
     EXPECT_FALSE(settings.asks_for_rays());
     ASSERT_TRUE(phases->add({flight::kTakeoffStart, "traced"}, rays));
     EXPECT_TRUE(settings.asks_for_rays());
