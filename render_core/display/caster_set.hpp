@@ -5,12 +5,12 @@
 
 #include "render_core/draw/data/glyph_batch.hpp"
 #include "render_core/draw/data/solid_batch.hpp"
-#include "render_core/draw/data/solid_casters.hpp"
+#include "render_core/draw/data/caster_groups.hpp"
 
 namespace tedavis::display {
 
 struct CasterSet {
-    const draw::SolidBatch* solids[draw::SolidDrawer::kMaxBuffers] = {};
+    const draw::SolidBatch* solids[draw::kMaxSolidBuffers] = {};
     draw::CasterGroups groups;
     const draw::GlyphBatch* glyphs = nullptr;
     std::uint32_t glyph_slots = 0;  ///< a bit each

@@ -16,7 +16,7 @@
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/time.hpp"
-#include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/drawn_design.hpp"
 #include "render_core/effects/clutter_budget.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/terrain/view.hpp"

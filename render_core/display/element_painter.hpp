@@ -16,7 +16,7 @@ namespace tedavis::display {
 
 /// Of the batches of a CasterSet, in its order.
 struct CasterDrawers {
-    const draw::SolidBuffers* solids[draw::SolidDrawer::kMaxBuffers] = {};
+    const draw::SolidBuffers* solids[draw::kMaxSolidBuffers] = {};
     draw::GlyphDrawer* glyphs = nullptr;
 };
 

@@ -28,9 +28,9 @@ void record_renderer(design::TerrainRenderer asked, draw::TraceState state, Fram
 /// Counts by type, an effect an element ("data.tube"), and the techniques of all that is shown of the data and of their
 /// uncertainty.
 void record_elements(const ElementReports& reports, FrameRecord& record);
-/// With the flag deadline.missed where it was.
 /// The weight of each aspect, and of which one something has raised it.
 void record_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record);
+/// With the flag deadline.missed where it was missed.
 void record_budget(const effects::BudgetReport& report, FrameRecord& record);
 /// After record_effects().
 void record_work(const EffectWorkTable& work, FrameRecord& record);

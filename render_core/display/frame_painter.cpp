@@ -118,7 +118,7 @@ bool FramePainter::prepare(const PlannedFrame& frame) {
         drawn_.ground_data_is_missing = !terrain_.set_ground_data(gl_, frame.ground_slice);
     }
     const bool ready = frame.decisions.show_terrain &&
-                       terrain_.prepare(gl_, frame.picture.terrain, make_terrain_input(context_of(frame, frame.picture.camera)));
+                       terrain_.prepare(gl_, frame.picture.terrain, make_terrain_input(draw_context_of(frame, frame.picture.camera)));
     prepare_elements(frame.picture);
     return ready || !frame.decisions.show_terrain;
 }
@@ -129,7 +129,7 @@ void FramePainter::prepare_elements(const PlannedPicture& picture) {
 
 draw::TerrainDrawResult FramePainter::draw_scene(const PlannedFrame& frame, const PlannedPicture& picture,
                                                  const gl::DrawPlace& place, PictureLayer last, bool has_shadow_map) {
-    const DrawContext context = context_of(frame, picture.camera, last);
+    const DrawContext context = draw_context_of(frame, picture.camera, last);
     return passes_.draw(gl_, place,
                         {context, frame.effects, terrain_, picture.terrain, elements_, picture.data, picture.casters, drawn_.work,
                          frame.terrain_has_void, has_shadow_map});

@@ -12,11 +12,13 @@
 #include "render_core/display/element_painter.hpp"
 #include "render_core/display/frame_planner.hpp"
 #include "render_core/display/scene_passes.hpp"
+#include "render_core/display/work_scope.hpp"
 #include "render_core/draw/dimmer.hpp"
 #include "render_core/draw/edge_pass.hpp"
 #include "render_core/draw/quad_drawer.hpp"
 #include "render_core/draw/saliency_pass.hpp"
 #include "render_core/draw/scene_fade.hpp"
+#include "render_core/draw/stereo_pass.hpp"
 #include "render_core/gl/gl.hpp"
 
 namespace tedavis::display {

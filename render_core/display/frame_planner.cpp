@@ -295,7 +295,7 @@ void FramePlanner::put_symbology() {
     const draw::SymbolGround over = memory_->view.is_under_way() ? draw::SymbolGround::moving
                                     : frame_->conditions.is_map  ? draw::SymbolGround::map
                                                                  : draw::SymbolGround::perspective;
-    const DrawContext frame = context_of(*frame_, frame_->picture.camera);
+    const FrameContext frame = context_of(*frame_, frame_->picture.camera);
     frame_->maps_beside = plan_symbology(
         {frame, frame_->state, settings_.width_px, settings_.height_px, over, data_, frame_->data, elements_.reports()},
         symbology_, *frame_);

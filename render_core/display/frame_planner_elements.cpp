@@ -174,7 +174,7 @@ PlannedPicture FramePlanner::plan_side(const StereoCameras& pair, draw::EyeSide 
     if (shows_elements()) {
         const std::uint32_t margin_px = painter_.stereo_margin_px;
         plan_signs(picture.camera,
-                   {{}, {}, {}, 2 * margin_px, draw::StereoPass::screen_begins_px(margin_px, side, pair.shift_px), true});
+                   {{}, {}, {}, 2 * margin_px, draw::screen_begins_px(margin_px, side, pair.shift_px), true});
         elements_.set_camera(picture.camera.view.eye);
     }
     picture.terrain = terrain_.seen_from(picture.camera.view);

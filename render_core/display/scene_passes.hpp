@@ -10,7 +10,7 @@
 #pragma once
 
 #include "render_core/display/draw_inputs.hpp"
-#include "render_core/display/effect_work.hpp"
+#include "render_core/display/work_scope.hpp"
 #include "render_core/display/element_painter.hpp"
 #include "render_core/display/shadow_casters.hpp"
 #include "render_core/display/terrain_painter.hpp"

@@ -7,7 +7,7 @@
 
 #include "render_core/design/view_effects.hpp"
 #include "render_core/display/camera.hpp"
-#include "render_core/draw/stereo_pass.hpp"
+#include "render_core/draw/eye_side.hpp"
 
 namespace tedavis::display {
 

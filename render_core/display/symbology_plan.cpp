@@ -5,7 +5,7 @@
 namespace tedavis::display {
 namespace {
 
-void set_terrain_legend(const DrawContext& frame, draw::LegendInput& legend) {
+void set_terrain_legend(const FrameContext& frame, draw::LegendInput& legend) {
     if (frame.design.terrain.palette.kind == design::PaletteKind::hypsometric) {
         legend.lowest = frame.heights.lowest_m;
         legend.highest = frame.heights.highest_m;
@@ -16,12 +16,12 @@ void set_terrain_legend(const DrawContext& frame, draw::LegendInput& legend) {
 
 }  // namespace
 
-double text_px(const DrawContext& frame, std::uint32_t width, std::uint32_t height) {
+double text_px(const FrameContext& frame, std::uint32_t width, std::uint32_t height) {
     return static_cast<double>(draw::make_layout(width, height, frame.design.view.dpi).text_px);
 }
 
 MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch, FrameStatement& record) {
-    const DrawContext& frame = planned.frame;
+    const FrameContext& frame = planned.frame;
     draw::SymbologyInput symbology =
         draw::make_symbology_input(planned.state, frame.decisions, frame.record.phase, frame.design, frame.record.time,
                                    planned.width, planned.height, frame.aircraft_msl_m);

@@ -2,7 +2,7 @@
 /// layout has them, and signs where the symbology leaves the picture free. So neither covers the other. Pure; any thread.
 #pragma once
 
-#include "render_core/display/draw_inputs.hpp"
+#include "render_core/display/frame_context.hpp"
 #include "render_core/display/element_planner.hpp"
 #include "render_core/display/symbology_data.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
@@ -10,7 +10,7 @@
 namespace tedavis::display {
 
 struct SymbologyFrame {
-    const DrawContext& frame;
+    const FrameContext& frame;
     const flight::AircraftState& state;
     std::uint32_t width = 0, height = 0;
     draw::SymbolGround over = draw::SymbolGround::perspective;
@@ -20,7 +20,7 @@ struct SymbologyFrame {
 };
 
 /// Ordinary text of a display, without what legends ask for.
-[[nodiscard]] double text_px(const DrawContext& frame, std::uint32_t width, std::uint32_t height);
+[[nodiscard]] double text_px(const FrameContext& frame, std::uint32_t width, std::uint32_t height);
 
 /// Fills the batch, and flags in the record what should be there and has no room, or no data.
 MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch, FrameStatement& record);

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "render_core/draw/terrain_uniforms.hpp"
+#include "render_core/draw/texel_size.hpp"
 #include "render_core/terrain/lod_refinement.hpp"
 #include "render_core/terrain/projected_error.hpp"
 

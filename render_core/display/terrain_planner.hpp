@@ -12,7 +12,7 @@
 #include "render_core/display/camera.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/screen_part.hpp"
-#include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/drawn_design.hpp"
 #include "render_core/draw/trace_state.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/terrain/chunk_indices.hpp"

@@ -3,7 +3,7 @@
 
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/element_planner.hpp"
-#include "render_core/draw/view_effects_pass.hpp"
+#include "render_core/draw/focus_range.hpp"
 
 namespace tedavis::display {
 

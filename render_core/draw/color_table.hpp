@@ -13,15 +13,11 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/height_span.hpp"
 #include "render_core/draw/terrain_bands.hpp"
 #include "render_core/gl/texture.hpp"
 
 namespace tedavis::draw {
-
-/// The range of heights above MSL that codes cover.
-struct HeightSpan {
-    double lowest_m = 0, highest_m = 0;
-};
 
 class ColorTable {
 public:

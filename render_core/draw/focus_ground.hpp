@@ -13,7 +13,7 @@
 /// Memory  the second row of the texture (kRenderTargets). Thread  the GL thread. Failure  none.
 #pragma once
 
-#include "render_core/design/focus_settings.hpp"
+#include "render_core/draw/ground_focus_kind.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/gl/texture.hpp"
 #include "render_core/scene/focus_region.hpp"
@@ -21,18 +21,6 @@
 #include "render_core/terrain/view.hpp"
 
 namespace tedavis::draw {
-
-/// The variant of foci that programs are built for.
-struct GroundFocusKind {
-    std::uint8_t foci = 0;  ///< number of the design's foci; 0: none changes the ground
-    bool has_paths = false, has_squares = false, has_chebyshev = false;
-    bool has_lines = false, has_halos = false, has_grids = false;
-    bool sketches = false, blurs = false;
-};
-[[nodiscard]] bool operator==(const GroundFocusKind& a, const GroundFocusKind& b) noexcept;
-/// True where programs for one variant can show another.
-[[nodiscard]] bool covers(const GroundFocusKind& built, const GroundFocusKind& wanted) noexcept;
-[[nodiscard]] GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept;
 
 /// Distance that is sharp in shaders/focus.frag's code of degrees, which has the code kSharpCode / 255.
 inline constexpr double kSharpCode = 20;

@@ -1,7 +1,5 @@
 #include "render_core/draw/stereo_pass.hpp"
 
-#include <algorithm>
-
 namespace tedavis::draw {
 
 base::Error StereoPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
@@ -9,12 +7,6 @@ base::Error StereoPass::start(gl::Gl& gl, base::BudgetTable& budget, std::uint32
     width_px_ = width_px;
     margin_px_ = margin_px;
     return picture_.start(gl, budget, width_px + 2 * margin_px, height_px);
-}
-
-std::int32_t StereoPass::screen_begins_px(std::uint32_t margin_px, EyeSide side, std::int32_t shift_px) {
-    const auto margin = static_cast<std::int32_t>(margin_px);
-    const std::int32_t shift = std::clamp(shift_px, -margin, margin);
-    return side == EyeSide::left ? margin + shift : margin - shift;
 }
 
 void StereoPass::put(gl::Gl& gl, const base::Surface& surface, design::StereoMode mode, EyeSide side, std::int32_t shift_px) {

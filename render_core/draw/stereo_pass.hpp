@@ -9,12 +9,10 @@
 
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/view_effects.hpp"
+#include "render_core/draw/eye_side.hpp"
 #include "render_core/draw/kept_picture.hpp"
 
 namespace tedavis::draw {
-
-enum class EyeSide : std::uint8_t { left, right };
-inline constexpr EyeSide kEyeSides[] = {EyeSide::left, EyeSide::right};
 
 class StereoPass {
 public:
@@ -25,9 +23,6 @@ public:
     [[nodiscard]] std::uint32_t margin_px() const { return margin_px_; }
     /// The target for one eye's scene.
     [[nodiscard]] const gl::RenderTarget& target() const { return picture_.target(); }
-    /// Returns where the screen begins in an eye's picture, in pixels from its left edge. `shift_px` is the shift of each eye's
-    /// picture towards its own side, -margin..margin.
-    [[nodiscard]] static std::int32_t screen_begins_px(std::uint32_t margin_px, EyeSide side, std::int32_t shift_px);
     /// Copies the last drawn picture to the surface: to the eye's half (side by side), to its colour channels (anaglyph, red
     /// for the left eye), or to the whole surface (no mode).
     void put(gl::Gl& gl, const base::Surface& surface, design::StereoMode mode, EyeSide side, std::int32_t shift_px);

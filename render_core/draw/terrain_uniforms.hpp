@@ -10,6 +10,7 @@
 #include "render_core/draw/drape_atlas.hpp"
 #include "render_core/draw/page_atlas.hpp"
 #include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/texel_size.hpp"
 #include "render_core/terrain/lod_selection.hpp"
 #include "render_core/terrain/view.hpp"
 
@@ -44,9 +45,6 @@ void set_drape_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::L
 /// For a chunk without such a page.
 void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atlas);
 
-struct GroundSize {
-    double east_m = 0, north_m = 0;
-};
 /// Lines of the surface grid from post to post of a lattice, and the angles between these.
 struct GridStep {
     double lines_east = 0, lines_south = 0;
@@ -54,9 +52,5 @@ struct GridStep {
 };
 /// The first post lies on lines. At the middle latitude of the whole lattice lines are `spacing_m` apart.
 [[nodiscard]] GridStep grid_step(const terrain::Lattice& lattice, double spacing_m);
-
-/// Spacing of the texels of a chunk's attribute page, at its middle; and of its drape page.
-[[nodiscard]] GroundSize texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
-[[nodiscard]] GroundSize drape_texel_size(const terrain::Lattice& lattice, const terrain::ChunkKey& owner);
 
 }  // namespace tedavis::draw

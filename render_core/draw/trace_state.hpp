@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "render_core/draw/terrain_program.hpp"
+#include "render_core/draw/drawn_design.hpp"
 #include "render_core/terrain/terrain_database.hpp"
 #include "render_core/terrain/view.hpp"
 

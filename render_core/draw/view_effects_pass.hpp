@@ -10,18 +10,12 @@
 
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/view_effects.hpp"
+#include "render_core/draw/focus_range.hpp"
 #include "render_core/draw/screen_grid.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/gl/render_target.hpp"
 
 namespace tedavis::draw {
-
-/// The range of distances from the eye point that is sharp.
-struct FocusRange {
-    bool is_known = false;
-    double near_m = 0, far_m = 0;
-    double blur_px = 0;  ///< radius infinitely far
-};
 
 struct ViewEffectsInput {
     bool blurs = false, smooths = false;

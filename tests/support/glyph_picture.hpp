@@ -20,7 +20,7 @@ struct GlyphPicture {
     GlyphPicture(const std::string& device, std::uint32_t width, std::uint32_t height, const std::string& backend = "egl")
         : session(backend, device, width, height) {
         base::BudgetLine& line = *session.device.budget.find(effects::kSceneGlyphVertices);
-        block.resize(draw::GlyphDrawer::bytes_needed(draw::GlyphDrawer::has_instances(session.gl), line.bytes));
+        block.resize(draw::glyph_drawer_bytes(draw::GlyphDrawer::has_instances(session.gl), line.bytes));
         base::Arena arena(block.data(), block.size());
         const base::Error error = drawer.start(session.gl, line, arena);
         EXPECT_EQ(error.message.view(), "");

@@ -10,6 +10,7 @@
 #include "render_core/design/color.hpp"
 #include "render_core/draw/air_table.hpp"
 #include "render_core/draw/data/data_grid.hpp"
+#include "render_core/draw/data/data_variant.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/draw/view_effects_pass.hpp"
@@ -28,11 +29,6 @@ struct DataFrame {
     DistanceLeft left;                 ///< what opaque objects write to the picture's alpha
     DataGrid grid;                     ///< on elements that request it
     bool without_uncertainty = false;  ///< glyphs that only show uncertainty are left out
-};
-
-/// The features that frames may have; others are not compiled.
-struct DataVariant {
-    bool air = false, grid = false, shadows = false, magnified = false;
 };
 
 /// The first uniforms of every program for data.

@@ -37,9 +37,6 @@ constexpr const char* kUniforms[kGlyphUniformCount] = {kDataUniformNames[0],
 enum CasterUniform : std::size_t { kCasterAxes, kCasterLevel, kCasterEarthToEye, kCasterFacing, kCasterUniformCount };
 constexpr const char* kCasterUniforms[kCasterUniformCount] = {"shadow_axes", "caster_level", "earth_to_eye", "facing"};
 constexpr float kOne = 127;  // of signed bytes
-constexpr std::uint64_t kShapeBytes =
-    GlyphShapes::kMaxVertices * sizeof(GlyphVertex) + GlyphShapes::kMaxIndices * sizeof(std::uint16_t);
-constexpr std::uint32_t kMaxCorners = 65'536;
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
@@ -72,34 +69,18 @@ bool GlyphDrawer::has_instances(const gl::Gl& gl) {
     return gl.has(gl::CallId::DrawElementsInstanced) && gl.has(gl::CallId::VertexAttribDivisor);
 }
 
-std::uint32_t GlyphDrawer::instances_within(bool has_instances, std::uint64_t gpu_bytes) {
-    if (!has_instances) return 0xFFFFFFFFu;
-    return gpu_bytes < kShapeBytes ? 0 : static_cast<std::uint32_t>((gpu_bytes - kShapeBytes) / sizeof(GlyphInstance));
-}
-
-std::uint32_t GlyphDrawer::corners_within(std::uint64_t gpu_bytes) {
-    constexpr std::uint64_t kACorner = sizeof(Corner) + kIndicesACorner * sizeof(std::uint16_t);
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(gpu_bytes / kACorner, kMaxCorners));
-}
-
-std::uint64_t GlyphDrawer::bytes_needed(bool has_instances, std::uint64_t gpu_bytes) {
-    const std::uint64_t shapes = sizeof(GlyphShapes) + 3 * alignof(std::max_align_t);
-    if (has_instances) return shapes;
-    return shapes + std::uint64_t{corners_within(gpu_bytes)} * (sizeof(Corner) + kIndicesACorner * sizeof(std::uint16_t));
-}
-
 base::Error GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air) {
     with_air_ = with_air;
     is_instanced_ = has_instances(gl);
-    most_instances_ = instances_within(is_instanced_, line.bytes);
+    most_instances_ = glyph_instances_within(is_instanced_, line.bytes);
     shapes_ = memory.allocate_array<GlyphShapes>(1);
     const base::Error little = base::make_error("the memory for glyphs is too small; raise the budget lines 'scene_glyphs' and '",
                                                 effects::kSceneGlyphVertices, "' in the device file");
     if (shapes_.empty()) return little;
     shapes_[0].build();
     if (!is_instanced_) {
-        const std::uint32_t corners = corners_within(line.bytes);
-        corners_ = memory.allocate_array<Corner>(corners);
+        const std::uint32_t corners = glyph_corners_within(line.bytes);
+        corners_ = memory.allocate_array<GlyphCorner>(corners);
         corner_indices_ = memory.allocate_array<std::uint16_t>(std::size_t{corners} * kIndicesACorner);
         if (corners_.size() < shapes_[0].most_vertices() || corner_indices_.size() < shapes_[0].most_indices()) return little;
     } else if (most_instances_ == 0) {
@@ -118,7 +99,7 @@ base::Error GlyphDrawer::make_buffers(gl::Gl& gl, base::BudgetLine& line) {
     };
     using gl::BufferKind;
     using gl::BufferUse;
-    const std::uint64_t room = is_instanced_ ? most_instances_ * sizeof(GlyphInstance) : corners_.size() * sizeof(Corner);
+    const std::uint64_t room = is_instanced_ ? most_instances_ * sizeof(GlyphInstance) : corners_.size() * sizeof(GlyphCorner);
     base::Error error = make(vertices_, BufferKind::vertices, BufferUse::streamed, room);
     if (error) return error;
     if (!is_instanced_)
@@ -255,7 +236,7 @@ void GlyphDrawer::add_corners(const GlyphInstance& glyph, const GlyphMesh& mesh,
                       across_z * static_cast<float>(vertex.normal[2]);
         const float steep = glm::length(normal);
         if (steep > 0) normal *= kOne / steep;
-        Corner& corner = corners_[corner_count_ + n];
+        GlyphCorner& corner = corners_[corner_count_ + n];
         for (int axis = 0; axis < 3; ++axis) {
             corner.place[axis] = place[axis];
             corner.normal[axis] = static_cast<std::int8_t>(std::lround(normal[axis]));
@@ -273,13 +254,13 @@ void GlyphDrawer::add_corners(const GlyphInstance& glyph, const GlyphMesh& mesh,
 
 void GlyphDrawer::flush_corners(gl::Gl& gl) {
     if (index_count_ == 0) return;
-    if (vertices_.upload(gl, 0, corners_.data(), corner_count_ * sizeof(Corner)) &&
+    if (vertices_.upload(gl, 0, corners_.data(), corner_count_ * sizeof(GlyphCorner)) &&
         indices_.upload(gl, 0, corner_indices_.data(), index_count_ * sizeof(std::uint16_t))) {
-        constexpr GLsizei kStride = sizeof(Corner);
+        constexpr GLsizei kStride = sizeof(GlyphCorner);
         vertices_.bind(gl);
-        gl->VertexAttribPointer(kPlace, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(Corner, place)));
-        gl->VertexAttribPointer(kNormal, 3, GL_BYTE, GL_FALSE, kStride, at(offsetof(Corner, normal)));
-        gl->VertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(Corner, rgba)));
+        gl->VertexAttribPointer(kPlace, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(GlyphCorner, place)));
+        gl->VertexAttribPointer(kNormal, 3, GL_BYTE, GL_FALSE, kStride, at(offsetof(GlyphCorner, normal)));
+        gl->VertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(GlyphCorner, rgba)));
         gl::draw_triangles(gl, {0, index_count_, corner_count_ - 1});
         ++draws_;
     }

@@ -9,6 +9,7 @@
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/draw/data/data_frame.hpp"
 #include "render_core/draw/data/glyph_batch.hpp"
+#include "render_core/draw/data/glyph_memory.hpp"
 #include "render_core/draw/data/solid_casters.hpp"
 #include "render_core/gl/buffer.hpp"
 #include "render_core/gl/program.hpp"
@@ -26,16 +27,12 @@ class GlyphDrawer {
 public:
     /// True where the device draws instances (es3).
     [[nodiscard]] static bool has_instances(const gl::Gl& gl);
-    /// Bytes of the arena.
-    [[nodiscard]] static std::uint64_t bytes_needed(bool has_instances, std::uint64_t gpu_bytes);
-    /// Number of instances that fit in GPU memory; unlimited on devices without instances.
-    [[nodiscard]] static std::uint32_t instances_within(bool has_instances, std::uint64_t gpu_bytes);
     /// Allocates the whole line. Returns an empty error on success.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, base::Arena& memory, bool with_air = false);
     [[nodiscard]] bool is_started() const { return program_.valid(); }
 
     /// Uploads the frame's glyphs, once per frame before draw(). The batch must stay unchanged until then. Instances beyond
-    /// instances_within() are left out, last runs first.
+    /// glyph_instances_within() are left out, last runs first.
     void upload(gl::Gl& gl, const GlyphBatch& batch);
     /// Draws into the bound framebuffer, depth-tested; opaque runs first, then transparent ones, which write no depth. Leaves
     /// depth test on, depth mask on, culling and blending off. Returns the number of draws.
@@ -48,15 +45,6 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    struct Corner {
-        float place[3];
-        std::int8_t normal[4];
-        std::uint8_t rgba[4];
-    };
-    static_assert(sizeof(Corner) == 20);
-    static constexpr std::uint32_t kIndicesACorner = 3;
-
-    [[nodiscard]] static std::uint32_t corners_within(std::uint64_t gpu_bytes);
     [[nodiscard]] base::Error build_programs(gl::Gl& gl);
     [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetLine& line);
     void begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
@@ -70,7 +58,7 @@ private:
     gl::Program program_, caster_program_;
     gl::Buffer shape_vertices_, indices_, vertices_;  ///< vertices_: instances, or corners
     base::Span<GlyphShapes> shapes_;
-    base::Span<Corner> corners_;
+    base::Span<GlyphCorner> corners_;
     base::Span<std::uint16_t> corner_indices_;
     const GlyphBatch* batch_ = nullptr;
     glm::vec3 earth_to_eye_{0};

@@ -18,6 +18,9 @@
 
 namespace tedavis::draw {
 
+/// Batches that are drawn together: of solids that stand, and of those that move.
+inline constexpr std::size_t kMaxSolidBuffers = 2;
+
 /// Length of the normal of unshaded surfaces, which still gives the surface's orientation. It is below 0.5, by which shaders
 /// recognise it.
 inline constexpr double kUnshaded = 0.4;

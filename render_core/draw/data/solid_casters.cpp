@@ -22,11 +22,6 @@ bool is_in_level(const SolidPiece& piece, const CasterView& view) {
 
 }  // namespace
 
-bool casts_shadow(const SolidPiece& piece, const CasterGroups& groups) {
-    const SolidLook& look = piece.look;
-    return (groups.all >> look.group & 1u) != 0 && look.is_thing && look.halo_px <= 0 && look.raised_px <= 0 && look.opacity > 0;
-}
-
 void set_caster_level(gl::Gl& gl, GLint axes, GLint level, const CasterView& view, double swollen_m) {
     const ShadowLevel& of = view.shadow.levels[view.level];
     set_light_axes(gl, axes, view.shadow, view.eye);

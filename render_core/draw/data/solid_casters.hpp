@@ -8,18 +8,11 @@
 /// Thread    the GL thread. Memory  none. Failure  start() gives one sentence.
 #pragma once
 
+#include "render_core/draw/data/caster_groups.hpp"
 #include "render_core/draw/data/solid_drawer.hpp"
 #include "render_core/draw/shadow_frame.hpp"
 
 namespace tedavis::draw {
-
-/// A bit a group.
-struct CasterGroups {
-    std::uint32_t all = 0, thin = 0;
-};
-
-/// True where a piece casts a shadow.
-[[nodiscard]] bool casts_shadow(const SolidPiece& piece, const CasterGroups& groups);
 
 struct CasterView {
     const ShadowFrame& shadow;

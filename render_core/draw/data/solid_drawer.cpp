@@ -231,7 +231,7 @@ void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> so
         program_.use(gl);
     }
     set_opaque(gl, program_, frame.frame, !blends);
-    std::uint32_t bound = kMaxBuffers;
+    std::uint32_t bound = kMaxSolidBuffers;
     for (std::uint32_t n = 0; n < chosen_; ++n) {
         const SolidBuffers& buffers = *solids[order_[n].buffer];
         const SolidPiece& piece = buffers.batch().pieces()[order_[n].piece];

@@ -50,14 +50,12 @@ void set_solid_fading(gl::Gl& gl, GLint fading, const SolidPiece& piece, float g
 
 class SolidDrawer {
 public:
-    static constexpr std::size_t kMaxBuffers = 2;
-
     /// `most_pieces` is the total of all buffers that are drawn together.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return program_.valid(); }
     [[nodiscard]] bool has_grid() const { return has_grid_; }
     [[nodiscard]] bool can_magnify() const { return magnified_program_.valid(); }
-    /// Draws at most kMaxBuffers buffers, all uploaded. Returns the number of draw calls. The depth test is on, blending and
+    /// Draws at most kMaxSolidBuffers buffers, all uploaded. Returns the number of draw calls. The depth test is on, blending and
     /// culling off, before and after.
     std::uint32_t draw(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame,
                        const DepthRange& range);

@@ -341,10 +341,10 @@ TEST(GlyphDrawer, WhatTheBufferCannotHoldIsLeftOut) {
     line.bytes = 20480;
     line.use = {};
     line.use.capacity = line.bytes;
-    const std::uint32_t most = GlyphDrawer::instances_within(GlyphDrawer::has_instances(session.gl), line.bytes);
+    const std::uint32_t most = glyph_instances_within(GlyphDrawer::has_instances(session.gl), line.bytes);
     ASSERT_GT(most, 4u);
     ASSERT_LT(most, 200u);
-    std::vector<unsigned char> block(GlyphDrawer::bytes_needed(GlyphDrawer::has_instances(session.gl), line.bytes));
+    std::vector<unsigned char> block(glyph_drawer_bytes(GlyphDrawer::has_instances(session.gl), line.bytes));
     base::Arena arena(block.data(), block.size());
     GlyphDrawer drawer;
     ASSERT_EQ(drawer.start(session.gl, line, arena).message.view(), "");

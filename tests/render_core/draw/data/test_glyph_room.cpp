@@ -41,7 +41,7 @@ TEST(GlyphRoom, ThereMayBeNone) {
     EXPECT_EQ(glyph_room(GlyphDrawer::has_instances(session.gl), 0, 0, 1).sites, 0u);
     EXPECT_EQ(glyph_room(GlyphDrawer::has_instances(session.gl), 1 << 20, 32768, 0).sites, 0u);
     EXPECT_EQ(glyph_room(GlyphDrawer::has_instances(session.gl),
-                         GlyphDrawer::bytes_needed(GlyphDrawer::has_instances(session.gl), 32768) + 200, 32768, 1)
+                         glyph_drawer_bytes(GlyphDrawer::has_instances(session.gl), 32768) + 200, 32768, 1)
                   .sites,
               0u);
     EXPECT_GT(glyph_room(GlyphDrawer::has_instances(session.gl), 1 << 20, 32768, 1).sites, 0u);
