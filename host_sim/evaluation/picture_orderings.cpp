@@ -8,7 +8,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
-#include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 namespace {

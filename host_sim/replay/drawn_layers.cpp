@@ -4,7 +4,7 @@
 
 #include "host_sim/layer_mask.hpp"
 #include "host_sim/png_file.hpp"
-#include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 

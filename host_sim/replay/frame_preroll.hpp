@@ -6,17 +6,17 @@
 /// for what lies before it.
 ///
 /// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
-/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_schedule.hpp), and with
-/// the clutter of earlier frames, by which data give way (display/declutter_control.hpp).
+/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/planner/saliency_schedule.hpp), and
+/// with the clutter of earlier frames, by which data give way (display/planner/declutter_control.hpp).
 ///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
 /// every kKeepEvery frames.
 ///
 /// Which labels stand, and how much hazards raise the weights of aspects, follows from all intervals of half a second since the
-/// log's start (display/element_labels.hpp, policy/priority_boost.hpp): each is decided once, by the instant at which it begins
-/// and the design of the frame before, without the frames between, on a memory of the planner that no frame is planned from.
-/// Copies of it are kept of every kKeepEvery-th interval, and of the last kKeptIntervals.
+/// log's start (display/planner/element_labels.hpp, policy/priority_boost.hpp): each is decided once, by the instant at which it
+/// begins and the design of the frame before, without the frames between, on a memory of the planner that no frame is planned
+/// from. Copies of it are kept of every kKeepEvery-th interval, and of the last kKeptIntervals.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include "host_sim/reports/run_findings.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
-#include "render_core/display/frame_record.hpp"
+#include "render_core/display/planner/frame_record.hpp"
 
 namespace tedavis::host_sim {
 

@@ -8,7 +8,7 @@
 
 #include "host_sim/reports/geo_extent.hpp"
 #include "host_sim/reports/run_findings.hpp"
-#include "render_core/display/frame_record.hpp"
+#include "render_core/display/planner/frame_record.hpp"
 
 namespace tedavis::host_sim {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render_core/base/units.hpp"
-#include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 namespace {

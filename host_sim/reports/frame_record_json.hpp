@@ -7,8 +7,8 @@
 
 #include "host_sim/reports/run_findings.hpp"
 #include "render_core/base/time.hpp"
-#include "render_core/display/frame_record.hpp"
-#include "render_core/display/obstacle_places.hpp"
+#include "render_core/display/planner/frame_record.hpp"
+#include "render_core/display/planner/obstacle_places.hpp"
 
 namespace tedavis::host_sim {
 

@@ -7,7 +7,7 @@
 #include "host_sim/reports/base64.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/version.hpp"
-#include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
 
 namespace tedavis::host_sim {
 namespace {

@@ -13,7 +13,7 @@
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/base/ports/workers.hpp"
 #include "render_core/base/result.hpp"
-#include "render_core/display/display_settings.hpp"
+#include "render_core/display/planner/display_settings.hpp"
 #include "render_core/terrain/arrival_mode.hpp"
 
 namespace tedavis::platform {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "render_core/display/frame_painter.hpp"
-#include "render_core/display/frame_planner.hpp"
+#include "render_core/display/planner/frame_planner.hpp"
 #include "render_core/display/record_of.hpp"
 
 namespace tedavis::display {

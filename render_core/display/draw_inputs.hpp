@@ -1,12 +1,12 @@
 /// What the drawers of a frame are given, from what was planned of it. Pure; any thread.
 #pragma once
 
-#include "render_core/display/frame_context.hpp"
-#include "render_core/display/picture_layer.hpp"
-#include "render_core/draw/data/data_frame.hpp"
-#include "render_core/draw/picture_pass.hpp"
-#include "render_core/draw/sky_drawer.hpp"
-#include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/display/planner/frame_context.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
+#include "render_core/draw/drawers/data/data_frame.hpp"
+#include "render_core/draw/drawers/picture_pass.hpp"
+#include "render_core/draw/drawers/sky_drawer.hpp"
+#include "render_core/draw/drawers/terrain_drawer.hpp"
 
 namespace tedavis::display {
 

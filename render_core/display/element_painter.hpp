@@ -6,11 +6,11 @@
 /// Failure   start() gives one message.
 #pragma once
 
-#include "render_core/display/caster_set.hpp"
-#include "render_core/display/element_planner.hpp"
-#include "render_core/draw/data/glyph_drawer.hpp"
-#include "render_core/draw/data/solid_drawer.hpp"
-#include "render_core/draw/quad_drawer.hpp"
+#include "render_core/display/planner/caster_set.hpp"
+#include "render_core/display/planner/element_planner.hpp"
+#include "render_core/draw/drawers/data/glyph_drawer.hpp"
+#include "render_core/draw/drawers/data/solid_drawer.hpp"
+#include "render_core/draw/drawers/quad_drawer.hpp"
 
 namespace tedavis::display {
 

@@ -117,8 +117,9 @@ bool FramePainter::prepare(const PlannedFrame& frame) {
         ground_key_ = frame.ground_key;
         drawn_.ground_data_is_missing = !terrain_.set_ground_data(gl_, frame.ground_slice);
     }
-    const bool ready = frame.decisions.show_terrain &&
-                       terrain_.prepare(gl_, frame.picture.terrain, make_terrain_input(draw_context_of(frame, frame.picture.camera)));
+    const bool ready =
+        frame.decisions.show_terrain &&
+        terrain_.prepare(gl_, frame.picture.terrain, make_terrain_input(draw_context_of(frame, frame.picture.camera)));
     prepare_elements(frame.picture);
     return ready || !frame.decisions.show_terrain;
 }

@@ -7,18 +7,18 @@
 #pragma once
 
 #include "render_core/base/ports/surface.hpp"
-#include "render_core/display/display_memory.hpp"
 #include "render_core/display/draw_inputs.hpp"
 #include "render_core/display/element_painter.hpp"
-#include "render_core/display/frame_planner.hpp"
+#include "render_core/display/planner/display_memory.hpp"
+#include "render_core/display/planner/frame_planner.hpp"
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/work_scope.hpp"
-#include "render_core/draw/dimmer.hpp"
-#include "render_core/draw/edge_pass.hpp"
-#include "render_core/draw/quad_drawer.hpp"
-#include "render_core/draw/saliency_pass.hpp"
-#include "render_core/draw/scene_fade.hpp"
-#include "render_core/draw/stereo_pass.hpp"
+#include "render_core/draw/drawers/dimmer.hpp"
+#include "render_core/draw/drawers/edge_pass.hpp"
+#include "render_core/draw/drawers/quad_drawer.hpp"
+#include "render_core/draw/drawers/saliency_pass.hpp"
+#include "render_core/draw/drawers/scene_fade.hpp"
+#include "render_core/draw/drawers/stereo_pass.hpp"
 #include "render_core/gl/gl.hpp"
 
 namespace tedavis::display {

@@ -1,7 +1,7 @@
 #include "render_core/display/record_of.hpp"
 
-#include "render_core/display/effect_notes.hpp"
-#include "render_core/display/frame_notes.hpp"
+#include "render_core/display/planner/effect_notes.hpp"
+#include "render_core/display/planner/frame_notes.hpp"
 
 namespace tedavis::display {
 namespace {

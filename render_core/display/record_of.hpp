@@ -3,7 +3,7 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/display/frame_painter.hpp"
-#include "render_core/display/planned_frame.hpp"
+#include "render_core/display/planner/planned_frame.hpp"
 
 namespace tedavis::display {
 

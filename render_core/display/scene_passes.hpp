@@ -10,13 +10,13 @@
 #pragma once
 
 #include "render_core/display/draw_inputs.hpp"
-#include "render_core/display/work_scope.hpp"
 #include "render_core/display/element_painter.hpp"
 #include "render_core/display/shadow_casters.hpp"
 #include "render_core/display/terrain_painter.hpp"
-#include "render_core/draw/light_shafts.hpp"
-#include "render_core/draw/picture_pass.hpp"
-#include "render_core/draw/sky_drawer.hpp"
+#include "render_core/display/work_scope.hpp"
+#include "render_core/draw/drawers/light_shafts.hpp"
+#include "render_core/draw/drawers/picture_pass.hpp"
+#include "render_core/draw/drawers/sky_drawer.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/effects/effect_planner.hpp"
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "render_core/display/element_painter.hpp"
-#include "render_core/draw/shadow_map.hpp"
+#include "render_core/draw/drawers/shadow_map.hpp"
 
 namespace tedavis::display {
 

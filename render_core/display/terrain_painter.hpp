@@ -5,9 +5,9 @@
 /// Memory    the staging arena and GPU lines given to start(). Thread  the GL thread. Failure  start() gives one message.
 #pragma once
 
-#include "render_core/display/terrain_planner.hpp"
-#include "render_core/draw/terrain_drawer.hpp"
-#include "render_core/draw/traced_terrain.hpp"
+#include "render_core/display/planner/terrain_planner.hpp"
+#include "render_core/draw/drawers/terrain_drawer.hpp"
+#include "render_core/draw/drawers/traced_terrain.hpp"
 
 namespace tedavis::display {
 

@@ -1,7 +1,7 @@
 /// Counts the work of an effect while it draws. Thread  the GL thread.
 #pragma once
 
-#include "render_core/display/effect_work.hpp"
+#include "render_core/display/planner/effect_work.hpp"
 #include "render_core/gl/gl.hpp"
 
 namespace tedavis::display {

@@ -1,8 +1,11 @@
 #include "render_core/draw/ground_focus_kind.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 namespace tedavis::draw {
+
+using design::FocusBorderKind;
 
 bool operator==(const GroundFocusKind& a, const GroundFocusKind& b) noexcept {
     const auto all = [](const GroundFocusKind& k) {

@@ -134,7 +134,8 @@ struct DirectoryPage {
 static_assert(std::is_trivially_copyable_v<DirectoryPage> && sizeof(DirectoryPage) == 16 + 64 * sizeof(ChunkEntry));
 
 /// A vertex as it is uploaded to the GPU. Positions lie on binary grids, as fine as floats allow within the largest chunks that
-/// share the vertex, but not finer than 2^-14 m, so that each of these chunks stores it exactly: see draw/terrain_drawer.hpp.
+/// share the vertex, but not finer than 2^-14 m, so that each of these chunks stores it exactly: see
+/// draw/drawers/terrain_drawer.hpp.
 struct ChunkVertex {
     float x, y, z;          ///< ECEF minus the chunk's centre, metres
     float height_m;         ///< above MSL; interpolated where void

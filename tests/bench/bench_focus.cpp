@@ -6,7 +6,7 @@
 #include <ctime>
 #include <random>
 
-#include "render_core/display/foci_plan.hpp"
+#include "render_core/display/planner/foci_plan.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bench/bench_result.hpp"

@@ -16,9 +16,9 @@
 
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/clock/monotonic_clock.hpp"
-#include "render_core/draw/data/glyph_drawer.hpp"
 #include "render_core/draw/data/glyph_encoding.hpp"
 #include "render_core/draw/data/glyph_room.hpp"
+#include "render_core/draw/drawers/data/glyph_drawer.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/device_files.hpp"

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/display/element_labels.hpp"
+#include "render_core/display/planner/element_labels.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/billboard_room.hpp"

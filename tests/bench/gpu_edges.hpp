@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "render_core/draw/edge_pass.hpp"
+#include "render_core/draw/drawers/edge_pass.hpp"
 #include "render_core/effects/device.hpp"
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "render_core/base/units.hpp"
-#include "render_core/display/camera.hpp"
+#include "render_core/display/planner/camera.hpp"
 
 namespace tedavis::test_support {
 

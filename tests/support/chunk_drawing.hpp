@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/draw/terrain_drawer.hpp"
+#include "render_core/draw/drawers/terrain_drawer.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/drawn_terrain.hpp"
 #include "tests/support/gl_session.hpp"

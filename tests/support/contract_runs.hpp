@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host_sim/layer_mask.hpp"
-#include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
 #include "tests/support/run_folders.hpp"
 
 namespace tedavis::test_support {

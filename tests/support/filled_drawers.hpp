@@ -1,8 +1,8 @@
 /// Drawers with the batches that they draw, for tests that fill them by hand.
 #pragma once
 
-#include "render_core/draw/data/solid_drawer.hpp"
-#include "render_core/draw/quad_drawer.hpp"
+#include "render_core/draw/drawers/data/solid_drawer.hpp"
+#include "render_core/draw/drawers/quad_drawer.hpp"
 
 namespace tedavis::test_support {
 

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "render_core/display/foci_plan.hpp"
+#include "render_core/display/planner/foci_plan.hpp"
 #include "tests/support/built_element.hpp"
 
 namespace tedavis::test_support {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/draw/data/glyph_drawer.hpp"
+#include "render_core/draw/drawers/data/glyph_drawer.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/support/free_view.hpp"
 #include "tests/support/gl_session.hpp"

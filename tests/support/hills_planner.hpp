@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "render_core/base/ports/async_reader.hpp"
-#include "render_core/display/frame_planner.hpp"
+#include "render_core/display/planner/frame_planner.hpp"
 #include "tests/support/hills_display.hpp"
 #include "tests/support/kept_reservation.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "render_core/display/planner/shadow_plan.hpp"
 #include "render_core/display/shadow_casters.hpp"
-#include "render_core/display/shadow_plan.hpp"
 #include "render_core/draw/data/solid_mesh.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"

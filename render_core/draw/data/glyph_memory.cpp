@@ -19,7 +19,8 @@ std::uint32_t glyph_corners_within(std::uint64_t gpu_bytes) noexcept {
 std::uint64_t glyph_drawer_bytes(bool has_instances, std::uint64_t gpu_bytes) noexcept {
     const std::uint64_t shapes = sizeof(GlyphShapes) + 3 * alignof(std::max_align_t);
     if (has_instances) return shapes;
-    return shapes + std::uint64_t{glyph_corners_within(gpu_bytes)} * (sizeof(GlyphCorner) + kIndicesACorner * sizeof(std::uint16_t));
+    return shapes +
+           std::uint64_t{glyph_corners_within(gpu_bytes)} * (sizeof(GlyphCorner) + kIndicesACorner * sizeof(std::uint16_t));
 }
 
 }  // namespace tedavis::draw

@@ -1,4 +1,4 @@
-// A caster in the map of shadows: draw/shadow_map.hpp.
+// A caster in the map of shadows: draw/drawers/shadow_map.hpp.
 VARYING vec2 v_caster;
 
 void main() {

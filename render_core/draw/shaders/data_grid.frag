@@ -1,5 +1,5 @@
 // The surface grid on data: lines of longitude and latitude over those of the ground, and lines of equal height. Follows
-// surface_line.frag. Latitude, longitude and height are series about the piece's anchor: draw/data/data_grid.hpp.
+// surface_line.frag. Latitude, longitude and height are series about the piece's anchor: draw/drawers/data/data_grid.hpp.
 uniform vec4 grid_turn;   // cosine and sine of the anchor's longitude, and of its latitude
 uniform vec3 grid_radii;  // of the anchor's parallel and along its meridian, m; half of what the latter grows by, a share a radian
 uniform vec3 grid_first;  // lines to the anchor from the last before it: east, south, up

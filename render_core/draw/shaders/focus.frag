@@ -1,5 +1,5 @@
 // Focus and context on the ground: how much of the focus a place is, what context looks like, and the rims. Numbers and their
-// places in the table: draw/focus_ground.hpp. Follows ground_data.frag and surface_line.frag, followed by terrain.frag.
+// places in the table: draw/drawers/focus_ground.hpp. Follows ground_data.frag and surface_line.frag, followed by terrain.frag.
 #ifdef FOCI
 uniform sampler2D palette;     // its second row
 uniform vec4 focus_parts;      // of each focus: 32 times the number of its parts that matter in this chunk, and the first one

@@ -1,4 +1,4 @@
-// Share of the sun's disc that data hide from a place: draw/shadow_map.hpp.
+// Share of the sun's disc that data hide from a place: draw/drawers/shadow_map.hpp.
 #ifdef SHADOWS
 uniform highp sampler2D shadow_map;  // else drivers may read 24 bits as a half float: levels one above the other: how far towards the sun, and in alpha how much it takes
 uniform vec4 shadow_levels[3];    // middle, half an edge, m; 1: something casts there

@@ -1,4 +1,4 @@
-// Light that shadows of data take from the air before the eye: draw/light_shafts.hpp. Follows shadow.frag, with AIR air.frag.
+// Light that shadows of data take from the air before the eye: draw/drawers/light_shafts.hpp. Follows shadow.frag, with AIR air.frag.
 uniform sampler2D scene;        // alpha codes the logarithm of the distance; 1 is infinitely far
 uniform vec4 shadow_axes[3];
 uniform vec3 rays[3];           // forward; right and up to the picture's edges; ECEF

@@ -11,7 +11,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/layer_mask.hpp"
 #include "host_sim/reports/run_folder.hpp"
-#include "render_core/display/picture_layer.hpp"
+#include "render_core/display/planner/picture_layer.hpp"
 #include "tests/support/command_run.hpp"
 #include "tests/support/expect_user_error.hpp"
 #include "tests/support/flown_circle.hpp"

@@ -1,6 +1,6 @@
 // Degrees, looks and rims on drawn ground, against the same in double: the pixel's ray meets the ground, and the place is judged
 // by scene/focus_region.
-#include "render_core/draw/focus_ground.hpp"
+#include "render_core/draw/drawers/focus_ground.hpp"
 
 #include <gtest/gtest.h>
 

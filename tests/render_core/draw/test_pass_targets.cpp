@@ -1,4 +1,4 @@
-#include "render_core/draw/pass_targets.hpp"
+#include "render_core/draw/drawers/pass_targets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "render_core/draw/view_projection.hpp"
+#include "render_core/draw/drawers/view_projection.hpp"
 #include "tests/support/billboard_room.hpp"
 
 namespace tedavis::draw::test_billboard_sheet {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render_core/draw/data/glyph_drawer.hpp"
+#include "render_core/draw/drawers/data/glyph_drawer.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/scene/glyph_selection.hpp"
 #include "tests/support/gl_session.hpp"

@@ -1,0 +1,316 @@
+#include "render_core/display/planner/frame_planner.hpp"
+
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "render_core/display/planner/data_legends.hpp"
+#include "render_core/display/planner/frame_notes.hpp"
+#include "render_core/display/planner/symbology_plan.hpp"
+#include "render_core/display/planner/terrain_ground.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/effects/design_effects.hpp"
+
+namespace tedavis::display {
+
+using flight::Signal;
+
+base::Error FramePlanner::start_terrain(const TerrainInput& terrain, draw::DrawnDesigns designs, const TerrainMemory& memory) {
+    return terrain.file == nullptr ? base::Error{} : terrain_.start(terrain, designs, settings_.device, memory);
+}
+
+base::Error FramePlanner::start_symbology(base::Arena& memory) {
+    if (symbology_.start(memory, draw::kSymbologyVertices)) return {};
+    return base::make_error("the budget line '", effects::kSymbology,
+                            "' is too small for the symbology; raise it in the device file");
+}
+
+base::Error FramePlanner::start_scene(base::ByteSource* scene, const SpatialData::Memory& memory, std::uint32_t ground_side) {
+    return data_.start(scene, memory, ground_side);
+}
+
+bool FramePlanner::has_data_to_show() const {
+    bool has_data = data_.has_scene() || settings_.expects_scene;
+    for (std::size_t place = 0; place < design_count(); ++place) {
+        const design::DesignSettings& design = design_at(place);
+        has_data =
+            has_data || !design.foci.empty() || asks_for_own(design.data.elements) || asks_for_traffic(design.data.elements);
+    }
+    return has_data && terrain_.is_started();
+}
+
+draw::DataVariant FramePlanner::data_variant() const {
+    draw::DataVariant variant{design_.sky.air.is_shown};
+    for (std::size_t place = 0; place < design_count(); ++place) {
+        const design::DesignSettings& design = design_at(place);
+        variant.grid = variant.grid || has_grid_on_data(design);
+        variant.shadows = variant.shadows || design.effects.shadows.is_any();
+        variant.magnified = variant.magnified || design::magnifies(design);
+    }
+    return variant;
+}
+
+base::Error FramePlanner::start_elements(bool has_instances, const ElementPlanner::Memory& memory) {
+    set_elements(0);
+    return elements_.start(has_instances, settings_.device.budget, memory);
+}
+
+void FramePlanner::start_memory(draw::DrawnDesigns designs, PlannerMemory& memory) const {
+    bool shows_saliency = false;
+    for (const draw::DrawnDesign& drawn : designs)
+        shows_saliency = shows_saliency || drawn.design->effects.saliency.view != design::SaliencyView::none;
+    memory.saliency.start(settings_.device.capability.lane, shows_saliency);
+    memory.clutter.start(settings_.device.capability.lane, designs);
+}
+
+void FramePlanner::follow_painter(const PainterAbilities& painter, draw::DrawnDesigns designs) {
+    painter_ = painter;
+    if (terrain_.is_started()) terrain_.follow_painter(painter.reads_pages, painter.tracer);
+    terrain_.set_design(designs[0]);
+    terrain_look_key_ = look_key_;
+    record_intervals();
+}
+
+void FramePlanner::plan(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame) {
+    begin(input, memory, frame);
+    frame.frame = memory.frames++;
+    follow_phase();
+    begin_plan();
+    plan_declutter();
+    follow_foci();
+    plan_terrain();
+    plan_data();
+    plan_elements();
+    plan_effects();
+    end();
+    plan_probe();
+}
+
+void FramePlanner::plan_again(const PainterFindings& findings, PlannerMemory& memory, PlannedFrame& frame) {
+    memory_ = &memory;
+    frame_ = &frame;
+    if (findings.terrain_failed) {
+        plan_without_terrain();
+    } else {
+        memory.clutter.take(findings.edges);
+        if (memory.clutter.step() == DeclutterControl::Step::none) return plan_measured();
+    }
+    plan_probe();
+}
+
+void FramePlanner::begin(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame) {
+    memory_ = &memory;
+    frame_ = &frame;
+    frame = PlannedFrame{};
+    frame.state = input.state;
+    frame.time = input.time;
+    frame.phase = input.phase;
+    frame.trail = input.trail;
+    sync_look();
+    if (elements_.is_started()) elements_.labels().restore(memory.labels);
+}
+
+void FramePlanner::end() {
+    memory_->had_warning = has_warning();
+    frame_->keeps_scene = memory_->transition.keeps;
+    if (frame_->keeps_scene) memory_->transition.kept_view = frame_->picture.camera.view;
+    frame_->weights = memory_->weights;
+    frame_->budget = memory_->budget.report();
+    set_camera();
+    if (elements_.is_started()) elements_.labels().keep(memory_->labels);
+}
+
+void FramePlanner::set_camera() {
+    frame_->look_key = look_key_;
+    frame_->picture.terrain = terrain_.seen_from(frame_->picture.camera.view);
+    set_camera_data();
+}
+
+void FramePlanner::set_camera_data() {
+    frame_->picture.data = elements_.planned();
+    frame_->picture.casters = elements_.casters(look_.effects.shadows.casters);
+}
+
+void FramePlanner::plan_without_terrain() {
+    memory_->terrain_failed = true;
+    if (frame_->clutter.probe != Probe::none) frame_->declutter = frame_->clutter.before_probes;
+    frame_->clutter = {};
+    give_up_terrain(policy::TerrainSource::failed);
+    frame_->labels = {};
+    put_symbology();
+    plan_effects();
+    end();
+}
+
+/// The design of another phase may decide; what painters have been told of the shown one holds on.
+void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch) {
+    const LookOf look = look_of_;
+    const std::uint64_t look_key = look_key_;
+    PlannerMemory passing = memory;
+    passing.weights = look.weights;  // what the design looks like now is the least work to begin from
+    passing.shows_alert = look.shows_alert;
+    passing.shown = phases_.place_of(input.phase.presented);
+    passing.view = ViewTransition();
+    begin(input, passing, scratch);
+    begin_plan();
+    if (elements_.is_started()) elements_.labels().keep(memory.labels);
+    memory.boost = passing.boost;
+    if (look_key_ != look_key) take_look(look);
+    look_key_ = look_key;
+}
+
+/// Where the eye is, and what it may be shown: all that does not depend on what has arrived of the terrain.
+void FramePlanner::begin_plan() {
+    const flight::AircraftState& state = frame_->state;
+    frame_->conditions = {};
+    frame_->conditions.terrain = terrain_source();
+    frame_->conditions.phase = frame_->phase;
+    frame_->conditions.generated_flight = settings_.generated_flight;
+    const DrapeState drape = terrain_.drape(look_.terrain.style);
+    frame_->conditions.image_is_missing = drape == DrapeState::not_in_database || drape == DrapeState::not_on_device;
+    if (frame_->conditions.terrain == policy::TerrainSource::ready &&
+        state.is_valid(Signal::height_above_terrain, frame_->time) && state[Signal::height_above_terrain].value_or(0) < 0)
+        frame_->conditions.terrain = policy::TerrainSource::above_own_ship;
+    frame_->conditions.shows_measure = shows_measure();
+    frame_->conditions.is_reduced = look_.degradation.show_reduced && memory_->budget.is_reduced();
+    apply_priorities();
+    memory_->view.step(look_.view.mode, look_.view.transition_s, frame_->time);
+    decide();
+    state_frame();
+    plan_view();
+    plan_foci();
+    magnify();
+    decide_labels();
+}
+
+policy::TerrainSource FramePlanner::terrain_source() const {
+    const flight::OwnShipEstimate& own_ship = frame_->state.own_ship;
+    if (!terrain_.is_started())
+        return settings_.terrain_failed_at_start ? policy::TerrainSource::failed : policy::TerrainSource::none;
+    if (memory_->terrain_failed) return policy::TerrainSource::failed;
+    const bool inside =
+        terrain_.database().lattice().point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
+    return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
+}
+
+void FramePlanner::decide() {
+    frame_->conditions.is_map = is_map();
+    frame_->decisions = policy::decide_display(frame_->state, frame_->time, frame_->conditions, look_);
+    // On the way between 3D and the map what holds for 3D holds; without terrain there is no way to be seen.
+    if (!memory_->view.is_under_way() || frame_->decisions.show_terrain) return;
+    memory_->view.arrive();
+    frame_->conditions.is_map = is_map();
+    frame_->decisions = policy::decide_display(frame_->state, frame_->time, frame_->conditions, look_);
+}
+
+/// Terrain that turns out not to be had: its notice must be on this frame already.
+void FramePlanner::give_up_terrain(policy::TerrainSource reason) {
+    frame_->conditions.terrain = reason;
+    decide_again();
+}
+
+void FramePlanner::decide_again() {
+    frame_->decisions = policy::decide_display(frame_->state, frame_->time, frame_->conditions, look_);
+    for (const auto& name : frame_->decisions.flags) flag(name.view(), *frame_);
+}
+
+void FramePlanner::state_frame() {
+    frame_->own_ship = frame_->state.own_ship;
+    frame_->heading_rad = draw::view_heading_rad(frame_->state, frame_->decisions);
+    frame_->pitch_rad = frame_->state[Signal::pitch].value_or(0);
+    frame_->roll_rad = frame_->state[Signal::roll].value_or(0);
+    frame_->view.mode = look_.view.mode;
+    const bool is_far = frame_->view.mode != design::ViewMode::perspective;
+    frame_->view.transition = is_far ? memory_->view.map_share() : 1 - memory_->view.map_share();
+    for (std::size_t n = 0; n < flight::kSignalCount; ++n)
+        frame_->signals[n] = frame_->state.state_of(static_cast<Signal>(n), frame_->time);
+    frame_->scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
+    frame_->flight_time = flight::flight_time(frame_->state.utc, frame_->time);
+    if (frame_->state.utc.state == base::SignalState::lost) flag("utc.lost", *frame_);
+    frame_->light = policy::terrain_light(look_.terrain.style.shade, frame_->state.own_ship.position, frame_->flight_time.utc);
+    for (const auto& name : frame_->decisions.flags) flag(name.view(), *frame_);
+}
+
+base::Stamped<double> FramePlanner::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {
+    if (!terrain_.is_started() || own_ship.state != base::SignalState::valid) return {};
+    const terrain::HeightAnswer ground = terrain_.true_height(own_ship.position.latitude_rad, own_ship.position.longitude_rad);
+    if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea) return {};
+    const double undulation = own_ship.height_is_geometric ? ground.undulation.m : 0;
+    const auto quality = own_ship.height_is_geometric ? base::Quality::good : base::Quality::degraded;
+    return {own_ship.position.height.m - undulation - ground.height.m, now, quality};
+}
+
+double FramePlanner::undulation_m(const earth::Geodetic& place) const {
+    return terrain_.is_started() ? terrain_.database().undulation(place.latitude_rad, place.longitude_rad).m : 0;
+}
+
+void FramePlanner::plan_terrain() {
+    const double tau_factor = memory_->budget.tau_factor(terrain_tolerance());
+    frame_->terrain.tau_px = look_.terrain.tau_px * tau_factor;
+    if (!frame_->decisions.show_terrain) {
+        terrain_.rest();
+        return;
+    }
+    widen_bands();
+    Camera seen = frame_->picture.camera;
+    seen.view = frame_->seen;
+    TerrainPlan plan = terrain_.plan(seen, look_, tau_factor);
+    if (plan.is_unmagnified) stop_magnifying();
+    if (frame_->stereo_cameras.base_m > 0)
+        for (const draw::EyeSide side : draw::kEyeSides)
+            terrain_.widen_error(camera_of(frame_->picture.camera, frame_->stereo_cameras, side, painter_.stereo_margin_px).view,
+                                 look_, plan.lod);
+    if (terrain_.is_traced()) plan = as_traced(plan);
+    if (!plan.lod.within_budget) {
+        give_up_terrain(policy::TerrainSource::over_budget);
+        return;
+    }
+    frame_->terrain_has_void = plan.has_void;
+    record_terrain(plan, *frame_);
+    record_renderer(look_.terrain.renderer, terrain_.trace_state(), *frame_);
+    // What budgets leave is the best there will be, and is said to be coarse.
+    if (plan.pending != 0 && plan.lod.worst_waiting_px > look_.degradation.terrain_removed_px) {
+        give_up_terrain(policy::TerrainSource::too_coarse);
+        return;
+    }
+    if (plan.lod.worst_coarse_px <= look_.degradation.terrain_error_px) return;
+    frame_->conditions.terrain_is_coarse = true;
+    decide_again();
+}
+
+void FramePlanner::widen_bands() {
+    if (!frame_->decisions.show_warning_colors) return;
+    design::HeightAccuracy accuracy;
+    if (frame_->state.is_valid(Signal::vertical_accuracy, frame_->time))
+        accuracy.position_m = frame_->state[Signal::vertical_accuracy].value_or(0);
+    accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
+    frame_->bands = design::band_widening(look_.widening, band_deviations_, accuracy);
+    if (frame_->bands.position_assumed) flag("vertical_accuracy.assumed", *frame_);
+    if (frame_->bands.terrain_assumed) flag("terrain.accuracy_assumed", *frame_);
+}
+
+void FramePlanner::put_symbology() {
+    frame_->maps_beside = {};
+    if (free_view_active_) return;
+    const draw::SymbolGround over = memory_->view.is_under_way() ? draw::SymbolGround::moving
+                                    : frame_->conditions.is_map  ? draw::SymbolGround::map
+                                                                 : draw::SymbolGround::perspective;
+    const FrameContext frame = context_of(*frame_, frame_->picture.camera);
+    frame_->maps_beside = plan_symbology(
+        {frame, frame_->state, settings_.width_px, settings_.height_px, over, data_, frame_->data, elements_.reports()},
+        symbology_, *frame_);
+}
+
+void FramePlanner::plan_data() {
+    frame_->data = data_.plan(look_.data, frame_->flight_time);
+    frame_->ground_key = data_.ground_key();
+    frame_->ground_slice = data_.ground();
+    if (frame_->data.ground == GroundDataState::not_asked_for) return;
+    if (frame_->data.ground != GroundDataState::shown) flag("ground_data.missing", *frame_);
+    if (!frame_->flight_time.is_date) flag("ground_data.no_date", *frame_);
+    const scene::GridSlice* const slice = data_.ground();
+    if (slice != nullptr && is_in_another_unit(look_.data.ground.scale.palette, *slice->attribute()->entry))
+        flag("ground_data.unit", *frame_);
+}
+
+}  // namespace tedavis::display

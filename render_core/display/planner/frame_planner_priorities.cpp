@@ -1,0 +1,174 @@
+// What comes first in a frame: the design's weights, what raises them, and what of the data is stale.
+#include <cmath>
+
+#include "render_core/design/weighted_design.hpp"
+#include "render_core/display/planner/data_legends.hpp"
+#include "render_core/display/planner/frame_notes.hpp"
+#include "render_core/display/planner/frame_planner.hpp"
+#include "render_core/display/planner/symbology_plan.hpp"
+#include "render_core/display/planner/terrain_ground.hpp"
+#include "render_core/policy/hazard_watch.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
+
+namespace tedavis::display {
+
+/// Of the design that is shown.
+class FramePlanner::Boosts final : public policy::BoostSource {
+public:
+    explicit Boosts(FramePlanner& planner) : planner_(planner), priority_(planner.design_at(planner.memory_->shown).priority) {}
+
+    [[nodiscard]] policy::PriorityBoosts boosts_at(const policy::PriorityInstant& instant) override {
+        policy::PriorityBoosts boosts;
+        boosts.terrain_ahead = terrain_ahead_at(instant);
+        if (!priority_.is_stated) return boosts;
+        if (planner_.data_are_stale(instant.time)) boost(boosts, design::kUncertaintyAspect, 1, priority_.stale_uncertainty);
+        if (planner_.terrain_.is_started() && instant.own_ship.state == base::SignalState::valid) boost_hazards(instant, boosts);
+        return boosts;
+    }
+
+private:
+    [[nodiscard]] policy::TerrainAhead terrain_ahead_at(const policy::PriorityInstant& instant) const {
+        if (!planner_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid)
+            return policy::TerrainAhead::none;
+        const policy::PredictedTrack track = planner_.track_of(instant.own_ship);
+        if (is_above_all(track)) return policy::TerrainAhead::none;
+        TerrainGround ground(planner_.terrain_, terrain::View());
+        base::Span<const scene::Layer> layers;
+        if (planner_.data_.has_scene()) layers = planner_.data_.scene().layers();
+        return policy::TerrainWatch(track, instant.phase, layers, ground).ahead();
+    }
+
+    /// So that nothing need be read of the database.
+    [[nodiscard]] bool is_above_all(const policy::PredictedTrack& track) const {
+        constexpr double kMargin_m = 50;  // by which the geoid differs along the track at most
+        const double lowest_m = std::fmin(track.from.height.m, track.at(policy::TerrainWatch::kLookAhead_s).height.m);
+        const double highest_m =
+            double{planner_.terrain_.database().header().max_height_m} + planner_.undulation_m(track.from) + kMargin_m;
+        return lowest_m > highest_m + policy::required_clearance_m({flight::Scenario::cruise, 0}, 0);
+    }
+
+    void boost(policy::PriorityBoosts& boosts, std::size_t aspect, double share, double weight) const {
+        boosts.of[aspect] = std::fmax(boosts.of[aspect], share * (weight - priority_.weights.of[aspect]));
+    }
+
+    void boost_hazards(const policy::PriorityInstant& instant, policy::PriorityBoosts& boosts) const {
+        const policy::PredictedTrack track = planner_.track_of(instant.own_ship);
+        TerrainGround ground(planner_.terrain_, terrain::View());
+        policy::HazardWatch watch(priority_, track, ground, instant.time.utc.ns);
+        // Where terrain comes first already it needs no focus of its own.
+        if (priority_.weights.of[design::kTerrainAspect] < priority_.hazard_weight)
+            boost(boosts, design::kTerrainAspect, watch.terrain_share(), priority_.hazard_weight);
+        for (std::size_t n = 0; n < priority_.parts.size() && planner_.data_.has_scene(); ++n)
+            for (const scene::Layer& layer : planner_.data_.scene().layers())
+                if (is_hazard(n, layer, instant.time))
+                    boost(boosts, design::kMainAspects + n, watch.layer_share(layer), priority_.hazard_weight);
+        boosts.has_hazard = watch.first_met(boosts.hazard);
+    }
+
+    [[nodiscard]] bool is_hazard(std::size_t part, const scene::Layer& layer, const flight::FlightTime& time) const {
+        return priority_.parts[part].is_hazard && priority_.parts[part].has(layer.entry->role) &&
+               layer.entry->shape != scene::LayerShape::grid && is_valid_at(layer, time);
+    }
+
+    FramePlanner& planner_;
+    const design::PrioritySettings& priority_;
+};
+
+policy::PredictedTrack FramePlanner::track_of(const flight::OwnShipEstimate& own) const {
+    policy::PredictedTrack track{own.position, own.velocity_north_mps, own.velocity_east_mps, own.velocity_up_mps};
+    if (!own.height_is_geometric) track.from.height.m += undulation_m(own.position);
+    return track;
+}
+
+/// Before anything of the frame is planned.
+void FramePlanner::apply_priorities() {
+    design::AspectWeights weights = design_at(memory_->shown).priority.weights;
+    if (has_intervals_) {
+        Boosts boosts(*this);
+        memory_->boost.follow({frame_->time, flight::flight_time(frame_->state.utc, frame_->time), frame_->state.own_ship,
+                               frame_->conditions.phase.presented},
+                              boosts, memory_->shown);
+        if (design_at(memory_->shown).priority.is_stated) weights = memory_->boost.above(weights);
+    }
+    frame_->conditions.terrain_ahead = memory_->boost.terrain_ahead();
+    const bool shows_alert = frame_->conditions.terrain_ahead != policy::TerrainAhead::none;
+    if (weights == memory_->weights && shows_alert == memory_->shows_alert) return;
+    memory_->weights = weights;
+    memory_->shows_alert = shows_alert;
+    take_look(asked_look());
+}
+
+ObstaclePlaces FramePlanner::obstacles_ahead(const PlannedFrame& frame, const PlannerMemory& memory) {
+    if (!elements_.is_started() || !frame.decisions.show_terrain || !data_.has_scene() ||
+        frame.state.own_ship.state != base::SignalState::valid)
+        return {};
+    const policy::PredictedTrack track = track_of(frame.state.own_ship);
+    TerrainGround ground(terrain_, frame.picture.camera.view);
+    policy::HazardWatch watch(design_at(memory.shown).priority, track, ground, frame.flight_time.utc.ns);
+    terrain::LineOfSight sight = terrain_.sight(frame.picture.camera.view);
+    const draw::SignView eye{frame.picture.camera.view, static_cast<float>(text_px(context_of(frame, frame.picture.camera),
+                                                                                   settings_.width_px, settings_.height_px))};
+    return obstacle_places({data_.scene(), frame.flight_time, ground, eye, &sight, elements_.reports(), elements_.labels()},
+                           watch);
+}
+
+namespace {
+
+/// A map beside the picture that names no layer has the first grid of its role.
+bool shows_beside(const design::AdjacentView& maps, const scene::Layer& layer) {
+    if (!maps.layer.empty()) return maps.layer.view() == layer.entry->name;
+    return layer.entry->shape == scene::LayerShape::grid && layer.entry->role == maps.role;
+}
+
+}  // namespace
+
+bool FramePlanner::is_in_design(const scene::Layer& layer) const {
+    const design::DataStyle& data = design_at(memory_->shown).data;
+    bool is_shown = (data.ground.is_shown && data.ground.layer.view() == layer.entry->name) ||
+                    (data.adjacent.is_shown && shows_beside(data.adjacent, layer));
+    for (const design::DataElement& element : data.elements) is_shown = is_shown || is_meant(element, layer);
+    return is_shown;
+}
+
+/// Each layer of the picture that is stale, and each that values of it were made of.
+void FramePlanner::state_stale_data() {
+    if (!data_.has_scene() || !frame_->flight_time.is_confirmed || !frame_->decisions.show_terrain) return;
+    const double stale_after_s = design_at(memory_->shown).data.stale_after_s;
+    for (const scene::Layer& layer : data_.scene().layers()) {
+        if (!is_in_design(layer) || !is_valid_at(layer, frame_->flight_time)) continue;
+        record_stale(layer.entry->name, stale_age(layer, frame_->flight_time, stale_after_s), *frame_);
+        for (const scene::Attribute& attribute : layer.attributes)
+            if (const std::uint8_t from = attribute.entry->derived_from; from > 0)
+                state_stale_source(data_.scene().layers()[from - 1], *attribute.entry, stale_after_s);
+    }
+}
+
+/// Of one instant of a layer that an attribute was made of, or of what the layer holds of this date.
+void FramePlanner::state_stale_source(const scene::Layer& source, const scene::AttributeEntry& made, double stale_after_s) {
+    constexpr std::int64_t kMinute_ns = 60'000'000'000;
+    base::Duration age = stale_age(source, frame_->flight_time, stale_after_s);
+    if (made.derived_minute > 0) {
+        age.ns = frame_->flight_time.utc.ns - made.derived_minute * kMinute_ns;
+        if (age.to_seconds() <= stale_after_s) return;
+    }
+    record_stale(source.entry->name, age, *frame_);
+}
+
+/// Of what the design shows: measured so long ago that it is said to be stale, or out of date.
+bool FramePlanner::data_are_stale(const flight::FlightTime& time) const {
+    if (!data_.has_scene() || !time.is_confirmed) return false;
+    const double stale_after_s = design_at(memory_->shown).data.stale_after_s;
+    for (const scene::Layer& layer : data_.scene().layers())
+        if (is_in_design(layer) && (!is_valid_at(layer, time) || stale_age(layer, time, stale_after_s).ns > 0)) return true;
+    return false;
+}
+
+/// What is shown without strength is not asked for.
+effects::EffectSet FramePlanner::asked() const {
+    effects::EffectSet asked = asked_of_[memory_->shown];
+    const bool was_asked = design_at(memory_->shown).terrain.style.sketch.silhouettes > 0;
+    if (was_asked && look_.terrain.style.sketch.silhouettes <= 0) asked.remove(effects::Effect::silhouettes);
+    return asked;
+}
+
+}  // namespace tedavis::display

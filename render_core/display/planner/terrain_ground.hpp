@@ -1,0 +1,33 @@
+/// The terrain as the ground that spatial data stand on: heights of its true surface, or of the plane that it is drawn as. What
+/// is read for an answer is bounded.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "render_core/display/planner/terrain_planner.hpp"
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::display {
+
+class TerrainGround final : public scene::Ground {
+public:
+    /// The terrain must be started, and stay.
+    TerrainGround(TerrainPlanner& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}
+
+    [[nodiscard]] double height_m(double latitude_rad, double longitude_rad) override {
+        const terrain::HeightAnswer ground = terrain_.true_height(latitude_rad, longitude_rad);
+        if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea)
+            return std::numeric_limits<double>::quiet_NaN();
+        return (std::isnan(flat_msl_m_) ? ground.height.m : flat_msl_m_) + ground.undulation.m;
+    }
+    [[nodiscard]] double undulation_m(double latitude_rad, double longitude_rad) override {
+        return terrain_.database().undulation(latitude_rad, longitude_rad).m;
+    }
+
+private:
+    TerrainPlanner& terrain_;
+    double flat_msl_m_;  ///< NaN: as it is
+};
+
+}  // namespace tedavis::display

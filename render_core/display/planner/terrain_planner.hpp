@@ -1,0 +1,154 @@
+/// Which chunks of the terrain a frame shows, from the database file to the selection; nothing of it touches GL.
+///
+///   start(...) · plan(camera, design) each frame · seen_from(view): what a painter is given
+///
+/// Memory    the arenas given to start(). Thread  the display's. Failure  start() gives one message; a database that fails later
+///           leaves coarser terrain and says so in the plan.
+#pragma once
+
+#include "render_core/base/ports/async_reader.hpp"
+#include "render_core/base/ports/byte_source.hpp"
+#include "render_core/base/ports/workers.hpp"
+#include "render_core/display/planner/camera.hpp"
+#include "render_core/draw/depth_plan.hpp"
+#include "render_core/draw/drawn_design.hpp"
+#include "render_core/draw/screen_part.hpp"
+#include "render_core/draw/trace_state.hpp"
+#include "render_core/effects/device.hpp"
+#include "render_core/terrain/chunk_indices.hpp"
+#include "render_core/terrain/line_of_sight.hpp"
+#include "render_core/terrain/near_ground.hpp"
+
+namespace tedavis::display {
+
+/// Where terrain comes from; without a file there is none.
+struct TerrainInput {
+    base::ByteSource* file = nullptr;
+    base::AsyncReader* reader = nullptr;  ///< of the same file, with reader_tickets() tickets
+    terrain::ArrivalMode arrival = terrain::ArrivalMode::exact;
+    base::Workers* workers = nullptr;  ///< for terrain that is traced; null: the display's own thread
+};
+
+/// By budget line.
+struct TerrainMemory {
+    base::Arena &index, &records, &payloads, &attributes, &drape, &lod, &staging;
+};
+
+/// What becomes of the image drape that a style asks for.
+enum class DrapeState : std::uint8_t {
+    not_asked_for,
+    shown,
+    not_in_database,  ///< it was built without an image: the plain colour is drawn
+    not_on_device,    ///< which has no room for its pages
+};
+
+/// What plan() found; plain data.
+struct TerrainPlan {
+    terrain::LodResult lod;
+    std::uint32_t pending = 0;    ///< chunks wanted and not there yet
+    bool has_void = false;        ///< ground without data in view
+    bool is_late = false;         ///< the file answers too slowly
+    bool is_failing = false;      ///< parts of it cannot be had
+    bool is_unmagnified = false;  ///< the view's magnifiers left no room for it, and it is planned without
+};
+
+/// The same where the terrain is traced: everything that the database has is drawn, whatever has arrived of its chunks.
+[[nodiscard]] TerrainPlan as_traced(TerrainPlan plan);
+
+/// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
+[[nodiscard]] std::string_view database_fault(std::string_view message);
+
+/// The terrain of one camera, as a painter draws it. The chunks must stay: until the next plan().
+struct SeenTerrain {
+    base::Span<const terrain::SelectedChunk> chunks;
+    draw::DepthPlan depth;   ///< the ranges in which they are drawn
+    draw::ScreenPart part;   ///< of the screen that all of them lie in; the whole of it where no pass of the design reads it
+    bool is_traced = false;  ///< by rays instead of triangles
+    const terrain::TerrainDatabase* database = nullptr;  ///< null: there is no terrain
+};
+
+class TerrainPlanner final : public terrain::DrawnMeshes {
+public:
+    [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
+
+    /// For designs that follow one another; the first is drawn first.
+    [[nodiscard]] base::Error start(const TerrainInput& input, draw::DrawnDesigns designs, effects::DeviceSettings& device,
+                                    const TerrainMemory& memory);
+    [[nodiscard]] bool is_started() const { return started_; }
+    /// What the painter has made ready, before the first plan(): whether attribute pages are drawn, and whether it can trace.
+    void follow_painter(bool reads_pages, draw::TraceState tracer);
+    /// From here on this design.
+    void set_design(const draw::DrawnDesign& design);
+
+    [[nodiscard]] DrapeState drape(const design::TerrainStyle& style) const {
+        return needs_map(style, design::BakedMap::drape) ? drape_ : DrapeState::not_asked_for;
+    }
+    /// What becomes of tracing in the planned frame, where the design that is drawn wants it.
+    [[nodiscard]] draw::TraceState trace_state() const { return trace_; }
+    [[nodiscard]] bool is_traced() const { return trace_ == draw::TraceState::traced; }
+    [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
+    [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
+    [[nodiscard]] terrain::HeightQuery& heights() { return heights_; }
+    [[nodiscard]] const terrain::TerrainStore& store() const { return store_; }
+    [[nodiscard]] terrain::ChunkIndices& chunk_indices() { return chunk_indices_; }
+
+    /// Chooses the chunks of this frame from what is there, and asks for what the view needs. `tau_factor`: of the error
+    /// that the design allows.
+    [[nodiscard]] TerrainPlan plan(const Camera& camera, const design::DesignSettings& design, double tau_factor = 1);
+    /// After plan(): of the chosen chunks seen from elsewhere, too, where that makes the worst error greater.
+    void widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod);
+    /// Instead of plan() in a frame without terrain: what has arrived later follows from such frames as well.
+    void rest();
+
+    /// What plan() chose, for a painter; nothing before start().
+    [[nodiscard]] SeenTerrain seen_from(const terrain::View& view) const;
+    /// Depth of the farthest point that is drawn; 0 when nothing is.
+    [[nodiscard]] double farthest_depth_m(const terrain::View& view) const;
+    /// No ground in the picture is farther from the eye.
+    [[nodiscard]] double farthest_m(const terrain::View& view) const;
+    /// Nor is any nearer.
+    [[nodiscard]] double nearest_m(const terrain::View& view) const;
+
+    /// The drawn surface at a place, for what stands on the ground; after plan().
+    [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);
+    /// Over the surface of this frame; after plan(). The view must stay.
+    [[nodiscard]] terrain::LineOfSight sight(const terrain::View& view) { return {database_.lattice(), selected(), *this, view}; }
+    [[nodiscard]] base::Span<const terrain::ChunkVertex> vertices(const terrain::SelectedChunk& chunk) override;
+    [[nodiscard]] base::Span<const std::uint16_t> stored_indices(const terrain::SelectedChunk& chunk) override;
+    [[nodiscard]] base::Span<const std::uint16_t> drawn_indices(const terrain::SelectedChunk& chunk) override;
+    [[nodiscard]] base::Span<const terrain::SelectedChunk> selected() const { return {selected_.data(), chunks_}; }
+
+private:
+    [[nodiscard]] draw::DepthPlan depth_plan(const terrain::View& view) const;
+    [[nodiscard]] draw::ScreenPart drawn_part(const terrain::View& view) const;
+    [[nodiscard]] terrain::View over_ground(terrain::View view);
+    [[nodiscard]] bool can_magnify(const terrain::View& view, const terrain::LodSettings& lod);
+    [[nodiscard]] terrain::LodResult select_drawn(const terrain::View& view, terrain::LodSettings lod);
+    [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
+    [[nodiscard]] std::uint32_t parts_in_view() const;
+    void decide_drape();
+    [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Camera& camera,
+                                                    double tau_factor) const;
+    void follow_view(const terrain::View& view);
+    [[nodiscard]] base::Error start_store(const TerrainInput& input, const TerrainMemory& memory);
+    [[nodiscard]] base::Error start_selection(const TerrainMemory& memory);
+
+    effects::DeviceSettings* device_ = nullptr;
+    terrain::TerrainDatabase database_;
+    terrain::TerrainStore store_;
+    terrain::HeightQuery heights_;
+    terrain::LodSelector selector_;
+    terrain::ChunkIndices chunk_indices_;
+    draw::TraceState tracer_ = draw::TraceState::not_asked_for;        ///< of the painter
+    draw::TraceState design_trace_ = draw::TraceState::not_asked_for;  ///< of the design that is drawn
+    draw::TraceState trace_ = draw::TraceState::not_asked_for;         ///< of it from the planned eye
+    base::Span<terrain::SelectedChunk> selected_;
+    base::Span<terrain::WantedChunk> wanted_;
+    DrapeState drape_ = DrapeState::not_asked_for;
+    bool goes_off_screen_ = false;  ///< the design that is drawn: a pass reads the part of the screen
+    terrain::DrapeDetail drape_detail_;
+    std::uint32_t chunks_ = 0;
+    bool started_ = false;
+};
+
+}  // namespace tedavis::display

@@ -1,0 +1,178 @@
+#include "render_core/draw/drawers/traced_codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "render_core/draw/drawers/terrain_program.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using raytrace::HitSide;
+using terrain::PostClass;
+
+constexpr std::uint32_t kRowsOfTask = 8;
+constexpr float kHeightSteps = 254.0f, kHighestShare = 1.0f - 1.0f / 65536.0f;  // step 254 is the sea
+constexpr std::uint8_t kSeaStep = 254;
+constexpr double kFarthestCode = 254;  // 255 is the sky
+
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(share * 255.0f + 0.5f); }
+
+/// The codes of distances by their floats' uppermost bits: steps are told apart to a 26th of one.
+class DistanceCodes {
+public:
+    DistanceCodes() {
+        for (std::uint32_t n = 0; n < kEntries; ++n) {
+            const double octave = n / kPerOctave, within = (n % kPerOctave + 0.5) / kPerOctave;
+            const double code = 255 * (octave + std::log2(1 + within)) / kDistanceCodeOctaves;
+            codes_[n] = static_cast<std::uint8_t>(std::lround(std::fmin(code, kFarthestCode)));
+        }
+    }
+    [[nodiscard]] std::uint8_t of(float distance_m) const {
+        const float value = 1 + distance_m / static_cast<float>(kDistanceCodeStart_m);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &value, sizeof bits);
+        return codes_[std::min((bits - kBitsOfOne) >> kBitsLeft, kEntries - 1)];
+    }
+
+private:
+    static constexpr std::uint32_t kBitsOfOne = 0x3F800000, kBitsLeft = 14, kPerOctave = 1u << (23 - kBitsLeft);
+    static constexpr std::uint32_t kEntries = kPerOctave * static_cast<std::uint32_t>(kDistanceCodeOctaves);
+    std::uint8_t codes_[kEntries];
+};
+
+using Floats = float __attribute__((vector_size(16)));
+using Words = std::int32_t __attribute__((vector_size(16)));
+
+float sum_of(const Floats& of) { return of[0] + of[1] + of[2]; }
+
+/// A word of a post's look: normals in the lower three bytes, the class in the highest.
+std::int32_t word_of(const PostLook& look) {
+    static_assert(sizeof look == sizeof(std::int32_t));
+    std::int32_t word = 0;
+    std::memcpy(&word, &look, sizeof word);
+    return word;
+}
+
+/// What does not change over a picture, in floats; a triangle's three corners side by side.
+struct Coder {
+    explicit Coder(const CodeInput& given) : input(given), grid(given.ground.heights()), looks(given.ground.looks().data()) {
+        lowest_m = static_cast<float>(given.heights.lowest_m);
+        const double reach_m = given.heights.highest_m - given.heights.lowest_m;
+        per_m = reach_m > 0 ? static_cast<float>(1 / reach_m) : 1.0f;
+        for (std::size_t n = 0; n < given.light.count; ++n)
+            for (int axis = 0; axis < 3; ++axis)  // normals have steps of 1/127
+                lights[n][axis] = static_cast<float>(given.light.towards[n][axis] * given.light.weights[n] / 127);
+        ambient = static_cast<float>(given.light.ambient);
+    }
+
+    /// Light at the corners.
+    [[nodiscard]] Floats light_of(const Words& corners) const {
+        const Floats x = __builtin_convertvector((corners << 24) >> 24, Floats),
+                     y = __builtin_convertvector((corners << 16) >> 24, Floats),
+                     z = __builtin_convertvector((corners << 8) >> 24, Floats);
+        Floats direct{};
+        for (std::size_t n = 0; n < input.light.count; ++n) {
+            const Floats facing = x * lights[n][0] + y * lights[n][1] + z * lights[n][2];
+            direct += facing > 0 ? facing : Floats{};
+        }
+        return ambient + (1 - ambient) * direct;
+    }
+
+    void code(std::size_t pixel, float distance_m, std::uint8_t* to) const;
+
+    const CodeInput& input;
+    const raytrace::HeightGrid<float>& grid;
+    const PostLook* looks;
+    float lowest_m, per_m, ambient;
+    float lights[design::kMaxLights][3]{};
+    DistanceCodes distances;
+};
+
+/// More than half of a cell's posts near a place, weighed as a texture's filter does.
+bool is_sea_at(const PostLook* north, const PostLook* south, float u, float v) {
+    const auto sea = [](const PostLook& look) { return look.post_class == PostClass::sea ? 1.0f : 0.0f; };
+    return (1 - v) * ((1 - u) * sea(north[0]) + u * sea(north[1])) + v * ((1 - u) * sea(south[0]) + u * sea(south[1])) > 0.5f;
+}
+
+void Coder::code(std::size_t pixel, float distance_m, std::uint8_t* to) const {
+    const auto cell = static_cast<std::uint32_t>(input.hits.cell[pixel]);
+    const std::uint32_t row = cell / (grid.columns - 1), column = cell - row * (grid.columns - 1);
+    const std::size_t north = std::size_t{row} * grid.stride + column, south = north + grid.stride;
+    const float u = input.hits.u[pixel], v = input.hits.v[pixel];
+    const bool is_upper = u + v <= 1;  // else the corner across, and shares from there
+    const std::size_t first = is_upper ? north : south + 1;
+    const float of_east = is_upper ? u : 1 - v, of_south = is_upper ? v : 1 - u;
+    const Floats shares{1 - of_east - of_south, of_east, of_south, 0};
+    const Floats heights{grid.posts[first], grid.posts[north + 1], grid.posts[south], 0};
+    const Words corners{word_of(looks[first]), word_of(looks[north + 1]), word_of(looks[south]), 0};
+    const float lit = input.light.count > 0 ? sum_of(shares * light_of(corners)) : 1.0f;
+    const float height = (sum_of(shares * heights) - lowest_m) * per_m;
+    const float steps = std::clamp(height, 0.0f, kHighestShare) * kHeightSteps;
+    const auto whole = static_cast<std::uint8_t>(steps);
+    to[0] = whole;
+    to[1] = byte_of(steps - static_cast<float>(whole));
+    to[2] = byte_of(std::clamp(lit, 1.0f / 255.0f, 1.0f));
+    to[3] = distances.of(distance_m);
+    if (((corners[0] | corners[1] | corners[2]) >> 24) == 0) return;  // all land
+    const auto has = [&](PostClass what) {
+        const auto code = static_cast<std::int32_t>(what);
+        return corners[0] >> 24 == code || corners[1] >> 24 == code || corners[2] >> 24 == code;
+    };
+    if (has(PostClass::sea) && is_sea_at(looks + north, looks + south, u, v)) {
+        to[0] = kSeaStep;
+        to[1] = 0;
+    }
+    if (has(PostClass::void_)) to[2] = 0;
+}
+
+struct CodeJob {
+    const Coder& coder;
+    std::uint8_t* codes;
+};
+
+void write_rows(const CodeJob& job, std::uint32_t task) {
+    const terrain::View& view = job.coder.input.view;
+    const raytrace::HitPicture& hits = job.coder.input.hits;
+    const double pixel = 1 / view.focal_px;
+    for (std::uint32_t y = task * kRowsOfTask; y < std::min(view.height, (task + 1) * kRowsOfTask); ++y) {
+        const double down = (y + 0.5) * pixel - view.half_height_tangent();
+        const auto level = static_cast<float>(1 + down * down);
+        std::uint8_t* to = job.codes + std::size_t{view.height - 1 - y} * view.width * 4;
+        for (std::uint32_t x = 0; x < view.width; ++x, to += 4) {
+            const std::size_t at = std::size_t{y} * view.width + x;
+            if (hits.side[at] == HitSide::none) {
+                std::memset(to, kNothingCode, 4);
+                continue;
+            }
+            const auto right = static_cast<float>((x + 0.5) * pixel - view.half_width_tangent());
+            job.coder.code(at, hits.t[at] * std::sqrt(level + right * right), to);
+        }
+    }
+}
+
+}  // namespace
+
+CodedLight coded_light(const design::ShadeSettings& shade, const glm::dvec3* towards) {
+    CodedLight light;
+    if (shade.technique == design::TerrainShade::none) return light;
+    light.count = shade.technique == design::TerrainShade::lights ? shade.light_count : 1;
+    light.ambient = shade.ambient;
+    double sum = 0;
+    for (std::size_t n = 0; n < light.count; ++n) sum += shade.lights[n].weight;
+    for (std::size_t n = 0; n < light.count; ++n) {
+        light.towards[n] = towards[n];
+        light.weights[n] = light.count > 1 && sum > 0 ? shade.lights[n].weight / sum : 1;
+    }
+    return light;
+}
+
+void write_codes(const CodeInput& input, base::Workers& workers, base::Span<std::uint8_t> codes) {
+    const Coder coder(input);
+    CodeJob job{coder, codes.data()};
+    const auto task = [](void* context, std::uint32_t n) { write_rows(*static_cast<CodeJob*>(context), n); };
+    workers.parallel_for((input.view.height + kRowsOfTask - 1) / kRowsOfTask, task, &job);
+}
+
+}  // namespace tedavis::draw
