@@ -24,7 +24,7 @@ std::string measure_name(const PictureOrdering& ordering) {
 std::string read_measure(base::ConfigSection& section) {
     const std::string measure(section.text("measure"));
     if (measure == "clutter") return {};
-    const std::string layer = measure.substr(0, kShareOf.size()) == kShareOf ? measure.substr(kShareOf.size()) : std::string();
+    std::string layer = measure.substr(0, kShareOf.size()) == kShareOf ? measure.substr(kShareOf.size()) : std::string();
     const auto& layers = display::kPictureLayerNames;
     if (std::find(layers.begin(), layers.end(), layer) == layers.end())
         section.fault("measure",
