@@ -17,10 +17,10 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
-    /// Where the bytes wait, for libraries that write files by name: they write it whole instead of the stream, and close it
-    /// before `seal` or `commit`.
+    /// The path of the part, for libraries that write files by name: they write the whole part, instead of the stream, and close
+    /// it before seal() or commit().
     [[nodiscard]] const std::string& part_path() const { return part_; }
-    /// Ends the writing. Throws UserError when not every byte reached the disk.
+    /// Ends the writing. Throws UserError when not every byte could be written.
     void seal();
     /// Seals and puts the file in its place. Throws UserError where that is impossible; then nothing appears. Several files
     /// that belong together are all sealed before the first is committed.
@@ -33,7 +33,7 @@ private:
     bool sealed_ = false, committed_ = false;
 };
 
-/// The whole text in one go.
+/// Writes a file with this text, complete or not at all; throws UserError.
 void write_file_atomically(const std::string& path, std::string_view text);
 /// Creates the folder and its parents; throws UserError where that is impossible.
 void make_folder(const std::string& path);

@@ -15,9 +15,9 @@ Console Console::without_result() const {
     return same;
 }
 
-void Console::note(std::string_view sentence) {
+void Console::note(std::string_view message) {
     progress_done();
-    write_line(*notes_, sentence);
+    write_line(*notes_, message);
 }
 
 void Console::progress(std::string_view what, std::uint64_t done, std::uint64_t total) {

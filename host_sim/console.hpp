@@ -18,7 +18,7 @@ public:
     /// The command's result, once: `json` with --json, else `text`; either gets a line end where it lacks one.
     void result(std::string_view text, std::string_view json);
     /// One sentence beside the result.
-    void note(std::string_view sentence);
+    void note(std::string_view message);
     /// Redraws one line in place, with the time left once it can be told: on every new percent, and once a second; silent
     /// where stderr is no terminal. Another `what` is another piece of work.
     void progress(std::string_view what, std::uint64_t done, std::uint64_t total);

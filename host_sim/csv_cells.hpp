@@ -9,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// Without the blanks, tabs, quotes and carriage returns at both ends.
+/// Returns the text without the blanks, tabs, quotes and carriage returns at both ends.
 [[nodiscard]] inline std::string_view trimmed_cell(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '"')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"'))
@@ -17,7 +17,7 @@ namespace tedavis::host_sim {
     return text;
 }
 
-/// Views into `line`; at least one.
+/// Returns the trimmed cells, at least one, as views into `line`.
 [[nodiscard]] inline std::vector<std::string_view> csv_cells(std::string_view line) {
     std::vector<std::string_view> cells;
     for (;;) {
@@ -28,7 +28,7 @@ namespace tedavis::host_sim {
     }
 }
 
-/// Nothing unless the whole cell is one finite decimal number.
+/// Returns the number in a cell; nothing unless the whole cell is one finite decimal number.
 [[nodiscard]] inline std::optional<double> number_in(std::string_view cell) {
     double value = 0;
     const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);

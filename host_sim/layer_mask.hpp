@@ -1,6 +1,6 @@
 /// Layer masks: the part of the display to which each pixel of a picture belongs.
 ///
-/// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey a pixel, which count from 0 through the names that the
+/// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey per pixel, which count from 0 through the names that the
 /// picture's record has under `layers` (the frame's line of `frames.jsonl`, `P.json` of a `shot`, `sheet.json` of a sheet).
 #pragma once
 
@@ -21,10 +21,11 @@ struct LayerMask {
 
 /// Writes a mask, complete or not at all; throws UserError.
 void write_layer_mask(const std::string& picture, const GreyView& layers);
-/// "run/frames/000123.layers.png" of "run/frames/000123.png".
+/// Returns "run/frames/000123.layers.png" for "run/frames/000123.png".
 [[nodiscard]] std::string layer_mask_path(const std::string& picture);
 [[nodiscard]] bool is_layer_mask(const std::string& file);
-/// Nothing where there is no mask or `names` is empty; throws UserError where it is damaged or has another size than the picture.
+/// Reads the mask of a picture; nothing where there is no mask or `names` is empty. Throws UserError where it is damaged or has
+/// another size than the picture.
 [[nodiscard]] std::optional<LayerMask> read_layer_mask(const std::string& picture, const std::vector<std::string>& names,
                                                        std::uint32_t width, std::uint32_t height);
 

@@ -9,7 +9,7 @@ namespace tedavis::host_sim {
 /// A fault in what the user gave. Exit code kFaultyInputExitCode.
 class UserError : public std::runtime_error {
 public:
-    explicit UserError(const std::string& sentence) : std::runtime_error(sentence) {}
+    explicit UserError(const std::string& message) : std::runtime_error(message) {}
 };
 
 /// Of a command whose input turned out to be faulty; also where it left a valid partial result.
@@ -23,7 +23,7 @@ inline constexpr int kInterruptedExitCode = 130;
 /// The user stopped the command before it had a result worth keeping. Exit code kInterruptedExitCode.
 class Interrupted : public std::runtime_error {
 public:
-    explicit Interrupted(const std::string& sentence) : std::runtime_error(sentence) {}
+    explicit Interrupted(const std::string& message) : std::runtime_error(message) {}
 };
 
 }  // namespace tedavis::host_sim

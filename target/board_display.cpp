@@ -1,110 +1,45 @@
 #include "target/board_display.hpp"
 
-#include <utility>
-
-#include "platform/programs/program_folder.hpp"
-#include "platform/surface_factory.hpp"
-#include "platform/threads/thread_reader.hpp"
-#include "platform/threads/thread_workers.hpp"
-#include "render_core/gl/program.hpp"
 #include "target/file_text.hpp"
 
 namespace tedavis::target {
+namespace {
 
-BoardDisplay::BoardDisplay(const BoardSettings& settings) : settings_(settings) {}
-
-BoardDisplay::~BoardDisplay() {
-    if (is_started_) display_->stop();
-    if (surface_) surface_->release_current();
-}
-
-base::Error BoardDisplay::open_surface() {
-    const auto lane =
-        settings_.device.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
-    auto surface = platform::make_surface(settings_.surface.view(), {settings_.width_px, settings_.height_px, lane});
-    if (!surface.ok()) return base::make_error("[surface]: ", surface.error().message.view());
-    surface_ = std::move(surface.value());
-    if (!surface_->make_current())
-        return base::make_error("[surface]: the surface cannot be made current; is another one in use?");
-    return {};
-}
-
-base::Error BoardDisplay::open_terrain() {
-    auto file = platform::open_file(settings_.terrain.c_str());
-    if (!file.ok()) return base::make_error(file.error().message.view());
-    terrain_file_ = std::move(file.value());
-    const std::uint32_t tickets = display::TerrainPlanner::reader_tickets(settings_.device);
-    auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
-    if (!reader.ok()) return base::make_error(reader.error().message.view());
-    terrain_reader_ = std::move(reader.value());
-    return {};
-}
-
-void BoardDisplay::give_up_terrain(const base::Error& why) {
-    terrain_fault_ = why;
-    terrain_reader_.reset();
-    terrain_file_ = {};
-}
-
-base::Error BoardDisplay::start_workers(const display::DisplaySettings& settings) {
-    if (!terrain_reader_ || !display::Display::asks_for_rays(settings)) return {};
-    auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
-    if (!workers.ok()) return base::make_error(workers.error().message.view());
-    workers_ = std::move(workers.value());
-    return {};
-}
-
-base::Error BoardDisplay::start() {
-    if (!settings_.terrain.empty())
-        if (const base::Error error = open_terrain()) give_up_terrain(error);
-    auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), settings_.residency);
-    if (!reserved.ok()) return base::make_error(reserved.error().message.view());
-    reservation_ = std::move(reserved.value());
-    display::DisplaySettings settings;
-    settings.device = settings_.device;
-    settings.design = settings_.design;
-    settings.phases = &settings_.phases;
-    settings.width_px = settings_.width_px;
-    settings.height_px = settings_.height_px;
-    settings.expects_scene = !settings_.scene.empty();
-    platform::ProgramFolder programs;
-    if (!settings_.programs.empty() && !gl::has_compiler(settings_.device.capability)) {
-        auto opened = platform::open_program_folder(settings_.programs.view());
-        if (!opened.ok()) return base::make_error(opened.error().message.view());
-        programs = std::move(opened.value());
-        settings.programs = &programs;
+base::Error message_of(const platform::HostFault& fault, const BoardSettings& settings) {
+    const std::string_view message = fault.error.message.view();
+    switch (fault.part) {
+        case platform::HostPart::surface:
+        case platform::HostPart::context: return base::make_error("[surface]: ", message);
+        case platform::HostPart::display: return base::make_error("device '", settings.device.name.view(), "': ", message);
+        default: return fault.error;
     }
-    if (base::Error error = start_workers(settings)) return error;
-    base::Error error = start_core(settings);
-    if (const std::string_view fault = display::database_fault(error.message.view()); !fault.empty()) {
-        display_->stop();  // and once more, on the same surface and in the same memory
-        give_up_terrain(base::make_error(settings_.terrain.view(), ": ", fault));
-        error = start_core(settings);
-    }
-    is_started_ = error.message.empty();
-    if (is_started_) return {};
-    return base::make_error("device '", settings_.device.name.view(), "': ", error.message.view());
 }
 
-base::Error BoardDisplay::start_core(display::DisplaySettings& settings) {
-    settings.terrain_failed_at_start = !terrain_fault_.message.empty();
-    display::TerrainInput terrain;
-    if (terrain_reader_) terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::live, workers_.get()};
-    display_ = std::make_unique<display::Display>();
-    return display_->start(settings, reservation_.arena(), *surface_, terrain);
+}  // namespace
+
+platform::HostFault start_board_display(const BoardSettings& settings, platform::DisplayHost& host) {
+    platform::DisplayHostSettings of_host;
+    of_host.display.device = settings.device;
+    of_host.display.design = settings.design;
+    of_host.display.phases = &settings.phases;
+    of_host.display.width_px = settings.width_px;
+    of_host.display.height_px = settings.height_px;
+    of_host.display.expects_scene = !settings.scene.empty();
+    of_host.surface.backend = settings.surface.view();
+    of_host.terrain.path = settings.terrain.c_str();
+    of_host.terrain_fault = platform::TerrainFaultPolicy::run_without;
+    of_host.arrival = terrain::ArrivalMode::live;
+    of_host.programs = settings.programs.view();
+    of_host.residency = settings.residency;
+    const platform::HostFault fault = host.start(of_host);
+    return {fault.part, message_of(fault, settings)};
 }
 
-base::Error BoardDisplay::hold_deadline() {
-    effects::CostTable costs;
-    if (!settings_.costs.empty()) {
-        const auto text = read_file_text(settings_.costs.c_str());
-        if (!text.ok()) return text.error();
-        const auto read = effects::read_calibration(text.value().view(), settings_.costs.view(), display_->calibration_subject());
-        if (!read.ok()) return base::make_error(read.error().message.view());
-        costs = read.value().costs;
-    }
-    display_->frame_budget().hold(settings_.device.deadline_ms, costs);
-    return {};
+base::Error hold_board_deadline(const BoardSettings& settings, platform::DisplayHost& host) {
+    if (settings.costs.empty()) return host.hold_deadline(settings.device.deadline_ms, {});
+    const auto text = read_file_text(settings.costs.c_str());
+    if (!text.ok()) return text.error();
+    return host.hold_deadline(settings.device.deadline_ms, {settings.costs.view(), text.value().view()});
 }
 
 }  // namespace tedavis::target

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "target/board_display.hpp"
 #include "target/frame_pacer.hpp"
 
 namespace tedavis::target {
@@ -9,16 +10,14 @@ namespace tedavis::target {
 DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts ports)
     : settings_(settings),
       ports_(std::move(ports)),
-      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log),
-      board_(settings_) {}
+      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log) {}
 
 DisplayApplication::~DisplayApplication() { scene_watch_.stop(); }
 
 base::Error DisplayApplication::start() {
-    if (base::Error error = board_.open_surface()) return error;
-    if (base::Error error = board_.start()) return error;
-    if (base::Error error = board_.hold_deadline()) return error;
-    if (const base::Error& why = board_.terrain_fault(); !why.message.empty())
+    if (const platform::HostFault fault = start_board_display(settings_, host_)) return fault.error;
+    if (base::Error error = hold_board_deadline(settings_, host_)) return error;
+    if (const base::Error& why = host_.terrain_fault(); !why.message.empty())
         ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});
     start_scene();
     flight_.start(ports_.clocks.live.monotonic());
@@ -28,7 +27,7 @@ base::Error DisplayApplication::start() {
 /// The first scene comes the way all others do: the display shows what it has until then, and without a thread nothing.
 void DisplayApplication::start_scene() {
     if (settings_.scene.empty()) return;
-    if (!scene_watch_.start(settings_.scene.c_str(), display().spare_scene_memory(), 0))
+    if (!scene_watch_.start(settings_.scene.c_str(), display().planner().data().spare(), 0))
         ports_.log.write({settings_.scene.view(),
                           ": is not shown, for the machine gives no thread for reading it; end other programs and start again"});
 }
@@ -41,15 +40,15 @@ void DisplayApplication::take_new_scene() {
     const std::uint64_t revision = loaded->header().revision;
     if (display().take_scene(*loaded))
         ports_.log.write({settings_.scene.view(), ": has revision ", base::digits(revision).view()});
-    scene_watch_.go_on(display().spare_scene_memory(), revision);
+    scene_watch_.go_on(display().planner().data().spare(), revision);
 }
 
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
-    const flight::FrameInput input = flight_.at(now, display());
-    display().update(input.state, input.phase, now, input.trail);
-    display().draw(board_.surface());
-    return board_.surface().present();
+    const flight::FrameInput input = flight_.at(now, display().planner());
+    display().plan(input);
+    display().draw(host_.surface());
+    return host_.surface().present();
 }
 
 RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) {
@@ -64,7 +63,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
             report.end = RunEnd::surface_lost;
             break;
         }
-        display().frame_budget().note_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
+        display().memory().budget.record_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
         ++report.frames;
         watchdog_.alive();
         clocks.sleep_until(pacer.next(clocks.live.monotonic()));

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "platform/runtime/display_host.hpp"
 #include "target/board_clocks.hpp"
 #include "target/board_config.hpp"
-#include "target/board_display.hpp"
 #include "target/event_log.hpp"
 #include "target/live_flight.hpp"
 #include "target/scene_watch.hpp"
@@ -52,11 +52,11 @@ public:
     /// Draws one frame of the state at `now`; to be called after start().
     [[nodiscard]] base::SurfaceState draw_frame(base::Time now);
 
-    [[nodiscard]] display::Display& display() { return board_.core(); }
+    [[nodiscard]] display::Display& display() { return host_.display(); }
     [[nodiscard]] const BoardSettings& settings() const { return settings_; }
-    [[nodiscard]] const base::Error& terrain_fault() const { return board_.terrain_fault(); }
+    [[nodiscard]] const base::Error& terrain_fault() const { return host_.terrain_fault(); }
     [[nodiscard]] const LiveFlight& flight() const { return flight_; }
-    [[nodiscard]] const base::Surface& surface() const { return board_.surface(); }
+    [[nodiscard]] const base::Surface& surface() const { return host_.surface(); }
 
 private:
     void start_scene();
@@ -66,7 +66,7 @@ private:
     BoardPorts ports_;
     LiveFlight flight_;
     Watchdog watchdog_;
-    BoardDisplay board_;
+    platform::DisplayHost host_;
     SceneWatch scene_watch_;  ///< reads into the display's memory
 };
 

@@ -33,7 +33,7 @@ void print_start_json(DisplayApplication& application, std::FILE* out) {
     json.text("terrain_fault", application.terrain_fault().message.view());
     json.text("scene", settings.scene.view());
     json.text("switches", settings.has_switches ? settings.switches.title.view() : "").open_list("budget");
-    for (const base::BudgetLine& line : application.display().budget().lines())
+    for (const base::BudgetLine& line : application.display().planner().budget().lines())
         json.open_object()
             .text("name", line.name.view())
             .text("kind", to_string(line.kind))
@@ -68,7 +68,7 @@ void print_start(DisplayApplication& application, bool json, std::FILE* out) {
                                                                    : "FAILED",
                      settings.scene.empty() ? "none" : settings.scene.c_str(),
                      settings.has_switches ? settings.switches.title.c_str() : "none");
-        for (const base::BudgetLine& line : application.display().budget().lines())
+        for (const base::BudgetLine& line : application.display().planner().budget().lines())
             std::fprintf(out, "  %-3s %-20s %10" PRIu64 " bytes  %-24s %s\n", to_string(line.kind), line.name.c_str(), line.bytes,
                          line.owner.c_str(), line.reason.c_str());
     }

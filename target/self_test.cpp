@@ -6,8 +6,8 @@
 #include "bus/canaerospace/bus_settings.hpp"
 #include "platform/files/memory_byte_source.hpp"
 #include "platform/reservation/memory_reservation.hpp"
-#include "platform/surface_factory.hpp"
-#include "render_core/display/display.hpp"
+#include "platform/runtime/display_host.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/gl/readback.hpp"
 #include "target/json_line.hpp"
 #include "target/self_test/embedded_files.hpp"
@@ -42,18 +42,13 @@ private:
 /// The parts of the test, each of which needs those before it.
 class SelfTest {
 public:
-    SelfTest(const SelfTestInputs& inputs, SelfTestReport& report) : inputs_(inputs), report_(report), terrain_(inputs.terrain) {}
-    ~SelfTest() {
-        if (display_) display_->stop();
-        display_.reset();
-        if (surface_) surface_->release_current();
+    SelfTest(const SelfTestInputs& inputs, SelfTestReport& report) : inputs_(inputs), report_(report), terrain_(inputs.terrain) {
+        settings_.terrain.bytes = &terrain_;
     }
-    SelfTest(const SelfTest&) = delete;
-    SelfTest& operator=(const SelfTest&) = delete;
 
     void run() {
-        if (!read_settings() || !open_surface() || !start_display()) return;
-        const KnownFlight flight = play_known_flight(inputs_.log, bus_, *display_);
+        if (!read_settings() || !start_display()) return;
+        const KnownFlight flight = play_known_flight(inputs_.log, bus_, host_.display().planner());
         check_known_flight(flight, report_);
         draw(flight);
     }
@@ -75,75 +70,59 @@ private:
             return design::read_design_settings(text, name, palettes);
         };
         const bool all = read("canaerospace.toml", inputs_.bus, bus_, &bus::load_bus_settings) &&
-                         read("es2-small.toml", inputs_.device, settings_.device, &effects::read_device_settings) &&
-                         read("default.toml", inputs_.design, settings_.design, read_design);
-        settings_.width_px = kKnownPictureWidth;
-        settings_.height_px = kKnownPictureHeight;
+                         read("es2-small.toml", inputs_.device, settings_.display.device, &effects::read_device_settings) &&
+                         read("default.toml", inputs_.design, settings_.display.design, read_design);
+        settings_.display.width_px = kKnownPictureWidth;
+        settings_.display.height_px = kKnownPictureHeight;
         return all;
     }
 
-    bool open_surface() {
-        const auto lane =
-            settings_.device.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
-        auto surface = platform::make_surface("egl", {settings_.width_px, settings_.height_px, lane});
-        if (!surface.ok()) {
-            report_.add("surface", false, surface.error().message.view());
-            return false;
-        }
-        surface_ = std::move(surface.value());
-        const bool current = surface_->make_current();
-        report_.add("surface", current, current ? "egl, 640 x 480, no window" : "cannot be made current");
-        return current;
-    }
-
     bool start_display() {
-        const std::uint64_t picture_bytes = std::uint64_t{4} * settings_.width_px * settings_.height_px;
-        auto reserved = platform::reserve_memory(display::Display::bytes_needed(settings_.device), platform::Residency::lazy);
-        auto picture = platform::reserve_memory(picture_bytes, platform::Residency::lazy);
-        if (!reserved.ok() || !picture.ok()) {
-            report_.add("memory", false, (reserved.ok() ? picture : reserved).error().message.view());
+        using platform::HostPart;
+        const platform::HostFault fault = host_.start(settings_);
+        if (fault.part == HostPart::surface || fault.part == HostPart::context) {
+            const bool is_made = fault.part == HostPart::context;
+            report_.add("surface", false, is_made ? "cannot be made current" : fault.error.message.view());
             return false;
         }
-        memory_ = std::move(reserved.value());
+        report_.add("surface", true, "egl, 640 x 480, no window");
+        auto picture =
+            platform::reserve_memory(std::uint64_t{4} * kKnownPictureWidth * kKnownPictureHeight, platform::Residency::lazy);
+        if (fault.part == HostPart::memory || !picture.ok()) {
+            report_.add("memory", false, (picture.ok() ? fault.error : picture.error()).message.view());
+            return false;
+        }
         picture_ = std::move(picture.value());
-        display_ = std::make_unique<display::Display>();
-        const base::Error error =
-            display_->start(settings_, memory_.arena(), *surface_, {&terrain_, &reader_, terrain::ArrivalMode::exact});
-        if (error) {
-            report_.add("display", false, error.message.view());
-            return false;
-        }
-        report_.add("display", true, display_->gl().driver_text().view());
-        return true;
+        report_.add("display", !fault, fault ? fault.error.message.view() : host_.display().gl().driver_text().view());
+        return !fault;
     }
 
     void draw(const KnownFlight& flight) {
-        display_->settle(flight.aircraft, flight.phase, flight.now);
-        display_->update(flight.aircraft, flight.phase, flight.now);
-        display_->draw(*surface_);
-        report_.add("presented", surface_->present() == base::SurfaceState::ready, "one frame");
-        const display::FrameRecord& record = display_->record();
+        display::Display& display = host_.display();
+        display::settle(display, {flight.aircraft, flight.phase, flight.now});
+        display.plan({flight.aircraft, flight.phase, flight.now});
+        display.draw(host_.surface());
+        report_.add("presented", host_.surface().present() == base::SurfaceState::ready, "one frame");
+        const display::FrameRecord& record = display.record();
         report_.add("flags", record.flags.empty(), record.flags.empty() ? "none" : record.flags[0].view());
-        report_.add_count("terrain_triangles", record.terrain.triangles, 1000, settings_.device.triangle_budget);
+        report_.add_count("terrain_triangles", record.terrain.triangles, 1000, settings_.display.device.triangle_budget);
         base::Arena arena = picture_.arena();
         const auto pixels = arena.allocate_array<std::uint8_t>(static_cast<std::size_t>(picture_.bytes()));
-        if (gl::read_pixels(display_->gl(), settings_.width_px, settings_.height_px, pixels))
+        if (gl::read_pixels(display.gl(), kKnownPictureWidth, kKnownPictureHeight, pixels))
             check_known_picture(pixels, report_);
         else
             report_.add("picture", false, "cannot be read back");
-        report_.add_count("gl_errors", display_->gl().take_error(), 0, 0);
-        report_.add_count("gl_calls_outside_device", display_->gl().denied().total, 0, 0);
+        report_.add_count("gl_errors", display.gl().take_error(), 0, 0);
+        report_.add_count("gl_calls_outside_device", display.gl().denied().total, 0, 0);
     }
 
     const SelfTestInputs& inputs_;
     SelfTestReport& report_;
     platform::MemoryByteSource terrain_;
-    base::SynchronousReader reader_{terrain_, base::kMaxReadTickets};
-    display::DisplaySettings settings_;
+    platform::DisplayHostSettings settings_;
     bus::BusSettings bus_;
-    std::unique_ptr<base::Surface> surface_;
-    platform::MemoryReservation memory_, picture_;
-    std::unique_ptr<display::Display> display_;
+    platform::MemoryReservation picture_;
+    platform::DisplayHost host_;
 };
 
 void print_json(const SelfTestReport& report, std::FILE* out) {

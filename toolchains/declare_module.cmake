@@ -71,15 +71,27 @@ function(tedavis_link_modules target scope)
   endforeach()
 endfunction()
 
-# tedavis_module(PATH [CORE] [DEPENDS PATH...] [HEADERS BEGINNING...]): a static library of every source below PATH, named after it
-# (render_core/earth -> tedavis_render_core_earth), and its row of the include rule (tedavis_folder). It is linked with the modules
-# that it depends on, and with those that hold its HEADERS. CORE modules are compiled as flight code.
+# tedavis_leave_out(LIST ROOT FOLDER...): takes the files below these folders of ROOT out of a list.
+function(tedavis_leave_out list root)
+  set(files ${${list}})
+  foreach(folder ${ARGN})
+    list(FILTER files EXCLUDE REGEX "(^|/)${root}/${folder}/")
+  endforeach()
+  set(${list} ${files} PARENT_SCOPE)
+endfunction()
+
+# tedavis_module(PATH [CORE] [WITHOUT FOLDER...] [DEPENDS PATH...] [HEADERS BEGINNING...]): a static library of every source below
+# PATH, named after it (render_core/earth -> tedavis_render_core_earth), and its row of the include rule (tedavis_folder). It is linked
+# with the modules that it depends on, and with those that hold its HEADERS. CORE modules are compiled as flight code. WITHOUT: folders
+# of PATH that are modules of their own.
 function(tedavis_module path)
-  cmake_parse_arguments(arg "CORE" "" "DEPENDS;HEADERS" ${ARGN})
+  cmake_parse_arguments(arg "CORE" "" "WITHOUT;DEPENDS;HEADERS" ${ARGN})
   tedavis_folder(${path} DEPENDS ${arg_DEPENDS} HEADERS ${arg_HEADERS})
   set_property(GLOBAL APPEND PROPERTY tedavis_modules ${path})
   tedavis_target_name(${path} name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.cpp)
+  tedavis_leave_out(sources ${path} ${arg_WITHOUT})
+  set_property(GLOBAL PROPERTY tedavis_without_${path} ${arg_WITHOUT})
   if(sources)
     add_library(${name} STATIC ${sources})
     if(TEDAVIS_JOINT)

@@ -5,7 +5,7 @@
 /// after eight bytes, `123##F data` for CAN FD with one flag nibble; bytes may be separated by dots. Eight digits with
 /// bit 29 set are an error frame. CAN XL lines are refused by name.
 ///
-/// Thread  any. Memory  none. Failure  a kind and a reason, never a partly filled frame taken as whole.
+/// Thread  any. Memory  none. Failure  the line has the kind `malformed` and a fault; its frame must not be used.
 #pragma once
 
 #include <cstddef>
@@ -51,8 +51,8 @@ struct CandumpLine {
     std::string_view interface_name;  ///< frames: points into the line
 };
 
-/// `line` without its newline; a carriage return and blanks at its end are allowed. `frame` is complete when the kind
-/// is `frame`, otherwise unspecified; its channel is left 0.
+/// Parses a line without its newline; a carriage return and blanks at its end are allowed. `frame` is complete when the kind is
+/// `frame`, otherwise unspecified; its channel is left 0.
 [[nodiscard]] CandumpLine parse_candump_line(std::string_view line, CanFrame& frame) noexcept;
 
 enum class StampDigits : std::uint8_t { micro = 6, nano = 9 };

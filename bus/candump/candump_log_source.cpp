@@ -85,7 +85,7 @@ void CandumpLogSource::report(LineFault fault) {
     if (!known && !reports_.full()) (void)reports_.try_push_back({position_.lines.lines, fault});
 }
 
-void CandumpLogSource::note_order(base::Time stamp) {
+void CandumpLogSource::record_order(base::Time stamp) {
     LogLineCounts& lines = position_.lines;
     const base::Duration back = position_.last_stamp - stamp;
     if (position_.any_frame && back > base::Duration{}) {
@@ -100,7 +100,7 @@ void CandumpLogSource::note_order(base::Time stamp) {
 }
 
 void CandumpLogSource::settle_stamp(CanFrame& frame) {
-    note_order(frame.time);
+    record_order(frame.time);
     frame.time = shifted(frame.time, position_.shift);
     if (!position_.any_frame) {
         position_.any_frame = true;

@@ -77,7 +77,7 @@ private:
     [[nodiscard]] bool parse_next_frame(CanFrame& frame);
     void count_line(const CandumpLine& line);
     void report(LineFault fault);
-    void note_order(base::Time stamp);
+    void record_order(base::Time stamp);
     void settle_stamp(CanFrame& frame);
     [[nodiscard]] bool leaps_and_returns(base::Time stamp);
     [[nodiscard]] std::uint8_t channel_of(std::string_view name);

@@ -18,10 +18,12 @@ public:
     [[nodiscard]] virtual bool write(const char* text, std::size_t count) = 0;
 };
 
-/// Thread  one. Memory  none. Failure  returns false and counts a frame that candump cannot express or a sink that is full.
+/// Thread  one. Memory  none. Failure  write() returns false, and refused() counts the frame, where candump has no form for it or
+/// the sink is full.
 class CandumpLogWriter {
 public:
-    /// Frames of channel n are written with the n-th name; frames of a channel without a name are refused.
+    /// Frames of channel n are written with the n-th name; frames of a channel without a name are refused. With `direction` a
+    /// line states whether its frame was received or sent.
     CandumpLogWriter(TextSink& sink, base::Span<const std::string_view> interface_names, StampDigits digits, bool direction);
 
     [[nodiscard]] bool write(const CanFrame& frame);

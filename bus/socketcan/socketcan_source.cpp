@@ -83,9 +83,9 @@ SocketCanSource::Received SocketCanSource::receive(CanFrame& frame) {
     const ssize_t size = recvmsg(descriptor_, &message, MSG_DONTWAIT);
     if (size <= 0) {
         if (size == 0)
-            note_failure(ENODEV);
+            record_failure(ENODEV);
         else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)
-            note_failure(errno);
+            record_failure(errno);
         return Received::nothing;
     }
     frame = CanFrame();
@@ -96,7 +96,7 @@ SocketCanSource::Received SocketCanSource::receive(CanFrame& frame) {
     }
     frame.transmitted = (message.msg_flags & MSG_DONTROUTE) != 0;
     if (frame.kind == FrameKind::error)
-        note_error_frame(frame);
+        record_error_frame(frame);
     else
         health_ = SourceHealth::running;
     return Received::frame;
@@ -133,7 +133,7 @@ base::Time SocketCanSource::monotonic_time(Stamp stamp) const {
     return age < base::Duration{} || age > kOldestBelievable ? now : now - age;
 }
 
-void SocketCanSource::note_error_frame(const CanFrame& frame) {
+void SocketCanSource::record_error_frame(const CanFrame& frame) {
     ++statistics_.error_frames;
     const ControllerEvent event = controller_event(frame);
     if (event == ControllerEvent::bus_off) health_ = SourceHealth::bus_off;
@@ -142,7 +142,7 @@ void SocketCanSource::note_error_frame(const CanFrame& frame) {
 }
 
 /// ENETDOWN leaves the socket bound: frames come again when the link does. Anything else needs a new socket.
-void SocketCanSource::note_failure(int error) {
+void SocketCanSource::record_failure(int error) {
     if (error == ENETDOWN) {
         health_ = SourceHealth::link_down;
         return;

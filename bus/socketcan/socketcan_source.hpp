@@ -50,8 +50,8 @@ private:
     [[nodiscard]] Received receive(CanFrame& frame);
     [[nodiscard]] Stamp read_ancillary(void* message);
     [[nodiscard]] base::Time monotonic_time(Stamp stamp) const;
-    void note_failure(int error);
-    void note_error_frame(const CanFrame& frame);
+    void record_failure(int error);
+    void record_error_frame(const CanFrame& frame);
     void count_kernel_drops(std::uint32_t total);
     void close_socket();
 

@@ -53,7 +53,7 @@ public:
 
     void feed(base::Span<const CanFrame> frames);
     /// Takes over the source's total of lost frames.
-    void note_dropped(std::uint64_t total) { dropped_ = total; }
+    void record_dropped(std::uint64_t total) { dropped_ = total; }
     [[nodiscard]] BusSnapshot snapshot(base::Time now) const;
 
 private:

@@ -56,7 +56,7 @@ void FlightTracker::read_until(base::Time time) {
         memory_.assembler.feed({batch, count});
         if (ports_.listener != nullptr) ports_.listener->receive({batch, count});
     }
-    memory_.assembler.note_dropped(ports_.can.statistics().dropped);
+    memory_.assembler.record_dropped(ports_.can.statistics().dropped);
     read_switches(time);
 }
 

@@ -28,7 +28,7 @@
 
 namespace tedavis::host_sim {
 
-/// The destination of all options, and the command to run after parsing.
+/// The values of all options, and the command to run after parsing.
 struct CommandLine {
     ConvertOptions convert;
     ScenarioBuildOptions scenario;

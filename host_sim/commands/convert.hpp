@@ -1,4 +1,4 @@
-/// `tedavis convert FLIGHT -o X.log`: a recorded flight as a candump log of CANaerospace frames.
+/// `tedavis convert FLIGHT -o X.log`: converts a recorded flight to a candump log of CANaerospace frames.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace tedavis::host_sim {
 
 struct ConvertOptions {
     std::string flight;             ///< IGC, GPX, ADS-B JSON or CSV, plain or gzip
-    std::string output;             ///< the log; what was derived goes to `<output>.json`
+    std::string output;             ///< the log; `<output>.json` lists the values that were derived
     std::string aircraft;           ///< identity or callsign; empty: the only one
     std::optional<double> qnh_hpa;  ///< 870..1085
     bool assume_geometric = false;

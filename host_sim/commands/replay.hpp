@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Returns the exit code; throws UserError.
+/// Runs the replay and returns the exit code; throws UserError.
 [[nodiscard]] int run_replay(const ReplayOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

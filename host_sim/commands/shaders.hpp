@@ -9,13 +9,13 @@
 namespace tedavis::host_sim {
 
 struct ShadersOptions {
-    std::string output;  ///< folder of a file a program (platform/programs/program_folder.hpp) and programs.json
-    /// Without terrain, the shipped one and the data of the shipped scenario are built first: which programs there are depends on
-    /// the design, and on there being terrain and data at all.
+    std::string output;  ///< folder for one file per program (platform/programs/program_folder.hpp) and programs.json
+    /// Without terrain, the shipped terrain and the data of the shipped scenario are built first, because the programs depend on
+    /// the design and on the presence of terrain and data.
     PictureOptions picture;
 };
 
-/// Files of programs that are not of this design and driver stay. Returns the exit code; throws UserError and Interrupted.
+/// Writes the programs; files of other designs and drivers are kept. Returns the exit code; throws UserError and Interrupted.
 [[nodiscard]] int run_shaders(const ShadersOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -121,7 +121,7 @@ std::string draw_picture(const SheetJob& job, const AircraftPose& pose, const Sh
     drawn.pixels = upright(session.pixels());
     if (layers) drawn.layers = drawn_layers(session);
     drawn.title += words_about_image(drawn.result, job.has_generated_image);
-    if (drawn.measures) drawn.measures->glyphs = session.display().counters().glyphs;
+    if (drawn.measures) drawn.measures->glyphs = session.display().planned().counters.glyphs;
     gl = session.gl_description();
     return session.terrain_fault();
 }

@@ -16,7 +16,7 @@ struct SheetOptions {
     /// Its design is replaced by that of each picture. Without terrain, a database is built from the sheet's raster first, and
     /// from the sheet's scene, unless terrain or scene are given.
     PictureOptions picture;
-    bool layers = false;               ///< beside every picture which layer each of its pixels is of
+    bool layers = false;               ///< writes a layer mask beside every picture
     std::optional<AircraftPose> pose;  ///< nothing: the sheet's
     std::optional<base::Time> time;    ///< nothing: the sheet's
 };

@@ -31,11 +31,11 @@ struct SheetPlan {
     std::string terrain;             ///< path of the raster that the sheet shows unless a database is given
     std::string scene;               ///< path of the recipe that is shown over that terrain; empty: none
     std::string scenario;            ///< instead of a scene: path of the scenario that makes one
-    std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
-    bool generated_image = false;    ///< an invented image is draped over that terrain
+    std::optional<base::Time> time;  ///< time for the age of data; nothing: data are shown at their own time
+    bool generated_image = false;    ///< a generated image is draped over that terrain
     PictureSize size;                ///< of each picture, unless --size says another
     bool symbology = false;          ///< PictureOptions::symbology
-    bool measures_aspects = false;   ///< of each picture, which is drawn three times more for it
+    bool measures_aspects = false;   ///< measures aspects, for which each picture is drawn three more times
     AircraftPose pose;
     std::map<std::string, AircraftPose> views;  ///< with times of their own, or kPosedTime: the sheet's
     std::string groups_of;  ///< path of the sheet whose groups are shown before own ones; empty: own ones alone
@@ -43,7 +43,7 @@ struct SheetPlan {
     std::vector<Group> groups;
 
     [[nodiscard]] std::size_t picture_count() const;
-    /// Of the picture's view, else of the sheet.
+    /// Returns the pose of the picture's view, else that of the sheet.
     [[nodiscard]] const AircraftPose& pose_of(const Picture& picture) const;
 };
 

@@ -33,7 +33,7 @@ flight::PhaseStatus named_phase(const std::string& name) {
 }
 
 /// Requested foci come before those of the design.
-void note_hidden_foci(const display::FrameRecord& record, std::size_t asked, Console& console) {
+void add_hidden_foci_note(const display::FrameRecord& record, std::size_t asked, Console& console) {
     for (std::size_t n = 0; n < std::min<std::size_t>(asked, record.foci.size()); ++n)
         if (!record.foci[n].is_shown)
             console.note("note: focus " + std::to_string(n + 1) +
@@ -52,14 +52,15 @@ int run_shot(const ShotOptions& options, Console& console) {
     pose.time = options.time.value_or(kPosedTime);
     FrameResult result = posed_frame(session, pose, phase);
     result.has_layers = options.layers;
-    if (options.layers) result.obstacles = session.display().obstacles_ahead();
+    if (options.layers)
+        result.obstacles = session.display().planner().obstacles_ahead(session.display().planned(), session.display().memory());
     result.warnings = pose_findings(pose, result.record, options.picture.terrain, session.display());
     append(*result.warnings, scene_findings(options.picture.scene, extent_of_scene(options.picture.scene),
                                             {pose.latitude_deg, pose.latitude_deg, pose.longitude_deg, pose.longitude_deg}));
     for (const display::StaleRecord& stale : result.record.stale)
         result.warnings->push_back(
             {"data.stale", "the layer " + std::string(stale.layer.view()) + " is stale, " + age_words(stale.age_s) + " old", 1});
-    if (const terrain::TerrainDatabase* const database = session.display().terrain_database(); database != nullptr)
+    if (const terrain::TerrainDatabase* const database = session.display().planner().terrain_database(); database != nullptr)
         append(*result.warnings, height_findings(options.picture.terrain, height_counts(database->header())));
     const std::string json = frame_record_json(result, pose.time);
     write_png(options.output, session.pixels());
@@ -70,7 +71,7 @@ int run_shot(const ShotOptions& options, Console& console) {
                        " pixels, " + std::to_string(result.record.terrain.triangles) + " terrain triangles, hash " +
                        hash_text(result.hash),
                    json);
-    note_hidden_foci(result.record, options.picture.foci.size(), console);
+    add_hidden_foci_note(result.record, options.picture.foci.size(), console);
     const std::string fault = session.terrain_fault();
     if (fault.empty()) return exit_code_of(*result.warnings, options.strict);
     console.note("note: " + fault);

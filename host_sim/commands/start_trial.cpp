@@ -33,10 +33,10 @@ void StartTrial::require(const std::string& device, const std::string& design) {
     try {
         const DisplaySession session(options, false);
     } catch (const UserError& error) {
-        const std::string sentence = error.what(), file = device + ": ";
-        const bool is_of_device = sentence.compare(0, file.size(), file) == 0;
+        const std::string message = error.what(), file = device + ": ";
+        const bool is_of_device = message.compare(0, file.size(), file) == 0;
         throw UserError(file + "does not start with the design " + design + ": " +
-                        (is_of_device ? sentence.substr(file.size()) : sentence));
+                        (is_of_device ? message.substr(file.size()) : message));
     }
 }
 

@@ -43,7 +43,7 @@ std::string sweep_summary(const Sweep& sweep, const std::string& output) {
            (sweep.skipped.empty() ? std::string() : ", " + std::to_string(sweep.skipped.size()) + " skipped");
 }
 
-void note_skipped(const Sweep& sweep, Console& console) {
+void add_skipped_note(const Sweep& sweep, Console& console) {
     for (const SkippedViewpoint& skipped : sweep.skipped)
         console.note("note: " + skipped.viewpoint.name + " is skipped: " + skipped.reason);
 }
@@ -69,7 +69,7 @@ int run_sweep(const SweepOptions& options, Console& console) {
     write_file_atomically(options.output + "/" + kReportName, sweep_report_page(sweep));
     files.keep();
     folder.keep();
-    note_skipped(sweep, console);
+    add_skipped_note(sweep, console);
     console.result(sweep_summary(sweep, options.output) + sweep_text(sweep) + "\n" + options.output + "/" + kReportName,
                    json_text(json));
     if (sweep.interrupted) return kInterruptedExitCode;

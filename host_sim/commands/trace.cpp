@@ -26,7 +26,7 @@ bool is_below(const raytrace::HeightGrid<Height>& grid, const glm::dvec3& place)
     return height != raytrace::HeightGrid<Height>::kVoid && place.z < height;
 }
 
-void note_faults(const TracedGround& ground, const TracedShotPlan& plan, const TracedShot& shot, Console& console) {
+void add_faults_note(const TracedGround& ground, const TracedShotPlan& plan, const TracedShot& shot, Console& console) {
     const glm::dvec3 eye = ground.space().place(view_of(ground, plan).eye);
     if (ground.is_whole() ? is_below(ground.grid<std::int16_t>(), eye) : is_below(ground.grid<float>(), eye))
         console.note("note: the eye is below the ground, and sees it from below; name a higher --pose");
@@ -43,7 +43,7 @@ void leave(const TraceOptions& options, const TracedShotPlan& plan, const Traced
            const nlohmann::ordered_json& json, const std::string& line, Console& console) {
     write_png(options.output, view_of(shot.pixels));
     write_file_atomically(beside(options.output), json_text(json) + "\n");
-    note_faults(ground, plan, shot, console);
+    add_faults_note(ground, plan, shot, console);
     console.result(options.output + ": " + line, json_text(json));
 }
 

@@ -2,7 +2,7 @@
 ///
 /// A picture lasts until the next one, the last one as long as the one before it. A condition that was not measured does not
 /// hold, nor does the contract, except for an optional condition for which the flight had nothing to measure. A condition does
-/// not hold either, optional or not, where the run lacks what its measure needs in any of its pictures.
+/// not hold either, optional or not, where the run lacks what its measure needs for any picture to which it applies.
 #pragma once
 
 #include <string>

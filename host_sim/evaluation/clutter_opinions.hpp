@@ -24,7 +24,7 @@ struct MeasuredOpinions {
 struct OpinionsAgreement {
     OrderAgreement feature_congestion, subband_entropy;  ///< with the clutter by edges
 };
-/// Of pictures; both lists are as long.
+/// Compares the orders of pictures; both lists have one entry per picture.
 [[nodiscard]] OpinionsAgreement opinions_agreement(const std::vector<double>& clutter,
                                                    const std::vector<ClutterOpinions>& opinions);
 /// "Of 15 pairs of peaks Feature Congestion orders 13 as the edges do, Subband Entropy 9."; empty without a pair.

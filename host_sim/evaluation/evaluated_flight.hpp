@@ -37,7 +37,7 @@ struct FlightMoment {
 
 struct EvaluatedFlight {
     FlightRun run;                          ///< as many frames as measures
-    std::vector<PictureMeasures> measures;  ///< one a frame
+    std::vector<PictureMeasures> measures;  ///< one per frame
     PeakRule peak_rule;
     std::vector<FlightMoment> moments;  ///< in the order of time
     bool interrupted = false;
@@ -66,7 +66,7 @@ struct SpanSummary {
 
 [[nodiscard]] std::vector<double> times_of(const EvaluatedFlight& flight);
 [[nodiscard]] std::vector<double> clutter_of(const EvaluatedFlight& flight);
-/// Of its moments, those of their own flight.
+/// Compares the orders of the flight's moments.
 [[nodiscard]] OpinionsAgreement agreement_over_moments(const EvaluatedFlight& flight);
 /// Means over the flight, region by region.
 [[nodiscard]] std::vector<double> mean_grid(const EvaluatedFlight& flight);

@@ -30,14 +30,14 @@ struct FixationFile {
 /// Throws UserError with file and line for what is no number, and for a file without any fixation.
 [[nodiscard]] FixationFile read_fixations(const std::string& path);
 
-/// Of a picture: the pixel that a fixation hits.
+/// The pixel of a picture that a fixation hits.
 struct GazePixel {
     std::uint32_t x = 0, y = 0;
 };
-/// Nothing outside the picture.
+/// Returns the pixel of a fixation; nothing outside the picture.
 [[nodiscard]] std::optional<GazePixel> gaze_pixel(const FixationFile& file, const Fixation& fixation, std::uint32_t width,
                                                   std::uint32_t height);
-/// Of those that hit the picture.
+/// Returns the pixels of the fixations that hit the picture.
 [[nodiscard]] std::vector<GazePixel> gaze_pixels(const FixationFile& file, const std::vector<const Fixation*>& fixations,
                                                  std::uint32_t width, std::uint32_t height);
 

@@ -19,15 +19,15 @@ struct FrameObstacle {
     std::array<double, 4> box{};  ///< left, top, right, bottom in pixels; of "drawn"
 };
 
-/// Of an aspect, 0 to 1: in the frame, and as its design states it, below what hazards on the way raise it to.
+/// The weight of an aspect, 0 to 1: in the frame, where hazards ahead may raise it, and as the design states it.
 struct AspectWeight {
     double weight = 0, stated = 0;
 };
 inline constexpr std::array<const char*, 3> kMainAspectNames = {"terrain", "data", "uncertainty"};
 using MainWeights = std::array<AspectWeight, kMainAspectNames.size()>;
 
-/// Of aspects, those that come first: with the greatest weight, and among equal ones with the greatest stated one. Empty where
-/// every weight is 0.
+/// Returns the aspects that come first: those with the greatest weight, and among equal ones those with the greatest stated
+/// weight. Empty where every weight is 0.
 [[nodiscard]] std::vector<std::string> first_aspects(const MainWeights& weights);
 
 struct FlightFrame {
@@ -40,9 +40,9 @@ struct FlightFrame {
     MainWeights weights;
     std::vector<std::string> layers;  ///< names by the values of the layer mask beside the picture; empty: there is none
     std::string picture;              ///< path
-    std::string design;               ///< by which it was drawn, as the design calls itself
-    bool has_scene = false;           ///< spatial data that it could show
-    /// On the way; nothing where the run did not record them.
+    std::string design;               ///< name of the design with which it was drawn
+    bool has_scene = false;           ///< the run has spatial data
+    /// Obstacles near the predicted track; nothing where the run did not record them.
     std::optional<std::vector<FrameObstacle>> obstacles;
 };
 

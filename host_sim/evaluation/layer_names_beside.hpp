@@ -1,4 +1,4 @@
-/// The names of the layers of a picture that no replay wrote (layer_mask.hpp).
+/// The layer names of a picture that a command other than `replay` wrote, such as `shot` or `sheet` (layer_mask.hpp).
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// From `P.json` or `sheet.json` beside the picture `P.png`; empty where it has no layer mask or neither record is there.
+/// Reads the names from `P.json` or `sheet.json` beside the picture `P.png`; empty without a layer mask or a record.
 [[nodiscard]] std::vector<std::string> layer_names_beside(const std::string& picture);
 
 }  // namespace tedavis::host_sim

@@ -23,13 +23,13 @@ public:
     [[nodiscard]] PictureMeasures measure(const RgbaPicture& picture, const std::string& name, const LayerMask* mask,
                                           const std::vector<GazePixel>& gaze);
 
-    /// Of the picture measured last, a byte a pixel.
+    /// Returns the edges of the picture measured last, one byte per pixel.
     [[nodiscard]] const std::vector<std::uint8_t>& edges() const { return edges_; }
-    /// Likewise, with a value a pixel, normalised by the picture itself.
+    /// Returns its saliency, one value per pixel of the picture, on the picture's own scale.
     [[nodiscard]] FloatMap saliency();
-    /// The same as the model has it, until the next picture.
+    /// Returns the same at the model's resolution; valid until the next picture.
     [[nodiscard]] perception::SaliencyMap saliency_map() { return model_.map(perception::SaliencyScale::per_picture); }
-    /// What another model says of a picture: spectral residual (perception/spectral_residual.hpp), in the same form.
+    /// Returns the saliency of a picture by the spectral residual (perception/spectral_residual.hpp), in the same form.
     [[nodiscard]] FloatMap second_opinion(const RgbaPicture& picture);
 
 private:

@@ -83,7 +83,7 @@ std::string labels(const Json& record) {
 }
 
 /// "wind, place in 5 regions; 2 signs"
-std::string gives_way(const Json& record) {
+std::string decluttered_roles(const Json& record) {
     std::string text;
     for (const Json& role : entry(record, {"clutter", "gives_way"})) append(text, spaced(role.get<std::string>()));
     if (text.empty()) return text;
@@ -147,7 +147,7 @@ PlanLines plan_lines(const Json& record) {
     add("terrain", terrain(record));
     add("data drawn", data(record));
     add("labels", labels(record));
-    add("gives way", gives_way(record));
+    add("gives way", decluttered_roles(record));
     add("foci", foci(record));
     add("effects run", effects(record, "run"));
     add("replaced", effects(record, "replaced"));

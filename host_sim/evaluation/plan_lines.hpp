@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// Of a line of `frames.jsonl`; what the record lacks is left out.
+/// Returns the description of a record, which is a line of `frames.jsonl`; members that it lacks are left out.
 [[nodiscard]] PlanLines plan_lines(const nlohmann::ordered_json& record);
 
 }  // namespace tedavis::host_sim

@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-/// Nothing where the file has no such section; what is wrong in it is a fault of its reader.
+/// Returns the settings; nothing where the file has no such section. Wrong values are reported as faults of the section.
 [[nodiscard]] inline std::optional<perception::CannySettings> read_canny(base::ConfigSection& root) {
     base::ConfigSection section = root.section("canny");
     if (!section.present()) return std::nullopt;

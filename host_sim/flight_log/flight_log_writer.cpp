@@ -114,7 +114,7 @@ private:
     }
 
     void begin_report(std::size_t number, base::Time time) {
-        for (const HeardAircraft& heard : flight_.traffic(time)) {
+        for (const ReceivedAircraft& heard : flight_.traffic(time)) {
             if (heard.number != number || number >= codes_.size()) continue;
             const bus::TrafficSender sender{first_traffic_, node_, heard.number, codes_[number]};
             const std::size_t count = encode_traffic(heard.report, sender, time, {report_.data(), report_.size()});

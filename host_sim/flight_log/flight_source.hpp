@@ -13,7 +13,7 @@
 namespace tedavis::host_sim {
 
 /// Another aircraft, as a receiver on board reports it.
-struct HeardAircraft {
+struct ReceivedAircraft {
     std::uint8_t number = 0;  ///< the receiver's of it
     flight::TrafficReport report;
 };
@@ -28,7 +28,7 @@ public:
     /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
     [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
     /// Other aircraft that are received at `time`.
-    [[nodiscard]] virtual std::vector<HeardAircraft> traffic(base::Time) const { return {}; }
+    [[nodiscard]] virtual std::vector<ReceivedAircraft> traffic(base::Time) const { return {}; }
 };
 
 }  // namespace tedavis::host_sim

@@ -28,7 +28,7 @@ void* first_frames[kMaxFrames];
 std::atomic<int> first_frame_count{0};
 thread_local bool watched = false;
 
-void note_allocation() {
+void record_allocation() {
     if (!watched || !armed.load(std::memory_order_relaxed)) return;
     if (base::driver_depth > 0) {
         drivers.fetch_add(1, std::memory_order_relaxed);
@@ -43,7 +43,7 @@ void note_allocation() {
 #if defined(TEDAVIS_TRAP_BY_HOOK)
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
                                                          void (*on_free)(const volatile void*));
-void on_malloc(const volatile void*, std::size_t) { note_allocation(); }
+void on_malloc(const volatile void*, std::size_t) { record_allocation(); }
 void on_free(const volatile void*) {}
 [[maybe_unused]] const int kHooked = __sanitizer_install_malloc_and_free_hooks(&on_malloc, &on_free);
 #endif
@@ -90,19 +90,19 @@ void __libc_free(void*);
 // NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t size) noexcept {
-    tedavis::host_sim::note_allocation();
+    tedavis::host_sim::record_allocation();
     return __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-    tedavis::host_sim::note_allocation();
+    tedavis::host_sim::record_allocation();
     return __libc_calloc(count, size);
 }
 void* realloc(void* old, std::size_t size) noexcept {
-    tedavis::host_sim::note_allocation();
+    tedavis::host_sim::record_allocation();
     return __libc_realloc(old, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-    tedavis::host_sim::note_allocation();
+    tedavis::host_sim::record_allocation();
     return __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept { return memalign(alignment, size); }

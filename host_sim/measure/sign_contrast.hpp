@@ -30,8 +30,8 @@ struct SignContrast {
     double ratio = 1;  ///< 1..21
 };
 
-/// Of all signs of at least `least_px` pixels, by their uppermost, then leftmost pixel. `layer` counts through the mask's names;
-/// picture and mask have one size.
+/// Returns the contrasts of all signs of at least `least_px` pixels, ordered by their uppermost, then leftmost pixel. `layer`
+/// counts through the mask's names; picture and mask have one size.
 [[nodiscard]] std::vector<SignContrast> sign_contrasts(const RgbaPicture& picture, const LayerMask& mask, std::uint8_t layer,
                                                        std::uint32_t least_px);
 

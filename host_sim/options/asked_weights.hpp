@@ -8,15 +8,15 @@
 
 namespace tedavis::host_sim {
 
-/// By the aspect's name.
+/// Requested weights by the aspect's name.
 using AskedWeights = std::map<std::string, double>;
 
-/// Throws UserError: no list of names with numbers from 0 to 1.
+/// Parses weights; throws UserError where the text is not a list of names with numbers from 0 to 1.
 [[nodiscard]] AskedWeights weights_from(const std::string& text);
-/// What weights_from() reads.
+/// Returns the text that weights_from() reads.
 [[nodiscard]] std::string text_of(const AskedWeights& weights);
-/// A design that states no weights has 1 of all others. Throws UserError where it has no such aspect, and names those that it
-/// has.
+/// Sets the requested weights in a design; in a design without weights all others are 1. Throws UserError, which names the
+/// design's aspects, where it lacks a requested one.
 void put_weights(const AskedWeights& weights, const std::string& design_file, design::PrioritySettings& priority);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// What the user may ask of a picture: options that all commands share which draw with the display.
+/// Options of a picture, shared by all commands that draw with the display.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace tedavis::host_sim {
 
 enum class GlChoice : std::uint8_t { egl, osmesa };
 
-/// Of a picture, for measures of one aspect: data on the ground over a plain one, or the plain ground alone.
+/// The parts of a picture to draw, to measure one aspect: everything, the terrain alone, data over a plain ground, or the plain
+/// ground alone.
 enum class ShownAspects : std::uint8_t { all, terrain, ground_data, nothing };
 
 struct PictureSize {
@@ -28,21 +29,21 @@ struct PictureOptions {
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
-    std::optional<PictureSize> size;  ///< nothing: the device's
+    std::optional<PictureSize> size;  ///< nothing: the device's size
     GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
     std::optional<double> tau_px;     ///< nothing: the design's
-    std::optional<double> detail;     ///< of all data, 0..1; nothing: the design's
-    AskedWeights weights;             ///< of aspects; those that are missing are the design's
+    std::optional<double> detail;     ///< detail of all data, 0..1; nothing: the design's
+    AskedWeights weights;             ///< weights of aspects; missing ones are the design's
     ShownAspects shown = ShownAspects::all;
-    std::vector<std::string> foci;      ///< before the design's (design::read_focus)
-    std::optional<double> deadline_ms;  ///< of a frame; nothing: none
-    std::string costs;                  ///< file of costs that `calibrate` measured; empty: none are known
-    bool force_effects = false;         ///< none is left out for being unseen
-    /// What draws the eye, over the picture; nothing: as the design says. On the design's scale.
+    std::vector<std::string> foci;      ///< foci that come before the design's (design::read_focus)
+    std::optional<double> deadline_ms;  ///< deadline of a frame; nothing: none
+    std::string costs;                  ///< file of costs that `calibrate` wrote; empty: costs are unknown
+    bool force_effects = false;         ///< no effect is left out as invisible
+    /// Shows the saliency map, on the design's scale; nothing: as the design states.
     std::optional<design::SaliencyView> saliency;
-    std::optional<design::ClutterView> clutter;  ///< edges, or their density by regions, over the picture; likewise
+    std::optional<design::ClutterView> clutter;  ///< shows edges or their density by regions; nothing likewise
     effects::EffectSet with, without;            ///< effects added to the design (effects::with_effect), and removed
-    effects::EffectSet forbidden;                ///< as if the device's file forbade them
+    effects::EffectSet forbidden;                ///< effects treated as if the device file forbade them
     bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 

@@ -1,4 +1,4 @@
-/// What the user may ask of a replay, in batch or in a window.
+/// Options of a replay, in batch or in a window.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ struct ReplayOptions {
     PictureOptions picture;
     std::optional<double> from_s, to_s;  ///< seconds since the log's first frame
     std::optional<double> step_s;        ///< nothing: one frame of the device's rate; negative: backwards
-    std::optional<FrameOutput> frames;   ///< nothing: pictures, in the window hashes
+    std::optional<FrameOutput> frames;   ///< nothing: pictures; in a window, hashes
     bool window = false;
-    bool strict = false;      ///< findings end it with kCheckFailedExitCode
-    bool layers = false;      ///< beside every picture which layer each of its pixels is of; not with window
-    bool ledger = false;      ///< adds the price of every effect that was replaced or left out; not with window
+    bool strict = false;      ///< findings give kCheckFailedExitCode
+    bool layers = false;      ///< writes a layer mask beside every picture; not with window
+    bool ledger = false;      ///< reports the cost of every effect that was replaced or left out; not with window
     std::string tour;         ///< path file for the camera (host_sim/window/camera_tour.hpp); with window only
     std::string save_config;  ///< writes data, design and parameters to this file
 

@@ -5,6 +5,8 @@
 #include "host_sim/measure/paired_cost.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "platform/clock/monotonic_clock.hpp"
+#include "render_core/display/calibration_subject.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::host_sim {
@@ -79,7 +81,7 @@ std::string design_calling_for(Effect effect) {
 CostBench::Side CostBench::open(const PictureOptions& options) const {
     Side side{std::make_shared<DisplaySession>(options, false), {}};
     display::Display& display = side.session->display();
-    if (!options.terrain.empty()) display.settle(posed_aircraft(place_.pose, display), {}, place_.pose.time);
+    if (!options.terrain.empty()) display::settle(display, {posed_aircraft(place_.pose, display), {}, place_.pose.time});
     side.session->rest();
     return side;
 }
@@ -87,12 +89,12 @@ CostBench::Side CostBench::open(const PictureOptions& options) const {
 double CostBench::frame_ms(Side& side, std::uint32_t n) const {
     DisplaySession& session = *side.session;
     session.make_current();
-    session.display().frame_budget().give_up(side.given_up);
+    session.display().memory().budget.give_up(side.given_up);
     AircraftPose pose = place_.pose;
     pose.time = pose.time + base::Duration::from_seconds(n / session.device().frame_rate_hz);
     const flight::AircraftState state = posed_aircraft(pose, session.display());
     const base::Time start = platform::monotonic_now();
-    session.display().update(state, {}, pose.time);
+    session.display().plan({state, {}, pose.time});
     session.draw();
     const double ms = (platform::monotonic_now() - start).to_seconds() * 1000;
     session.rest();
@@ -135,10 +137,10 @@ void CostBench::measure_terrain(MeasuredCosts& measured) {
     const std::vector<std::vector<double>> ms = frames_ms(sides);
     width_px_ = sides.front().session->width();
     height_px_ = sides.front().session->height();
-    measured.subject = sides.front().session->display().calibration_subject();
+    measured.subject = display::calibration_subject(sides.front().session->display());
     std::vector<CostPoint> points;
     for (std::size_t n = 0; n + 1 < sides.size(); ++n)
-        points.push_back({sides[n].session->display().counters().triangles, median_of(ms[n])});
+        points.push_back({sides[n].session->display().planned().counters.triangles, median_of(ms[n])});
     const CostSlope slope = cost_slope(points);
     const double frame_ms = median_of(ms.back());
     MeasuredCost terrain{"terrain", {}, 0, 0, place_.picture.design, ""};
@@ -167,10 +169,10 @@ MeasuredCost CostBench::measure_effect(Effect effect) const {
         sides.push_back(open(options));
     }
     static_cast<void>(frame_ms(sides.front(), 0));
-    const display::Display& display = sides.front().session->display();
+    display::Display& display = sides.front().session->display();
     cost.note = why_not(display.record(), effect);
     if (!cost.note.empty()) return cost;
-    const double maps = display.counters().maps;
+    const double maps = display.planned().counters.maps;
     const std::vector<std::vector<double>> ms = frames_ms(sides);
     const PairedCost paired = paired_cost(ms[0], ms[1]);
     cost.ms = paired.ms;
@@ -193,7 +195,7 @@ MeasuredCost CostBench::measure_overhead(Overhead overhead, const std::string& d
     options.scene.clear();
     sides.push_back(open(options));
     static_cast<void>(frame_ms(sides.front(), 0));
-    const effects::FrameCounters counters = sides.front().session->display().counters();
+    const effects::FrameCounters counters = sides.front().session->display().planned().counters;
     const bool is_glyphs = overhead == Overhead::glyphs;
     const double things = is_glyphs ? counters.glyphs : counters.elements;
     if (!(things > 0)) {

@@ -6,9 +6,6 @@
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
-#include "platform/surface_factory.hpp"
-#include "platform/threads/thread_reader.hpp"
-#include "platform/threads/thread_workers.hpp"
 #include "render_core/base/hash.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/gl/readback.hpp"
@@ -23,20 +20,26 @@ effects::DeviceSettings load_device(const std::string& name) {
     return device.value();
 }
 
-/// The display starts with one sentence for all; memory, programs and their limits come from the device file.
-std::string with_file(const std::string& sentence, const std::string& device, const PictureOptions& options) {
-    if (const std::string_view fault = display::database_fault(sentence); !fault.empty())
-        return options.terrain + ": " + std::string(fault);
-    if (const std::string_view fault = display::scene_fault(sentence); !fault.empty())
-        return options.scene + ": " + std::string(fault);
-    return device + ": " + sentence;
+/// Memory, programs and their limits come from the device file.
+std::string message_of(const platform::HostFault& fault, const PictureOptions& options) {
+    using platform::HostPart;
+    const std::string message(fault.error.message.view());
+    if (fault.part == HostPart::context)
+        return "the drawing surface cannot be made current; try another --gl, or another screen for --window";
+    if (fault.part == HostPart::memory || fault.part == HostPart::display)
+        return resolve_config(options.device, "devices") + ": " + message;
+    return message;
 }
 
-SurfaceMaker headless_surface(GlChoice gl) {
-    return [gl](const platform::SurfaceSettings& settings) {
-        return platform::make_surface(gl == GlChoice::egl ? "egl" : "osmesa", settings);
+/// `maker` must stay until the display is started.
+platform::SurfaceSource surface_of(const SurfaceMaker& maker) {
+    const auto make = [](const void* self, const platform::SurfaceSettings& settings) {
+        return (*static_cast<const SurfaceMaker*>(self))(settings);
     };
+    return {"", make, &maker};
 }
+
+platform::SurfaceSource headless_surface(GlChoice gl) { return {gl == GlChoice::egl ? "egl" : "osmesa"}; }
 
 }  // namespace
 
@@ -44,11 +47,14 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
     : DisplaySession(options, generated_flight, headless_surface(options.gl)) {}
 
 DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface)
+    : DisplaySession(options, generated_flight, surface_of(make_surface)) {}
+
+DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight, const platform::SurfaceSource& surface)
     : device_(load_device(options.device)) {
     MadePrograms programs;
     const bool has_compiler = gl::has_compiler(device_.capability);
     if (!has_compiler) programs = make_programs(options);
-    open(options, generated_flight, make_surface, has_compiler ? nullptr : &programs);
+    open(options, generated_flight, surface, has_compiler ? nullptr : &programs);
 }
 
 bool DisplaySession::has_compiler(const PictureOptions& options) {
@@ -64,125 +70,62 @@ MadePrograms DisplaySession::make_programs(const PictureOptions& options) {
     return programs;
 }
 
-void DisplaySession::open(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface,
+void DisplaySession::open(const PictureOptions& options, bool generated_flight, const platform::SurfaceSource& surface,
                           MadePrograms* programs) {
     device_.forbidden.add(options.forbidden);
-    display::DisplaySettings settings;
-    settings.device = device_;
+    terrain_name_ = options.terrain;
     const std::unique_ptr<LoadedDesigns> designs = load_designs(options);
-    settings.design = designs->design;
-    settings.phases = &designs->phases;
-    settings.width_px = options.size ? options.size->width : device_.width_px;
-    settings.height_px = options.size ? options.size->height : device_.height_px;
-    settings.generated_flight = generated_flight;
-    settings.programs = programs;
-    open_terrain(options.terrain);
-    open_scene(options.scene);
-    const auto lane = device_.capability.lane == effects::Lane::es2 ? platform::ContextLane::es2 : platform::ContextLane::es3;
-    open_surface({settings.width_px, settings.height_px, lane}, make_surface);
-    start_display(settings, options);
-    pixels_.resize(std::size_t{settings.width_px} * settings.height_px * 4);
+    platform::DisplayHostSettings settings;
+    settings.display.device = device_;
+    settings.display.design = designs->design;
+    settings.display.phases = &designs->phases;
+    settings.display.width_px = options.size ? options.size->width : device_.width_px;
+    settings.display.height_px = options.size ? options.size->height : device_.height_px;
+    settings.display.generated_flight = generated_flight;
+    settings.display.programs = programs;
+    settings.surface = surface;
+    settings.terrain.path = options.terrain.c_str();
+    settings.scene.path = options.scene.c_str();
+    start(settings, options);
+    pixels_.resize(std::size_t{width()} * height() * 4);
 }
 
-void DisplaySession::open_terrain(const std::string& path) {
-    terrain_name_ = path;
-    if (path.empty()) return;
-    auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().message.view()));
-    terrain_file_ = std::move(file.value());
-    const std::uint32_t tickets = display::TerrainPlanner::reader_tickets(device_);
-    auto reader = platform::make_thread_reader(terrain_file_, {tickets, tickets, nullptr});
-    if (!reader.ok()) throw UserError(std::string(reader.error().message.view()));
-    terrain_reader_ = std::move(reader.value());
-}
-
-void DisplaySession::open_scene(const std::string& path) {
-    if (path.empty()) return;
-    auto file = platform::open_file(path.c_str());
-    if (!file.ok()) throw UserError(std::string(file.error().message.view()));
-    scene_file_ = std::move(file.value());
-}
-
-void DisplaySession::open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface) {
-    auto surface = make_surface(settings);
-    if (!surface.ok()) throw UserError(std::string(surface.error().message.view()));
-    surface_ = std::move(surface.value());
-    if (!surface_->make_current())
-        throw UserError("the drawing surface cannot be made current; try another --gl, or another screen for --window");
-}
-
-base::Workers* DisplaySession::trace_workers(const display::DisplaySettings& settings) {
-    if (!display::Display::asks_for_rays(settings)) return nullptr;
-    auto workers = platform::make_thread_workers({platform::usable_processors(), nullptr});
-    if (!workers.ok()) throw UserError(std::string(workers.error().message.view()));
-    workers_ = std::move(workers.value());
-    return workers_.get();
-}
-
-void DisplaySession::start_display(const display::DisplaySettings& settings, const PictureOptions& options) {
-    const std::string device = resolve_config(options.device, "devices");
-    auto reservation = platform::reserve_memory(display::Display::bytes_needed(device_), platform::Residency::lazy);
-    if (!reservation.ok()) throw UserError(device + ": " + std::string(reservation.error().message.view()));
-    reservation_ = std::move(reservation.value());
-    display_ = std::make_unique<display::Display>();
-    display::TerrainInput terrain;
-    if (!options.terrain.empty())
-        terrain = {&terrain_file_, terrain_reader_.get(), terrain::ArrivalMode::exact, trace_workers(settings)};
-    const base::Error error =
-        display_->start(settings, reservation_.arena(), *surface_, terrain, options.scene.empty() ? nullptr : &scene_file_);
-    display_->force_effects(options.force_effects);
-    if (!error) return hold_deadline(options);
-    display_.reset();  // what has not started is not stopped
-    throw UserError(with_file(std::string(error.message.view()), device, options));
-}
-
-void DisplaySession::hold_deadline(const PictureOptions& options) {
-    effects::Calibration calibration;
-    if (!options.costs.empty()) {
-        const auto read = effects::read_calibration(read_file(options.costs), options.costs, display_->calibration_subject());
-        if (!read.ok()) throw UserError(std::string(read.error().message.view()));
-        calibration = read.value();
-    }
-    display_->frame_budget().hold(options.deadline_ms.value_or(0), calibration.costs);
-}
-
-DisplaySession::~DisplaySession() {
-    if (display_ && surface_->make_current()) {
-        display_->gl().activate();
-        display_->stop();
-    }
-    display_.reset();
-    if (surface_) surface_->release_current();
+void DisplaySession::start(const platform::DisplayHostSettings& settings, const PictureOptions& options) {
+    if (const platform::HostFault fault = host_.start(settings)) throw UserError(message_of(fault, options));
+    display().planner().force_effects(options.force_effects);
+    const std::string costs = options.costs.empty() ? std::string() : read_file(options.costs);
+    const base::Error error = host_.hold_deadline(options.deadline_ms.value_or(0), {options.costs, costs});
+    if (error) throw UserError(std::string(error.message.view()));
 }
 
 std::string DisplaySession::gl_description() {
-    return std::string(surface_->backend_name()) + ": " + std::string(display_->gl().driver_text().view());
+    return std::string(host_.surface().backend_name()) + ": " + std::string(display().gl().driver_text().view());
 }
 
 void DisplaySession::make_current() {
-    if (!surface_->make_current()) throw UserError("the drawing surface was lost; start the command again");
-    display_->gl().activate();
+    if (!host_.make_current()) throw UserError("the drawing surface was lost; start the command again");
 }
 
 void DisplaySession::draw() {
-    display_->draw(*surface_);
-    for (const display::Name& flag : display_->record().flags)
+    display().draw(host_.surface());
+    for (const display::Name& flag : display().record().flags)
         terrain_faulty_ = terrain_faulty_ || flag.view() == "terrain.failing" || flag.view() == "terrain.failed";
     read_back();
 }
 
 void DisplaySession::draw_up_to(display::PictureLayer last) {
-    display_->draw_up_to(*surface_, last);
+    display().draw_up_to(host_.surface(), last);
     read_back();
 }
 
 void DisplaySession::read_back() {
-    if (!gl::read_pixels(display_->gl(), width(), height(), {pixels_.data(), pixels_.size()}))
+    if (!gl::read_pixels(display().gl(), width(), height(), {pixels_.data(), pixels_.size()}))
         throw UserError("--gl: the picture cannot be read back; try the other --gl");
 }
 
 void DisplaySession::present() {
-    if (surface_->present() != base::SurfaceState::ready) throw UserError("the drawing surface was lost; start the replay again");
+    if (host_.surface().present() != base::SurfaceState::ready)
+        throw UserError("the drawing surface was lost; start the replay again");
 }
 
 std::string DisplaySession::terrain_fault() const {
@@ -192,8 +135,6 @@ std::string DisplaySession::terrain_fault() const {
            terrain_name_ + "' finds the place, 'tedavis terrain build' makes it anew";
 }
 
-std::uint64_t DisplaySession::frame_hash() const {
-    return base::frame_hash(pixels_.data(), surface_->width(), surface_->height(), true);
-}
+std::uint64_t DisplaySession::frame_hash() const { return base::frame_hash(pixels_.data(), width(), height(), true); }
 
 }  // namespace tedavis::host_sim

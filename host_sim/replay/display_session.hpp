@@ -1,4 +1,4 @@
-/// A display running on the desk: surface, reservation, terrain file and core, opened from the user's options.
+/// A display running on the desk, started from the user's options, and the pixels that it draws.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,7 @@
 #include "host_sim/options/picture_options.hpp"
 #include "host_sim/png_file.hpp"
 #include "host_sim/replay/made_programs.hpp"
-#include "platform/files/file_byte_source.hpp"
-#include "platform/reservation/memory_reservation.hpp"
-#include "platform/surface_settings.hpp"
-#include "render_core/base/error.hpp"
-#include "render_core/base/ports/surface.hpp"
-#include "render_core/display/display.hpp"
+#include "platform/runtime/display_host.hpp"
 
 namespace tedavis::host_sim {
 
@@ -26,23 +21,22 @@ public:
     DisplaySession(const PictureOptions& options, bool generated_flight);
     /// Draws on the surface that `make_surface` opens.
     DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface);
-    /// Of the device; throws UserError where there is no such file.
+    /// True where the device has a shader compiler; throws UserError where its file does not exist.
     [[nodiscard]] static bool has_compiler(const PictureOptions& options);
     /// The programs that a display with these options is started with, made by this machine's compiler; the device need not
     /// have one. No other session may be current. Throws UserError.
     [[nodiscard]] static MadePrograms make_programs(const PictureOptions& options);
-    ~DisplaySession();
     DisplaySession(const DisplaySession&) = delete;
     DisplaySession& operator=(const DisplaySession&) = delete;
 
-    [[nodiscard]] display::Display& display() { return *display_; }
+    [[nodiscard]] display::Display& display() { return host_.display(); }
     /// Sessions of one thread draw in turn: this one must have rested before another is opened or takes its turn. Throws
     /// UserError where the surface is lost.
     void make_current();
-    void rest() { surface_->release_current(); }
+    void rest() { host_.release_current(); }
     [[nodiscard]] const effects::DeviceSettings& device() const { return device_; }
-    [[nodiscard]] std::uint32_t width() const { return surface_->width(); }
-    [[nodiscard]] std::uint32_t height() const { return surface_->height(); }
+    [[nodiscard]] std::uint32_t width() const { return host_.surface().width(); }
+    [[nodiscard]] std::uint32_t height() const { return host_.surface().height(); }
     /// "egl: llvmpipe (...)": recorded with every run.
     [[nodiscard]] std::string gl_description();
 
@@ -52,30 +46,21 @@ public:
     void draw_up_to(display::PictureLayer last);
     /// Shows what was drawn last where the surface has a screen. Throws UserError when the surface is lost.
     void present();
-    [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), surface_->width(), surface_->height(), true}; }
+    [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), width(), height(), true}; }
     [[nodiscard]] std::uint64_t frame_hash() const;
     /// A sentence once a part of the database could not be used (flags "terrain.failing", "terrain.failed"); empty before.
     [[nodiscard]] std::string terrain_fault() const;
 
 private:
     explicit DisplaySession(const effects::DeviceSettings& device) : device_(device) {}
-    void open(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface, MadePrograms* programs);
-    void open_surface(const platform::SurfaceSettings& settings, const SurfaceMaker& make_surface);
-    void open_terrain(const std::string& path);
-    void open_scene(const std::string& path);
-    [[nodiscard]] base::Workers* trace_workers(const display::DisplaySettings& settings);
-    void start_display(const display::DisplaySettings& settings, const PictureOptions& options);
+    DisplaySession(const PictureOptions& options, bool generated_flight, const platform::SurfaceSource& surface);
+    void open(const PictureOptions& options, bool generated_flight, const platform::SurfaceSource& surface,
+              MadePrograms* programs);
+    void start(const platform::DisplayHostSettings& settings, const PictureOptions& options);
     void read_back();
-    void hold_deadline(const PictureOptions& options);
 
     effects::DeviceSettings device_;
-    std::unique_ptr<base::Surface> surface_;
-    platform::MemoryReservation reservation_;
-    platform::FileByteSource terrain_file_;
-    std::unique_ptr<base::AsyncReader> terrain_reader_;
-    std::unique_ptr<base::Workers> workers_;  ///< where terrain is traced
-    platform::FileByteSource scene_file_;
-    std::unique_ptr<display::Display> display_;
+    platform::DisplayHost host_;
     std::vector<std::uint8_t> pixels_;
     std::string terrain_name_;
     bool terrain_faulty_ = false;

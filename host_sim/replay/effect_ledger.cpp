@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "platform/clock/monotonic_clock.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
 #include "render_core/effects/effect_requests.hpp"
 
@@ -27,13 +28,13 @@ public:
 
     void settle(const LedgerSample& sample) {
         session_.make_current();
-        session_.display().settle(sample.aircraft, sample.phase, sample.time);
+        display::settle(session_.display(), {sample.aircraft, sample.phase, sample.time});
         session_.rest();
     }
     [[nodiscard]] double draw_ms(const LedgerSample& sample) {
         session_.make_current();
         const base::Time start = platform::monotonic_now();
-        session_.display().update(sample.aircraft, sample.phase, sample.time, &sample.way);
+        session_.display().plan({sample.aircraft, sample.phase, sample.time, &sample.way});
         session_.draw();
         const double ms = (platform::monotonic_now() - start).to_seconds() * 1000;
         session_.rest();

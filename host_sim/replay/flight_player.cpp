@@ -41,13 +41,13 @@ std::string index_name(const std::string& log) { return log + ".tdx"; }
 }  // namespace
 
 FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console, const IndexPolicy& policy)
-    : heights_(display), console_(console), policy_(policy) {
+    : heights_(display.planner()), console_(console), policy_(policy) {
     open_bus(files);
     open_log(files);
     open_switches(files);
     bus_name_ = files.bus;
     key_.parts[IndexKey::program] = program_identity();
-    key_.parts[IndexKey::terrain] = terrain_identity(display.terrain_database());
+    key_.parts[IndexKey::terrain] = terrain_identity(display.planner().terrain_database());
     const base::Time opened = wall_clock_now();
     const FileIdentity log = identify_log();
     key_.parts[IndexKey::log] = log.hash;
@@ -242,8 +242,8 @@ std::vector<std::string> FlightPlayer::notes() const {
     return notes;
 }
 
-void FlightPlayer::say(const std::string& sentence) {
-    if (console_ != nullptr) console_->note(sentence);
+void FlightPlayer::say(const std::string& message) {
+    if (console_ != nullptr) console_->note(message);
 }
 
 }  // namespace tedavis::host_sim

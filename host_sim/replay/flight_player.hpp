@@ -78,7 +78,7 @@ private:
     void run_step();
     void receive(base::Span<const bus::CanFrame> frames) override;
     void check_log() const;
-    void say(const std::string& sentence);
+    void say(const std::string& message);
 
     flight::TerrainHeights& heights_;
     Console* console_;

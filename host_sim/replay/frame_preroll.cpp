@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "render_core/display/preroll.hpp"
 #include "render_core/flight/decision_interval.hpp"
 
 namespace tedavis::host_sim {
@@ -29,21 +30,21 @@ void FramePreroll::preroll_frame(base::Time time) {
     const bool is_on_grid = std::abs(off_grid.ns) <= 1;
     const bool follows = is_on_grid && last_ && frame == *last_ + 1;
     last_ = is_on_grid ? std::optional<std::int64_t>(frame) : std::nullopt;
-    const bool is_governed = display_.frame_budget().is_held();
+    const bool is_governed = display_.memory().budget.is_held();
     if (follows && is_governed) learn(frame);
     if (follows) return;
-    display_.cut_to_design();
+    display_.memory().cut();
     const std::int64_t needed = first_needed(frame, time);
     if (is_governed) reach(std::max<std::int64_t>(frame, 0), std::max<std::int64_t>(needed, 0));
     if (is_governed && is_on_grid) return;
-    if (is_governed) display_.cut_to_design();
-    const effects::FrameGovernor governor = display_.frame_budget().governor();
+    if (is_governed) display_.memory().cut();
+    const effects::FrameGovernor governor = display_.memory().budget.governor();
     for (std::int64_t planned = needed - kWindow; planned < frame; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
-        if (is_governed) restore_rung(planned);
+        if (is_governed) restore_quality_level(planned);
         plan(is_on_grid ? grid : std::max(grid + off_grid, player_.first()));
     }
-    if (is_governed) display_.frame_budget().restore(governor);
+    if (is_governed) display_.memory().budget.restore(governor);
 }
 
 /// The frame itself, or the one that measured what it shows, or the last one before the phase's design began to take its place.
@@ -51,22 +52,22 @@ std::int64_t FramePreroll::first_needed(std::int64_t frame, base::Time time) {
     const auto frames_since = [&](base::Time since) {
         return static_cast<std::int64_t>(std::floor((time - since).to_seconds() * rate_hz_ + 1e-6));
     };
-    const std::int64_t measured = frame - frames_since(display_.needed_since(time));
+    const std::int64_t measured = frame - frames_since(display_.memory().needed_since(time));
     const base::Time since = player_.at(time).phase.presented_since;
-    if (!display_.fades() || since > time || time - since > kLongestFade) return measured;
+    if (!display_.planner().fades() || since > time || time - since > kLongestFade) return measured;
     return std::min(measured, frame - frames_since(since) - 1);
 }
 
 /// Plans the frames of the grid before this one, from the last one on whose governor is known, but not after the one needed.
 void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
-    effects::FrameBudget& budget = display_.frame_budget();
-    if (rungs_.empty()) {
+    effects::FrameBudget& budget = display_.memory().budget;
+    if (quality_levels_.empty()) {
         budget.restore(effects::FrameGovernor());
         learn(0);
     }
-    const std::int64_t kept = std::min<std::int64_t>(needed, static_cast<std::int64_t>(rungs_.size()) - 1) / kKeepEvery;
+    const std::int64_t kept = std::min<std::int64_t>(needed, static_cast<std::int64_t>(quality_levels_.size()) - 1) / kKeepEvery;
     for (std::int64_t planned = kept * kKeepEvery - kWindow; planned < kept * kKeepEvery; ++planned) {
-        restore_rung(planned);
+        restore_quality_level(planned);
         plan(grid_time(std::max<std::int64_t>(planned, 0)));
     }
     budget.restore(governors_[static_cast<std::size_t>(kept)]);
@@ -78,49 +79,55 @@ void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
 
 /// The display has planned every frame before this one.
 void FramePreroll::learn(std::int64_t frame) {
-    if (frame != static_cast<std::int64_t>(rungs_.size())) return;
-    const effects::FrameGovernor& governor = display_.frame_budget().governor();
-    rungs_.push_back(static_cast<std::uint8_t>(governor.rung()));
+    if (frame != static_cast<std::int64_t>(quality_levels_.size())) return;
+    const effects::FrameGovernor& governor = display_.memory().budget.governor();
+    quality_levels_.push_back(static_cast<std::uint8_t>(governor.quality_level()));
     if (frame % kKeepEvery == 0) governors_.push_back(governor);
 }
 
-/// The terrain of a frame is chosen by the rung before it; nothing else of the governor matters to it.
-void FramePreroll::restore_rung(std::int64_t frame) {
+/// The terrain of a frame is chosen by the quality level before it; nothing else of the governor matters to it.
+void FramePreroll::restore_quality_level(std::int64_t frame) {
     const auto known = static_cast<std::size_t>(std::max<std::int64_t>(frame, 0));
-    display_.frame_budget().restore(effects::FrameGovernor(rungs_[known]));
+    display_.memory().budget.restore(effects::FrameGovernor(quality_levels_[known]));
 }
 
 void FramePreroll::plan(base::Time time) {
     reach_interval(time);
-    const flight::FrameInput input = player_.at(time);
-    display_.preroll(input.state, input.phase, time, input.trail);
-    if (display_.must_be_drawn()) session_.draw();
+    display::preroll(display_, player_.at(time));
+    if (display_.memory().must_be_drawn()) session_.draw();
 }
 
-/// Decides the intervals up to this time's, from the last one on whose memory is known.
+/// What the display shows of an interval's labels remains its own from one interval to the next.
 void FramePreroll::reach_interval(base::Time time) {
-    if (!display_.has_intervals()) return;
+    if (!display_.planner().has_intervals()) return;
     const std::int64_t first = flight::decision_interval_of(player_.first());
     const std::int64_t wanted = std::max(flight::decision_interval_of(time), first);
+    if (shown_interval_ == wanted) return;
     const auto after = intervals_.upper_bound(wanted);
     const std::int64_t known = after == intervals_.begin() ? first - 1 : std::prev(after)->first;
-    // From one frame to the next they go on by themselves: what the frame before showed of them is in no memory.
-    if (!interval_ || wanted < *interval_ || *interval_ + kKeptIntervals < known) restore_interval(known);
-    while (*interval_ < wanted) {
-        if (display_.interval_is_anew()) restore_interval(*interval_);
-        const std::int64_t interval = *interval_ + 1;
-        const base::Time begins = std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first());
-        const flight::PhaseStatus phase = phase_before(begins);
-        display_.preroll_interval(player_.at(begins).state, phase, begins);
-        keep_interval(interval);
-        interval_ = interval;
-    }
+    if (!interval_ || wanted < *interval_ || *interval_ < known) restore_interval(known);
+    while (*interval_ < wanted) decide_interval(*interval_ + 1);
+    display_.memory().take_interval(decided_);
+    shown_interval_ = wanted;
 }
 
 /// Before the log's first interval there are none.
 void FramePreroll::restore_interval(std::int64_t interval) {
     const auto kept = intervals_.find(interval);
-    display_.restore(kept == intervals_.end() ? display::IntervalMemory() : kept->second);
+    decided_ = kept == intervals_.end() ? display::PlannerMemory() : kept->second;
+    interval_ = interval;
+}
+
+/// What the deadline leaves, and terrain that has failed, are as in the frames.
+void FramePreroll::decide_interval(std::int64_t interval) {
+    const base::Time begins = std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first());
+    flight::FrameInput input = player_.at(begins);
+    input.phase = phase_before(begins);
+    input.trail = nullptr;  // nothing that an interval decides reads it
+    decided_.budget = display_.memory().budget;
+    decided_.terrain_failed = display_.memory().terrain_failed;
+    display_.planner().decide_interval(input, decided_, *scratch_);
+    keep_interval(interval);
     interval_ = interval;
 }
 
@@ -131,7 +138,7 @@ flight::PhaseStatus FramePreroll::phase_before(base::Time time) {
 }
 
 void FramePreroll::keep_interval(std::int64_t interval) {
-    intervals_[interval] = display_.interval_memory();
+    intervals_[interval] = decided_;
     if ((interval - kKeptIntervals) % kKeepEvery != 0) intervals_.erase(interval - kKeptIntervals);
 }
 
@@ -139,7 +146,8 @@ void FramePreroll::forget() {
     last_.reset();
     intervals_.clear();
     interval_.reset();
-    rungs_.clear();
+    shown_interval_.reset();
+    quality_levels_.clear();
     governors_.clear();
 }
 

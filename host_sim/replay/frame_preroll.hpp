@@ -7,7 +7,7 @@
 ///
 /// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
 /// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/saliency_schedule.hpp), and with
-/// the clutter of earlier frames, by which data give way (display/clutter_control.hpp).
+/// the clutter of earlier frames, by which data give way (display/declutter_control.hpp).
 ///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
@@ -15,12 +15,13 @@
 ///
 /// Which labels stand, and how much hazards raise the weights of aspects, follows from all intervals of half a second since the
 /// log's start (display/element_labels.hpp, policy/priority_boost.hpp): each is decided once, by the instant at which it begins
-/// and the design of the frame before, without the frames between; their memory is kept every kKeepEvery intervals, and of the
-/// last kKeptIntervals.
+/// and the design of the frame before, without the frames between, on a memory of the planner that no frame is planned from.
+/// Copies of it are kept of every kKeepEvery-th interval, and of the last kKeptIntervals.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -47,9 +48,10 @@ private:
     void plan(base::Time time);
     void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
-    void restore_rung(std::int64_t frame);
+    void restore_quality_level(std::int64_t frame);
     void reach_interval(base::Time time);
     void restore_interval(std::int64_t interval);
+    void decide_interval(std::int64_t interval);
     [[nodiscard]] flight::PhaseStatus phase_before(base::Time time);
     void keep_interval(std::int64_t interval);
 
@@ -59,10 +61,13 @@ private:
     double rate_hz_;
     std::optional<std::int64_t> last_;  ///< frame of the grid that was drawn last
     // Before the frames of the grid, from the log's first on.
-    std::vector<std::uint8_t> rungs_;
+    std::vector<std::uint8_t> quality_levels_;
     std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
-    std::optional<std::int64_t> interval_;           ///< that the display's weights and labels are of
-    std::map<std::int64_t, display::IntervalMemory> intervals_;
+    std::optional<std::int64_t> shown_interval_;     ///< that the display's weights and labels are of
+    std::optional<std::int64_t> interval_;           ///< that `decided_` is of
+    display::PlannerMemory decided_;
+    std::map<std::int64_t, display::PlannerMemory> intervals_;
+    std::unique_ptr<display::PlannedFrame> scratch_ = std::make_unique<display::PlannedFrame>();
 };
 
 }  // namespace tedavis::host_sim

@@ -13,15 +13,16 @@ namespace tedavis::host_sim {
 
 /// Path of the design file, short names resolved. Throws UserError where there is none.
 [[nodiscard]] std::string design_path(const PictureOptions& options);
-/// Throws UserError with file and line. `files`, where given, gets what the design was read from, also when it is not sound.
+/// Throws UserError with file and line. `files`, where given, receives the files that were read, also when the design is not
+/// valid.
 [[nodiscard]] design::DesignSettings load_design(const PictureOptions& options, std::vector<ReadFile>* files = nullptr);
 
-/// A design, and those that it names for phases; the command line stands above all of them.
+/// A design, and those that it names for phases; options of the command line override all of them.
 struct LoadedDesigns {
     design::DesignSettings design;
     design::PhaseDesigns phases;
 };
-/// As load_design().
+/// Loads them as load_design() does.
 [[nodiscard]] std::unique_ptr<LoadedDesigns> load_designs(const PictureOptions& options, std::vector<ReadFile>* files = nullptr);
 
 }  // namespace tedavis::host_sim

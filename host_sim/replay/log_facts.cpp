@@ -121,7 +121,7 @@ LogFacts read_log_facts(const std::string& log, const bus::BusSettings& settings
         for (std::size_t n = 0; n < count; ++n) ++frames[batch[n].channel];
         assembler.feed({batch.data(), count});
     }
-    assembler.note_dropped(source.statistics().dropped);
+    assembler.record_dropped(source.statistics().dropped);
     LogFacts facts = facts_of(source, assembler, frames, first.value_or(base::Time{}));
     if (!first)
         throw UserError(log + ": no line of it is a frame of a candump log" + first_report_words(facts) +

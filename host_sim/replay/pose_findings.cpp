@@ -29,10 +29,10 @@ Finding outside_finding(const AircraftPose& pose, const std::string& terrain, co
 
 Findings pose_findings(const AircraftPose& pose, const display::FrameRecord& record, const std::string& terrain,
                        display::Display& display) {
-    const terrain::TerrainDatabase* const database = display.terrain_database();
+    const terrain::TerrainDatabase* const database = display.planner().terrain_database();
     if (database == nullptr) return {};
     if (!lies_inside(*database, pose.latitude_deg, pose.longitude_deg)) return {outside_finding(pose, terrain, *database)};
-    const base::Stamped<double> above = display.height_above_terrain(record.own_ship, record.time);
+    const base::Stamped<double> above = display.planner().height_above_terrain(record.own_ship, record.time);
     if (!above.received()) return {{"terrain.no_height", "the ground below the pose has no height in " + terrain + " (void)", 1}};
     constexpr double kRounding_m = 0.5;
     if (above.value_or(0) < -kRounding_m)

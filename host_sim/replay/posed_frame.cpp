@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "platform/clock/monotonic_clock.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/flight/flight_trail.hpp"
 
 namespace tedavis::host_sim {
@@ -18,8 +19,8 @@ FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const
     const auto way = std::make_unique<flight::FlightTrail>();
     for (const AircraftPose& before : poses_before(pose)) way->step(posed_aircraft(before, session.display()), before.time);
     const flight::AircraftState state = posed_aircraft(pose, session.display());
-    session.display().settle(state, phase, pose.time);
-    session.display().update(state, phase, pose.time, pose.flown.seconds > 0 ? way.get() : nullptr);
+    display::settle(session.display(), {state, phase, pose.time});
+    session.display().plan({state, phase, pose.time, pose.flown.seconds > 0 ? way.get() : nullptr});
     result.timing.plan_ms = milliseconds_since(start);
     session.draw();
     result.timing.total_ms = milliseconds_since(start);

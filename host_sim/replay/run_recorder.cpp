@@ -70,7 +70,9 @@ const FrameResult& RunRecorder::draw(base::Time time) {
     draw_watched(time);
     result_.record = session_.display().record();
     result_.has_layers = options_.layers;
-    if (options_.layers) result_.obstacles = session_.display().obstacles_ahead();
+    if (options_.layers)
+        result_.obstacles =
+            session_.display().planner().obstacles_ahead(session_.display().planned(), session_.display().memory());
     result_.latency_ms = milliseconds_between(player_.newest_frame(), time);
     result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
     return result_;
@@ -79,7 +81,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
 void RunRecorder::draw_watched(base::Time time) {
     HeapTrap trap;
     const base::Time start = platform::monotonic_now();
-    session_.display().update(input_.state, input_.phase, time, input_.trail);
+    session_.display().plan({input_.state, input_.phase, time, input_.trail});
     const base::Time planned = platform::monotonic_now();
     session_.draw();
     const base::Time drawn = platform::monotonic_now();
@@ -105,7 +107,7 @@ void RunRecorder::keep() {
 int RunRecorder::finish(bool interrupted, Console& console) {
     records_.commit();
     const RunSummary done = summary(interrupted);
-    const base::BudgetTable& memory = session_.display().budget();
+    const base::BudgetTable& memory = session_.display().planner().budget();
     write_run_reports(options_.output, done, story_, memory);
     char line[200];
     std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, ", counted(done.frames, "frame").c_str(),
@@ -149,8 +151,8 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.can = {log.counters.frames,  log.counters.decoded, log.counters.alien, log.counters.errors,
              log.counters.dropped, log.broken_lines,     log.lines.other,    log.counters.traffic};
     s.warnings = player_.findings();
-    append(s.warnings, tally_.findings(s.terrain, session_.display().terrain_database()));
-    if (const terrain::TerrainDatabase* const database = session_.display().terrain_database(); database != nullptr)
+    append(s.warnings, tally_.findings(s.terrain, session_.display().planner().terrain_database()));
+    if (const terrain::TerrainDatabase* const database = session_.display().planner().terrain_database(); database != nullptr)
         append(s.warnings, height_findings(s.terrain, height_counts(database->header())));
     append(s.warnings, scene_findings(s.scene, scene_extent_, tally_.extent()));
     s.interrupted = interrupted;

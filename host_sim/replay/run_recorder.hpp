@@ -24,17 +24,17 @@ public:
 
     /// Plays the flight to the instant, plans, draws and reads the picture back.
     [[nodiscard]] const FrameResult& draw(base::Time time);
-    /// Where the flight was in the frame drawn last.
+    /// The input of the frame drawn last.
     [[nodiscard]] const flight::FrameInput& input() const { return input_; }
     /// Adds the frame drawn last to the run.
     void keep();
     /// A sentence for the summary.
-    void note(const std::string& sentence) { notes_.push_back(sentence); }
+    void note(const std::string& message) { notes_.push_back(message); }
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
     /// Writes the records, the summary and the report, and states the command's result and what was found. Once, at the end.
     /// Returns the exit code: kInterruptedExitCode, 2 where the terrain database failed during the run, 1 where a GL call was
-    /// made that the device does not have or where --strict is asked for and there are findings, else 0.
+    /// made that the device does not have or with --strict where there are findings, else 0.
     [[nodiscard]] int finish(bool interrupted, Console& console);
 
 private:

@@ -15,7 +15,7 @@ void DeadlineTally::add(const FrameResult& result) {
     const bool is_known = governor.predicted_ms > 0;
     s.within_modelled += is_known && governor.predicted_ms <= governor.deadline_ms ? 1 : 0;
     s.within_measured += result.timing.total_ms <= governor.deadline_ms ? 1 : 0;
-    ++s.frames_on_rung[std::min<std::size_t>(governor.rung, effects::kRungs - 1)];
+    ++s.frames_at_quality_level[std::min<std::size_t>(governor.quality_level, effects::kQualityLevelCount - 1)];
     if (!governor.changed) return;
     ++s.changes;
     if (last_change_) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host_sim/reports/frame_record_json.hpp"
-#include "render_core/effects/quality_ladder.hpp"
+#include "render_core/effects/quality_level.hpp"
 
 namespace tedavis::host_sim {
 
@@ -16,7 +16,7 @@ struct DeadlineSummary {
     std::uint64_t frames = 0, within_modelled = 0, within_measured = 0;
     std::uint64_t changes = 0;
     std::optional<double> least_s_between_changes;  ///< nothing: fewer than two
-    std::array<std::uint64_t, effects::kRungs> frames_on_rung{};
+    std::array<std::uint64_t, effects::kQualityLevelCount> frames_at_quality_level{};
 };
 
 class DeadlineTally {

@@ -23,11 +23,11 @@ public:
     [[nodiscard]] std::uint64_t frames_with_terrain() const { return with_terrain_; }
     /// Upper bound of the terrain's error in all frames but those at a start.
     [[nodiscard]] double worst_error_px() const { return worst_error_px_; }
-    /// The same of the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive, for
-    /// two seconds at most and not where chunks cannot be had.
+    /// The same for the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive, for
+    /// two seconds at most and only where chunks can be read.
     [[nodiscard]] double worst_start_error_px() const { return worst_start_error_px_; }
 
-    /// Of the own ship; empty where its position was never known.
+    /// The region in which the own ship was; empty where its position was never known.
     [[nodiscard]] const GeoExtent& extent() const { return extent_; }
 
     /// `terrain`: as the user named it; `database`: null where there is none.

@@ -67,7 +67,7 @@ Json effects_json(const display::FrameRecord& record) {
 Json governor_json(const display::GovernorRecord& governor) {
     return {{"deadline_ms", governor.deadline_ms},
             {"predicted_ms", governor.predicted_ms},
-            {"rung", governor.rung},
+            {"rung", governor.quality_level},
             {"changed", governor.changed},
             {"why", text(governor.why.view())}};
 }

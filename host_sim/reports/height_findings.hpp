@@ -16,12 +16,13 @@ struct HeightCounts {
     bool is_eight_bit = false;           ///< the file has no more than 256 values
 };
 
-/// Of a terrain database.
+/// Returns the counts of a terrain database.
 [[nodiscard]] HeightCounts height_counts(const terrain::FileHeader& header);
 
 [[nodiscard]] Findings height_findings(const std::string& file, const HeightCounts& counts);
 
-/// Of a raster that is meant to be ground, by a sample of its posts. Throws UserError as open_raster_source does.
+/// Returns the findings of a raster that is to be used as terrain, from a sample of its posts. Throws UserError as
+/// open_raster_source does.
 [[nodiscard]] Findings value_findings(const std::string& file, const RasterOptions& options);
 
 }  // namespace tedavis::host_sim

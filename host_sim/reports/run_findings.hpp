@@ -23,10 +23,11 @@ void append(Findings& findings, const Findings& more);
 /// [{`name`, `text`, `count`}].
 [[nodiscard]] nlohmann::ordered_json findings_json(const Findings& findings);
 
-/// A line "warning: ..." for each.
+/// Prints a line "warning: ..." for each finding.
 void print_warnings(const Findings& findings, Console& console);
 
-/// Of a command that is otherwise done: kCheckFailedExitCode where it is strict and something was found, else 0.
+/// Returns the exit code of a command that has otherwise succeeded: kCheckFailedExitCode where it is strict and there are
+/// findings, else 0.
 [[nodiscard]] int exit_code_of(const Findings& findings, bool is_strict);
 
 /// "1 frame", "3 frames".

@@ -16,7 +16,7 @@ flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display&
     flight::OwnShipEstimate& own = state.own_ship;
     own.position.latitude_rad = radians(pose.latitude_deg);
     own.position.longitude_rad = earth::wrap_longitude(radians(pose.longitude_deg));
-    GeoidBelow geoid(display.terrain_database());
+    GeoidBelow geoid(display.planner().terrain_database());
     own.position.height =
         earth::to_ellipsoid({pose.altitude_msl_m}, geoid.at(own.position.latitude_rad, own.position.longitude_rad));
     own.at = pose.time;
@@ -37,7 +37,7 @@ flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display&
         set(Signal::horizontal_accuracy, pose.flown.accuracy_m);
         set(Signal::vertical_accuracy, pose.flown.accuracy_m);
     }
-    state[Signal::height_above_terrain] = display.height_above_terrain(own, pose.time);
+    state[Signal::height_above_terrain] = display.planner().height_above_terrain(own, pose.time);
     return state;
 }
 

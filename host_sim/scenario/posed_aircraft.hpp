@@ -9,17 +9,17 @@ namespace tedavis::host_sim {
 /// The time of single pictures without a stated time: not a date, so that data are shown at their own first time.
 inline constexpr base::Time kPosedTime{0};
 
-/// As the user writes it: degrees, metres above mean sea level.
+/// A pose in the user's units: degrees, and metres above mean sea level.
 struct AircraftPose {
     double latitude_deg = 0, longitude_deg = 0, altitude_msl_m = 0;
     double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
     base::Time time = kPosedTime;
-    FlownHistory flown{};  ///< by which it stands there
+    FlownHistory flown{};  ///< the flight before the pose
 };
 
-/// With a history wind, temperature and accuracies are measured, too. Everything about it is known and fresh at the pose's time.
-/// The geoid and the height above the ground come from the display's terrain; throws UserError where it has none and the EGM96
-/// grid is not installed.
+/// Returns the state of the posed aircraft; all signals are fresh at the pose's time. With a history it also has wind,
+/// temperature and accuracies. The geoid and the height above the ground come from the display's terrain; throws UserError where
+/// it has none and the EGM96 grid is not installed.
 [[nodiscard]] flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display);
 
 }  // namespace tedavis::host_sim

@@ -2,8 +2,8 @@
 /// first time that is not before the flight's end (kMaxRadarFrames at most).
 ///
 /// Its attribute "reflectivity" (dBZ) is the strongest echo of the cells (storm_cells.hpp), kNoEcho_dbz where there is none, and
-/// missing beyond the range. The beam widens and rises with the distance d, and so the quality falls, 1 at the radar, 1 -
-/// kQualityLost at the range r: 1 - kQualityLost (d / r)^2. How unsure a value is, is one minus that.
+/// missing beyond the range. The beam widens and rises with the distance d, so the quality falls from 1 at the radar to
+/// 1 - kQualityLost at the range r: it is 1 - kQualityLost (d / r)^2. The uncertainty of a value is 1 minus its quality.
 #pragma once
 
 #include <vector>

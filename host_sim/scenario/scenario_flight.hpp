@@ -43,7 +43,7 @@ public:
     [[nodiscard]] std::optional<SignalSample> at(base::Time time) const override;
     [[nodiscard]] std::optional<flight::FlightPhase> stated_phase(base::Time time) const override;
 
-    [[nodiscard]] std::vector<HeardAircraft> traffic(base::Time time) const override { return traffic_.at(time); }
+    [[nodiscard]] std::vector<ReceivedAircraft> traffic(base::Time time) const override { return traffic_.at(time); }
 
     [[nodiscard]] const FlownAir& air() const { return air_; }
     /// One for each leg of the scenario, in order.

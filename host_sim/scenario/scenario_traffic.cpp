@@ -83,8 +83,8 @@ ScenarioTraffic::ScenarioTraffic(const std::vector<TrafficSettings>& settings, b
     }
 }
 
-std::vector<HeardAircraft> ScenarioTraffic::at(base::Time time) const {
-    std::vector<HeardAircraft> heard;
+std::vector<ReceivedAircraft> ScenarioTraffic::at(base::Time time) const {
+    std::vector<ReceivedAircraft> heard;
     const double second = (time - start_).to_seconds();
     for (std::size_t n = 0; n < aircraft_.size(); ++n)
         if (second >= aircraft_[n].heard_from_s && second <= aircraft_[n].heard_until_s)

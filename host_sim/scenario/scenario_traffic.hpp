@@ -40,7 +40,7 @@ public:
     ScenarioTraffic(const std::vector<TrafficSettings>& settings, base::Time start, std::uint64_t seed, const GeoidEgm96& geoid);
 
     /// What is heard at a time; numbers are places in the settings.
-    [[nodiscard]] std::vector<HeardAircraft> at(base::Time time) const;
+    [[nodiscard]] std::vector<ReceivedAircraft> at(base::Time time) const;
 
 private:
     [[nodiscard]] flight::TrafficReport report_of(const TrafficSettings& aircraft, base::Time time) const;

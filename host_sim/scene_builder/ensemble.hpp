@@ -6,21 +6,21 @@
 
 namespace tedavis::host_sim {
 
-/// A field of as many posts each; NaN where missing.
+/// One field per member, all with the same number of posts; NaN where a value is missing.
 using Members = std::vector<std::vector<float>>;
 
-/// By post; missing where one of the members is. The spread is the standard deviation of the sample: divided by n - 1. One member
-/// alone has none: NaN.
+/// Mean and spread of each post; missing where a member's value is missing. The spread is the sample standard deviation (with
+/// divisor n - 1); NaN for a single member.
 struct EnsembleMean {
     std::vector<float> mean, spread;
 };
-/// Of one member or more.
+/// Returns the mean of one member or more.
 [[nodiscard]] EnsembleMean mean_of(const Members& members);
 
 /// Adds to each member's sum its values at the posts where none is missing; `sums` is empty before the first call.
 void add_to_sums(const Members& members, std::vector<double>& sums);
-/// Which members are kept: `most` of them, evenly by the rank of their sums, with the least and the greatest; ascending, equal
-/// ones in their order. All where there are no more than `most`, which is 2 or greater.
+/// Returns the members that are kept, ascending by their sums: `most` of them, evenly spaced by rank, including the least and the
+/// greatest; all where there are at most `most`, which is 2 or more. Equal sums keep their order.
 [[nodiscard]] std::vector<std::size_t> evenly_by_rank(const std::vector<double>& sums, std::size_t most);
 
 }  // namespace tedavis::host_sim

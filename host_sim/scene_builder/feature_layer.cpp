@@ -46,15 +46,15 @@ public:
 
 private:
     /// Once: heights and an attribute may come from one column.
-    void note(const std::string& sentence) {
+    void note(const std::string& message) {
         std::vector<std::string>& notes = made_.notes;
-        const std::string whole = recipe_.name + ": " + sentence;
+        const std::string whole = recipe_.name + ": " + message;
         if (std::find(notes.begin(), notes.end(), whole) == notes.end()) notes.push_back(whole);
     }
-    void note_count(std::size_t count, const std::string& what) {
+    void add_count_note(std::size_t count, const std::string& what) {
         if (count > 0) note(counted(count, what));
     }
-    void note_misfits(const Misfits& misfits, const std::string& variable, const char* are_no) {
+    void add_misfits_note(const Misfits& misfits, const std::string& variable, const char* are_no) {
         if (misfits.count > 0)
             note(counted(misfits.count, "values of '" + variable + "' are no " + are_no + " and count as missing (the first: '" +
                                             misfits.first + "')"));
@@ -130,11 +130,11 @@ private:
             refuse("its source has " + std::string(shape_name(static_cast<LayerShape>(most))) + " alone, and the role shows " +
                    std::string(shape_name(shape_)) + "; choose another role or source");
         for (std::size_t shape = 1; shape < 4; ++shape)
-            note_count(others[shape], std::string(shape_name(static_cast<LayerShape>(shape))) + " are left out: the role shows " +
-                                          std::string(shape_name(shape_)));
+            add_count_note(others[shape], std::string(shape_name(static_cast<LayerShape>(shape))) +
+                                              " are left out: the role shows " + std::string(shape_name(shape_)));
         if (shape_ == LayerShape::areas)
-            note_count(remove([](const SourceFeature& feature) { return feature.points.size() < 3; }),
-                       "areas have fewer than three points and are left out");
+            add_count_note(remove([](const SourceFeature& feature) { return feature.points.size() < 3; }),
+                           "areas have fewer than three points and are left out");
     }
     void keep_what_is_asked_for() {
         if (!recipe_.time_variable.empty()) set_times();
@@ -167,7 +167,7 @@ private:
             for (SourcePoint& point : feature.points)
                 if (!point.time_ns) point.time_ns = time;
         }
-        note_misfits(misfits, recipe_.time_variable, "times such as 2026-06-01T14:00:00Z");
+        add_misfits_note(misfits, recipe_.time_variable, "times such as 2026-06-01T14:00:00Z");
     }
 
     void add_points() {
@@ -181,9 +181,9 @@ private:
             if (has_runs) draft.starts.push_back(static_cast<std::uint32_t>(draft.points.size()));
             if (shape_ == LayerShape::lines) count_faults(feature);
         }
-        note_misfits(misfits, recipe_.height_variable, "numbers");
-        note_count(repeated_, "points repeat the one before");
-        note_count(times_back_, "points are earlier than the one before");
+        add_misfits_note(misfits, recipe_.height_variable, "numbers");
+        add_count_note(repeated_, "points repeat the one before");
+        add_count_note(times_back_, "points are earlier than the one before");
     }
     /// From the recipe's variable; NaN: the points' own.
     [[nodiscard]] double height_of(const SourceFeature& feature, Misfits& misfits) const {
@@ -240,8 +240,8 @@ private:
             }
         }
         const bool is_classed = recipe.scale != scene::AttributeScale::quantitative;
-        note_misfits(values, recipe.variable, is_classed ? "class of the attribute" : "numbers");
-        note_misfits(levels, unsure.variable, unsure.classes.empty() ? "numbers" : "class of its uncertainty");
+        add_misfits_note(values, recipe.variable, is_classed ? "class of the attribute" : "numbers");
+        add_misfits_note(levels, unsure.variable, unsure.classes.empty() ? "numbers" : "class of its uncertainty");
         made_.draft.attributes.push_back(std::move(attribute));
     }
 

@@ -57,13 +57,13 @@ private:
         double height_m = kNotStated, ground_speed_mps = kNotStated, vertical_speed_mps = kNotStated, track_rad = kNotStated;
     };
 
-    void note(const RecordedFlight& flight, const std::string& sentence) {
+    void note(const RecordedFlight& flight, const std::string& message) {
         const std::string& name = flight.callsign.empty() ? flight.aircraft : flight.callsign;
-        found_.notes.push_back((name.empty() ? "" : name + ": ") + sentence);
+        found_.notes.push_back((name.empty() ? "" : name + ": ") + message);
     }
 
     void add(RecordedFlight flight) {
-        note_cleaning(flight, clean_fixes(flight));
+        add_cleaning_note(flight, clean_fixes(flight));
         std::optional<ResampledFlight> resampled;
         ResampleSettings settings;
         settings.assume_geometric = true;
@@ -85,18 +85,18 @@ private:
         if (lines > 1)
             note(flight,
                  std::to_string(lines - 1) + (lines > 2 ? " gaps" : " gap") + " in the recording; nothing is shown there");
-        note_heights(flight);
+        add_heights_note(flight);
     }
-    void note_cleaning(const RecordedFlight& flight, const CleaningCounts& counts) {
-        const auto note_count = [&](std::size_t count, const char* what) {
+    void add_cleaning_note(const RecordedFlight& flight, const CleaningCounts& counts) {
+        const auto add_count_note = [&](std::size_t count, const char* what) {
             if (count > 0) note(flight, std::to_string(count) + " " + what);
         };
-        note_count(counts.out_of_order, "fixes were earlier than the one before and have been sorted");
-        note_count(counts.duplicates, "fixes had the time of another one and are left out");
-        note_count(counts.position_jumps, "positions are impossible and are left out");
-        note_count(counts.gnss_height_jumps + counts.pressure_jumps, "heights are impossible and are interpolated");
+        add_count_note(counts.out_of_order, "fixes were earlier than the one before and have been sorted");
+        add_count_note(counts.duplicates, "fixes had the time of another one and are left out");
+        add_count_note(counts.position_jumps, "positions are impossible and are left out");
+        add_count_note(counts.gnss_height_jumps + counts.pressure_jumps, "heights are impossible and are interpolated");
     }
-    void note_heights(const RecordedFlight& flight) {
+    void add_heights_note(const RecordedFlight& flight) {
         const auto has = [&flight](std::optional<double> RecordedFix::*height) {
             return std::any_of(flight.fixes.begin(), flight.fixes.end(),
                                [height](const RecordedFix& fix) { return (fix.*height).has_value(); });

@@ -62,7 +62,7 @@ private:
         return is_blendable(attribute) && attribute.missing.empty() && !attribute.undetected;
     }
 
-    void note(const std::string& sentence) { notes_.push_back(recipe_.name + ": " + sentence); }
+    void note(const std::string& message) { notes_.push_back(recipe_.name + ": " + message); }
 
     void start_layer() {
         layer_.name = recipe_.name;

@@ -21,13 +21,13 @@ public:
             ++row_;
             add(row);
         }
-        note_count(closed_, "closed runways are not shown");
-        note_count(without_place_, "runways state no place of both ends and are not shown");
+        add_count_note(closed_, "closed runways are not shown");
+        add_count_note(without_place_, "runways state no place of both ends and are not shown");
         return std::move(found_);
     }
 
 private:
-    void note_count(std::size_t count, const char* what) {
+    void add_count_note(std::size_t count, const char* what) {
         if (count > 0) found_.notes.push_back(std::to_string(count) + " " + what);
     }
 

@@ -86,7 +86,7 @@ struct SceneRecipe {
     std::vector<LayerRecipe> layers;
 };
 
-/// As scene files and reports write them.
+/// Return the names used in scene files and reports.
 [[nodiscard]] std::string_view shape_name(scene::LayerShape shape);
 [[nodiscard]] std::string_view scale_name(scene::AttributeScale scale);
 [[nodiscard]] std::string_view kind_name(scene::UncertaintyKind kind);

@@ -118,7 +118,8 @@ private:
         return mask;
     }
     void judge_place(const Sweep& sweep, SweptView& view) {
-        view.place = place_in_picture(session_.display().view(), earth::to_ecef(sweep.place), job_.radius_m);
+        view.place =
+            place_in_picture(session_.display().planned().picture.camera.view, earth::to_ecef(sweep.place), job_.radius_m);
         if (!view.place.is_inside) {
             view.sight = PlaceSight::outside_picture;
             return;
@@ -178,8 +179,8 @@ void require_some_view(const SweepJob& job, const Sweep& sweep) {
 
 Sweep draw_sweep(const SweepJob& job, WrittenFiles& files, Console& console, std::string& fault) {
     DisplaySession session(job.picture, false);
-    TEDAVIS_CHECK(session.display().terrain_database() != nullptr);
-    SweptGround ground(*session.display().terrain_database());
+    TEDAVIS_CHECK(session.display().planner().terrain_database() != nullptr);
+    SweptGround ground(*session.display().planner().terrain_database());
     Sweep sweep;
     sweep.terrain = job.terrain_name;
     sweep.scene = job.scene_name;

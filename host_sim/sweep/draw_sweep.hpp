@@ -13,7 +13,7 @@
 
 namespace tedavis::host_sim {
 
-/// As the user writes it.
+/// A place in the user's units.
 struct SweptPlace {
     double latitude_deg = 0, longitude_deg = 0;
     std::optional<double> altitude_msl_m;  ///< nothing: the ground's
@@ -32,11 +32,11 @@ struct SweepJob {
     std::function<bool()> is_stopped;  ///< asked before each picture
 };
 
-/// Closer to the ground than this nothing is drawn.
+/// Least height of a viewpoint above the ground; lower ones are not drawn.
 inline constexpr double kMinClearance_m = 5;
 
-/// `fault`: a sentence where a part of the terrain failed. Stopped, it has the views so far; throws Interrupted where there are
-/// none, and UserError where nothing can be seen from any viewpoint.
+/// Draws the sweep; `fault` receives a sentence where a part of the terrain failed. When stopped, it returns the views so far;
+/// throws Interrupted where there are none, and UserError where nothing can be seen from any viewpoint.
 [[nodiscard]] Sweep draw_sweep(const SweepJob& job, WrittenFiles& files, Console& console, std::string& fault);
 
 }  // namespace tedavis::host_sim

@@ -120,9 +120,10 @@ void BorderLines::keep_column(const std::vector<float>& surface_m, const std::ve
     columns_.write(std::uint64_t{line} * plan_.header.rows + first, levels.data(), levels.size());
 }
 
-std::vector<std::uint8_t> BorderLines::along(LineWay way, std::uint32_t line, std::uint32_t first, std::uint32_t count) const {
+std::vector<std::uint8_t> BorderLines::along(LineDirection way, std::uint32_t line, std::uint32_t first,
+                                             std::uint32_t count) const {
     std::vector<std::uint8_t> levels(count);
-    const bool is_row = way == LineWay::row;
+    const bool is_row = way == LineDirection::row;
     const std::uint64_t posts = is_row ? plan_.header.columns : plan_.header.rows;
     (is_row ? rows_ : columns_).read(lines(way).line_at(line) * posts + first, levels.data(), count);
     return levels;

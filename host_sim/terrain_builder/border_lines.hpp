@@ -20,7 +20,7 @@ public:
     [[nodiscard]] std::uint32_t piece_count() const { return row_pieces() + column_pieces(); }
     void build_piece(const PostsFile& posts, std::uint32_t piece);
 
-    [[nodiscard]] std::vector<std::uint8_t> along(LineWay way, std::uint32_t line, std::uint32_t first,
+    [[nodiscard]] std::vector<std::uint8_t> along(LineDirection way, std::uint32_t line, std::uint32_t first,
                                                   std::uint32_t count) const override;
     void sync();
 

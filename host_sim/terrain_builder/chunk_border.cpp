@@ -12,10 +12,10 @@ struct SideLevels {
     std::vector<std::uint8_t> north, east, south, west;
 
     SideLevels(const LineLevels& lines, const PostRange& posts)
-        : north(lines.along(LineWay::row, posts.j0, posts.i0, posts.i1 - posts.i0 + 1)),
-          east(lines.along(LineWay::column, posts.i1, posts.j0, posts.j1 - posts.j0 + 1)),
-          south(lines.along(LineWay::row, posts.j1, posts.i0, posts.i1 - posts.i0 + 1)),
-          west(lines.along(LineWay::column, posts.i0, posts.j0, posts.j1 - posts.j0 + 1)) {}
+        : north(lines.along(LineDirection::row, posts.j0, posts.i0, posts.i1 - posts.i0 + 1)),
+          east(lines.along(LineDirection::column, posts.i1, posts.j0, posts.j1 - posts.j0 + 1)),
+          south(lines.along(LineDirection::row, posts.j1, posts.i0, posts.i1 - posts.i0 + 1)),
+          west(lines.along(LineDirection::column, posts.i0, posts.j0, posts.j1 - posts.j0 + 1)) {}
 };
 
 class BorderMaker {
@@ -42,10 +42,11 @@ private:
         border_.push_back({i, j, top_of(j, std::max(row_level, column_level)), true});
     }
     void on_row(std::uint32_t i, std::uint32_t j, std::uint8_t level) {
-        if (level >= level_) border_.push_back({i, j, top_of(j, level), stays(level, lines_.lines(LineWay::row).top_level(j))});
+        if (level >= level_)
+            border_.push_back({i, j, top_of(j, level), stays(level, lines_.lines(LineDirection::row).top_level(j))});
     }
     void on_column(std::uint32_t i, std::uint32_t j, std::uint8_t level) {
-        if (level >= level_) border_.push_back({i, j, level, stays(level, lines_.lines(LineWay::column).top_level(i))});
+        if (level >= level_) border_.push_back({i, j, level, stays(level, lines_.lines(LineDirection::column).top_level(i))});
     }
     /// On a line that is no border of the next level no coarser neighbour can be.
     [[nodiscard]] bool stays(std::uint8_t level, std::uint32_t line_top) const { return line_top <= level_ || level > level_; }

@@ -14,10 +14,10 @@ constexpr float kContinent_m = 2800;                   // of octaves that are to
 constexpr int kFirstRidged = 7, kFirstContinent = 10;  // log2 of the wavelength in posts
 
 /// Pythagorean triples: turns by rational angles.
-struct Turn {
+struct Rotation {
     std::int64_t cosine, sine, hypotenuse;
 };
-constexpr std::array<Turn, 4> kTurns = {{{12, 5, 13}, {4, 3, 5}, {24, 7, 25}, {20, 21, 29}}};
+constexpr std::array<Rotation, 4> kRotations = {{{12, 5, 13}, {4, 3, 5}, {24, 7, 25}, {20, 21, 29}}};
 
 /// Steele, Lea, Flood 2014: the finishing steps of SplitMix64.
 std::uint64_t mixed(std::uint64_t z) {
@@ -77,7 +77,7 @@ FractalTerrain::FractalTerrain(std::uint64_t seed) {
     for (int n = 0; n < kOctaves; ++n) {
         // Wavelengths of 2 to 512 posts, then two of continents: 2048 and 8192.
         const int power = n < 9 ? n + 1 : 2 * n - 7;
-        const Turn& turn = kTurns[static_cast<std::size_t>(n) % kTurns.size()];
+        const Rotation& turn = kRotations[static_cast<std::size_t>(n) % kRotations.size()];
         const std::uint64_t key = mixed(mixed(seed) + static_cast<std::uint64_t>(power));
         const bool continent = power >= kFirstContinent;
         const std::int64_t side = turn.hypotenuse << power;

@@ -32,7 +32,7 @@ struct LineGrid {
     [[nodiscard]] std::uint32_t top_level(std::uint32_t post) const;
 };
 
-enum class LineWay : std::uint8_t { row, column };
+enum class LineDirection : std::uint8_t { row, column };
 
 /// At which levels the posts of border lines stay.
 class LineLevels {
@@ -41,9 +41,11 @@ public:
     virtual ~LineLevels() = default;
 
     /// Levels of `count` posts of the row or column `line`, from its post `first` on. Any thread.
-    [[nodiscard]] virtual std::vector<std::uint8_t> along(LineWay way, std::uint32_t line, std::uint32_t first,
+    [[nodiscard]] virtual std::vector<std::uint8_t> along(LineDirection way, std::uint32_t line, std::uint32_t first,
                                                           std::uint32_t count) const = 0;
-    [[nodiscard]] const LineGrid& lines(LineWay way) const { return way == LineWay::row ? row_lines_ : column_lines_; }
+    [[nodiscard]] const LineGrid& lines(LineDirection way) const {
+        return way == LineDirection::row ? row_lines_ : column_lines_;
+    }
 
 protected:
     LineGrid row_lines_, column_lines_;

@@ -36,16 +36,16 @@ void InsetLines::build(const ChunkKey& block) {
     posts_.read(window);
     add_undulation(plan_, window);
     for (std::uint32_t j = range.j0; j <= range.j1; j = j == range.j1 ? j + 1 : std::min(j + kChunkCells, range.j1))
-        build_piece(window, {LineWay::row, j, range.i0, range.i1});
+        build_piece(window, {LineDirection::row, j, range.i0, range.i1});
     for (std::uint32_t i = range.i0; i <= range.i1; i = i == range.i1 ? i + 1 : std::min(i + kChunkCells, range.i1))
-        build_piece(window, {LineWay::column, i, range.j0, range.j1});
+        build_piece(window, {LineDirection::column, i, range.j0, range.j1});
 }
 
 void InsetLines::build_piece(const LatticeWindow& window, const Piece& piece) {
     std::vector<float> surface_m;
     std::vector<PostClass> classes;
     for (std::uint32_t n = piece.first; n <= piece.last; ++n) {
-        const std::size_t at = piece.way == LineWay::row ? window.at(n, piece.line) : window.at(piece.line, n);
+        const std::size_t at = piece.way == LineDirection::row ? window.at(n, piece.line) : window.at(piece.line, n);
         surface_m.push_back(window.surface_m[at]);
         classes.push_back(window.post_class[at]);
     }
@@ -57,7 +57,7 @@ void InsetLines::build_piece(const LatticeWindow& window, const Piece& piece) {
     line.kept = {kept.data(), kept.size()};
     line.most = {most.data(), most.size()};
     const std::vector<std::uint8_t> levels = keep_levels(line);
-    (piece.way == LineWay::row ? rows_ : columns_)
+    (piece.way == LineDirection::row ? rows_ : columns_)
         .write(place_of(piece.way, piece.line, piece.first), levels.data(), levels.size());
 }
 
@@ -92,7 +92,7 @@ bool InsetLines::is_beside_exact(const Piece& piece, std::uint32_t level, std::u
     for (const std::uint32_t back : {0u, 1u}) {
         if (back > across) continue;
         const ChunkKey key =
-            piece.way == LineWay::row ? ChunkKey{level, along, across - back} : ChunkKey{level, across - back, along};
+            piece.way == LineDirection::row ? ChunkKey{level, along, across - back} : ChunkKey{level, across - back, along};
         if (plan_.lattice.contains(key) && coverage_.is_exact(key)) return true;
     }
     return false;
@@ -100,7 +100,7 @@ bool InsetLines::is_beside_exact(const Piece& piece, std::uint32_t level, std::u
 
 LinePiece InsetLines::line_of(const Piece& piece) const {
     LinePiece line;
-    const bool is_row = piece.way == LineWay::row;
+    const bool is_row = piece.way == LineDirection::row;
     line.first = piece.first;
     line.top_level = std::min(lines(piece.way).top_level(piece.line), coverage_.base_level() - 1);
     const std::uint32_t row = piece.line;
@@ -115,18 +115,19 @@ LinePiece InsetLines::line_of(const Piece& piece) const {
     return line;
 }
 
-std::uint64_t InsetLines::place_of(LineWay way, std::uint32_t line, std::uint32_t post) const {
+std::uint64_t InsetLines::place_of(LineDirection way, std::uint32_t line, std::uint32_t post) const {
     const PostRange& region = posts_.region();
-    const bool is_row = way == LineWay::row;
+    const bool is_row = way == LineDirection::row;
     const std::uint32_t first_line = is_row ? region.j0 : region.i0, first = is_row ? region.i0 : region.j0,
                         last = is_row ? region.i1 : region.j1;
     const std::uint64_t n = (line - first_line + kChunkCells - 1) / kChunkCells;
     return n * (last - first + 1) + post - first;
 }
 
-std::vector<std::uint8_t> InsetLines::along(LineWay way, std::uint32_t line, std::uint32_t first, std::uint32_t count) const {
+std::vector<std::uint8_t> InsetLines::along(LineDirection way, std::uint32_t line, std::uint32_t first,
+                                            std::uint32_t count) const {
     std::vector<std::uint8_t> levels(count);
-    (way == LineWay::row ? rows_ : columns_).read(place_of(way, line, first), levels.data(), count);
+    (way == LineDirection::row ? rows_ : columns_).read(place_of(way, line, first), levels.data(), count);
     return levels;
 }
 

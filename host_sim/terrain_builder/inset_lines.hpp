@@ -24,13 +24,13 @@ public:
     void sync();
 
     /// Within the region.
-    [[nodiscard]] std::vector<std::uint8_t> along(LineWay way, std::uint32_t line, std::uint32_t first,
+    [[nodiscard]] std::vector<std::uint8_t> along(LineDirection way, std::uint32_t line, std::uint32_t first,
                                                   std::uint32_t count) const override;
 
 private:
     /// A line's posts within a block.
     struct Piece {
-        LineWay way;
+        LineDirection way;
         std::uint32_t line, first, last;  ///< post of the line across, and its first and last post along
     };
     void build_piece(const LatticeWindow& window, const Piece& piece);
@@ -39,7 +39,7 @@ private:
     [[nodiscard]] bool is_beside_exact(const Piece& piece, std::uint32_t level, std::uint32_t first) const;
     [[nodiscard]] LinePiece line_of(const Piece& piece) const;
     /// Where a line's post is in its file.
-    [[nodiscard]] std::uint64_t place_of(LineWay way, std::uint32_t line, std::uint32_t post) const;
+    [[nodiscard]] std::uint64_t place_of(LineDirection way, std::uint32_t line, std::uint32_t post) const;
 
     const BuildPlan& plan_;
     const InsetCoverage& coverage_;

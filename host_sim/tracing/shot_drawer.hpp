@@ -64,9 +64,9 @@ public:
             shot.items.push_back({std::string(item.name.view()), item.bytes});
         shot.kernel = raytrace::view_kernels<Height>()[0].name;
         shot.pieces = static_cast<std::uint32_t>(raytrace::cut_view(view_).count);
-        std::size_t met = 0;
-        for (const std::int32_t cell : picture_.stages().hits().cell) met += cell >= 0 ? 1 : 0;
-        shot.ground_share = static_cast<double>(met) / (static_cast<double>(view_.width) * view_.height);
+        std::size_t hit_count = 0;
+        for (const std::int32_t cell : picture_.stages().hits().cell) hit_count += cell >= 0 ? 1 : 0;
+        shot.ground_share = static_cast<double>(hit_count) / (static_cast<double>(view_.width) * view_.height);
         shot.pixels.width = view_.width;
         shot.pixels.height = view_.height;
         shot.pixels.pixels.resize(rgb_.size() / 3 * 4, 255);

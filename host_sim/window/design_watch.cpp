@@ -28,7 +28,7 @@ DesignNews DesignWatch::look() {
         designs_ = load_designs(options_, &taken_);
         return DesignNews::changed;
     } catch (const UserError& error) {
-        sentence_ = error.what();
+        message_ = error.what();
         return DesignNews::broken;
     }
 }

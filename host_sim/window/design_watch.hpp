@@ -25,14 +25,14 @@ public:
     [[nodiscard]] DesignNews look();
 
     [[nodiscard]] const LoadedDesigns& designs() const { return *designs_; }
-    [[nodiscard]] const std::string& message() const { return sentence_; }
+    [[nodiscard]] const std::string& message() const { return message_; }
 
 private:
     PictureOptions options_;
     std::vector<ReadFile> taken_;        ///< what the last design was read from
     std::vector<std::string> last_met_;  ///< their contents at the last look
     std::unique_ptr<LoadedDesigns> designs_;
-    std::string sentence_;
+    std::string message_;
 };
 
 }  // namespace tedavis::host_sim

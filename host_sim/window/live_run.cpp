@@ -28,9 +28,9 @@ bool same_pose(const CameraPose& a, const CameraPose& b) {
            a.roll_rad == b.roll_rad;
 }
 
-std::optional<CameraTour> load_tour(const std::string& path, const display::Display& display) {
+std::optional<CameraTour> load_tour(const std::string& path, display::Display& display) {
     if (path.empty()) return std::nullopt;
-    GeoidBelow geoid(display.terrain_database());
+    GeoidBelow geoid(display.planner().terrain_database());
     return CameraTour(read_file(path), path, [&geoid](double lat, double lon) { return geoid.at(lat, lon); });
 }
 
@@ -48,7 +48,7 @@ double near_plane_m(display::Display& display, const CameraPose& camera, base::T
     place.position = camera.position;
     place.state = base::SignalState::valid;
     place.height_is_geometric = true;
-    return std::clamp(0.02 * display.height_above_terrain(place, now).value_or(camera.position.height.m), 1.0, 50.0);
+    return std::clamp(0.02 * display.planner().height_above_terrain(place, now).value_or(camera.position.height.m), 1.0, 50.0);
 }
 
 }  // namespace
@@ -101,11 +101,11 @@ void LiveRun::turn_switches(std::uint32_t pattern) {
     write_switches();
     ++revision_;
     if (!latest_kept_ || *latest_kept_ <= now) return;
-    char sentence[160];
-    std::snprintf(sentence, sizeof sentence,
+    char message[160];
+    std::snprintf(message, sizeof message,
                   "frames later than %.3f s in the first %llu lines of frames.jsonl were drawn before the switches were set anew",
                   seconds(now), static_cast<unsigned long long>(recorder_.kept()));
-    recorder_.note(sentence);
+    recorder_.note(message);
     latest_kept_ = now;
 }
 
@@ -137,10 +137,10 @@ LiveRun::Shown LiveRun::wanted() const {
 
 void LiveRun::aim(const Shown& wanted) {
     display::Display& display = session_.display();
-    if (wanted.mode == CameraMode::cockpit) return display.clear_free_view();
+    if (wanted.mode == CameraMode::cockpit) return display.planner().clear_free_view();
     const double near_m = near_plane_m(display, wanted.camera, shown_time());
-    display.set_free_view(view_of(wanted.camera, session_.width(), session_.height(),
-                                  design_.designs().design.view.horizontal_field_of_view_rad, near_m));
+    display.planner().set_free_view(view_of(wanted.camera, session_.width(), session_.height(),
+                                            design_.designs().design.view.horizontal_field_of_view_rad, near_m));
 }
 
 void LiveRun::draw(const Shown& wanted) {
@@ -149,13 +149,14 @@ void LiveRun::draw(const Shown& wanted) {
     const base::Time now = shown_time();
     preroll_.preroll(now);
     const display::FrameRecord& record = recorder_.draw(now).record;
-    CameraPose eye = wanted.camera;
+    CameraPose pose = wanted.camera;
     if (wanted.mode == CameraMode::cockpit) {
         recorder_.keep();
         latest_kept_ = latest_kept_ ? std::max(*latest_kept_, now) : now;
-        eye = {earth::from_ecef(session_.display().view().eye), record.heading_rad, record.pitch_rad, record.roll_rad};
+        pose = {earth::from_ecef(session_.display().planned().picture.camera.view.eye), record.heading_rad, record.pitch_rad,
+                record.roll_rad};
     }
-    controller_.note_picture(eye, session_.display().view().focal_px);
+    controller_.record_picture(pose, session_.display().planned().picture.camera.view.focal_px);
     session_.present();
     shown_ = wanted;
 }

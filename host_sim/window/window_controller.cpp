@@ -82,7 +82,7 @@ void WindowController::select(std::uint32_t pattern) {
 
 void WindowController::toggle(CameraMode mode) {
     mode_ = mode_ == mode ? CameraMode::cockpit : mode;
-    if (mode_ == CameraMode::free) camera_.place(eye_);
+    if (mode_ == CameraMode::free) camera_.place(pose_);
 }
 
 void WindowController::set_held(WindowAction action, bool held) {
@@ -100,8 +100,8 @@ void WindowController::advance(base::Duration wall) {
         wall);
 }
 
-void WindowController::note_picture(const CameraPose& eye, double focal_px) {
-    eye_ = eye;
+void WindowController::record_picture(const CameraPose& pose, double focal_px) {
+    pose_ = pose;
     focal_px_ = focal_px;
 }
 

@@ -21,11 +21,11 @@ public:
     WindowController(const Transport& transport, std::uint32_t patterns, bool has_tour);
 
     void handle(const platform::WindowEvent& event);
-    /// `wall` has gone by: the flight plays on, the free camera flies on.
+    /// Advances playback and the free camera by the elapsed time `wall`.
     void advance(base::Duration wall);
-    /// Where the picture on the screen is seen from, and its pixels per unit tangent: a free camera starts there, and the
-    /// mouse turns it by as much as the picture moves.
-    void note_picture(const CameraPose& eye, double focal_px);
+    /// States the pose of the current picture, from which a free camera starts, and its focal length in pixels, by which the
+    /// mouse turns the camera as far as the picture moves.
+    void record_picture(const CameraPose& pose, double focal_px);
 
     [[nodiscard]] bool closed() const { return closed_; }
     [[nodiscard]] const Transport& transport() const { return transport_; }
@@ -50,7 +50,7 @@ private:
     bool closed_ = false, help_ = false;
     CameraMode mode_ = CameraMode::cockpit;
     FreeCamera camera_;
-    CameraPose eye_;
+    CameraPose pose_;
     double focal_px_ = 1;
     std::uint32_t held_ = 0;  ///< one bit an action fly_...
     std::optional<std::uint32_t> pattern_, wanted_pattern_;

@@ -29,7 +29,7 @@ struct ConfigReader::Document {
     base::Error error;
     bool failed = false;
 
-    void report(const toml::source_region& place, std::string_view sentence);
+    void report(const toml::source_region& place, std::string_view message);
 };
 
 namespace {
@@ -170,17 +170,17 @@ std::string_view ConfigReader::json(PathFrom path_from) {
     return document_->json;
 }
 
-void ConfigReader::report(const void* node, std::string_view sentence) {
-    document_->report(node != nullptr ? static_cast<const toml::node*>(node)->source() : toml::source_region(), sentence);
+void ConfigReader::report(const void* node, std::string_view message) {
+    document_->report(node != nullptr ? static_cast<const toml::node*>(node)->source() : toml::source_region(), message);
 }
 
-void ConfigReader::Document::report(const toml::source_region& place, std::string_view sentence) {
+void ConfigReader::Document::report(const toml::source_region& place, std::string_view message) {
     if (failed) return;
     failed = true;
     error.message.append(place.path ? *place.path : name);
     if (place.begin.line > 0) error.message.append(":" + std::to_string(place.begin.line));
     error.message.append(": ");
-    error.message.append(sentence);
+    error.message.append(message);
 }
 
 bool ConfigSection::has(std::string_view key) const { return table_ != nullptr && as_table(table_).contains(key); }
@@ -333,9 +333,9 @@ std::string_view ConfigSection::key_at(std::size_t index) const {
     return {};
 }
 
-void ConfigSection::fault(std::string_view key, std::string_view sentence) {
+void ConfigSection::fault(std::string_view key, std::string_view message) {
     const toml::node* node = table_ != nullptr ? as_table(table_).get(key) : nullptr;
-    reader_->report(node, sentence);
+    reader_->report(node, message);
 }
 
 void ConfigSection::remove(std::string_view key) {

@@ -69,7 +69,7 @@ public:
     void remove(std::string_view key);
 
     /// Reports a fault found by the loader, at this key's line.
-    void fault(std::string_view key, std::string_view sentence);
+    void fault(std::string_view key, std::string_view message);
 
 private:
     friend class ConfigReader;
@@ -111,7 +111,7 @@ public:
 private:
     friend class ConfigSection;
     struct Document;
-    void report(const void* node, std::string_view sentence);
+    void report(const void* node, std::string_view message);
     std::unique_ptr<Document> document_;
 };
 

@@ -13,8 +13,8 @@ FaultText fault_text(std::string_view what, std::uint64_t offset, std::string_vi
     return text;
 }
 
-std::string_view text_behind(std::string_view start, std::string_view sentence) noexcept {
-    return sentence.substr(0, start.size()) == start ? sentence.substr(start.size()) : std::string_view();
+std::string_view text_behind(std::string_view start, std::string_view message) noexcept {
+    return message.substr(0, start.size()) == start ? message.substr(start.size()) : std::string_view();
 }
 
 }  // namespace tedavis::base

@@ -16,6 +16,6 @@ using FaultText = FixedString<191>;
 [[nodiscard]] FaultText fault_text(std::string_view what, std::uint64_t offset, std::string_view remedy) noexcept;
 
 /// Returns the part of a message after `start`, or an empty text where the message does not begin with it.
-[[nodiscard]] std::string_view text_behind(std::string_view start, std::string_view sentence) noexcept;
+[[nodiscard]] std::string_view text_behind(std::string_view start, std::string_view message) noexcept;
 
 }  // namespace tedavis::base

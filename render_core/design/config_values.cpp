@@ -5,11 +5,11 @@
 namespace tedavis::design {
 
 void fault_of(base::ConfigSection& section, std::string_view key, std::string_view what) {
-    base::FixedString<447> sentence("'");
-    sentence.append(key);
-    sentence.append("' ");
-    sentence.append(what);
-    section.fault(key, sentence.view());
+    base::FixedString<447> message("'");
+    message.append(key);
+    message.append("' ");
+    message.append(what);
+    section.fault(key, message.view());
 }
 
 Color required_color(base::ConfigSection& section, std::string_view key) {

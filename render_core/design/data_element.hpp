@@ -60,7 +60,7 @@ enum class ElementUncertainty : std::uint8_t {
     none,
     transparency,  ///< less certain data are more transparent
     saturation,    ///< less certain data are greyer
-    widening,      ///< tubes and prisms are widened to all possible positions
+    widening,      ///< tubes and prisms are widened by the accuracy of their positions (95 %)
     ellipsoid,     ///< an ellipsoid of possible positions round a point
     circles,       ///< glyphs for the level, redundantly by size and colour
     triangles,

@@ -57,7 +57,7 @@ struct ViewSettings {
     double dpi = 96;  ///< pixels per inch of the panel; it sets the least legible text size
 };
 
-/// Floats limit the distance of the eye point; beyond this range lengths would differ by more than 1 % (display/eye.hpp).
+/// Floats limit the distance of the eye point; beyond this range lengths would differ by more than 1 % (display/camera.hpp).
 inline constexpr double kMaxOrthographicRange_m = 15'000;
 
 /// How the terrain is drawn.

@@ -28,14 +28,14 @@ std::size_t role_named(std::string_view name) {
 }
 
 void refuse_role(base::ConfigSection& section, std::string_view name) {
-    base::FixedString<383> sentence("has '");
-    sentence.append(name);
-    sentence.append("', which is no role of layers; roles are");
+    base::FixedString<383> message("has '");
+    message.append(name);
+    message.append("', which is no role of layers; roles are");
     for (std::size_t role = 0; role < kRoles; ++role) {
-        sentence.append(role == 0 ? " " : ", ");
-        sentence.append(scene::name_of(static_cast<scene::LayerRole>(role)));
+        message.append(role == 0 ? " " : ", ");
+        message.append(scene::name_of(static_cast<scene::LayerRole>(role)));
     }
-    fault_of(section, "roles", sentence.view());
+    fault_of(section, "roles", message.view());
 }
 
 void read_roles(base::ConfigSection& section, DataPart& part) {

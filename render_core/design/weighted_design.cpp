@@ -43,7 +43,8 @@ Details uncertainty_details(const PrioritySettings& priority, const AspectWeight
     return {std::fmax(priority.intrinsic.at(unsure), kMinIntrinsic), std::fmin(priority.extrinsic.at(unsure), room)};
 }
 
-void weigh_element(const PrioritySettings& priority, const AspectWeights& weights, const Details& details, DataElement& element) {
+void apply_to_element(const PrioritySettings& priority, const AspectWeights& weights, const Details& details,
+                      DataElement& element) {
     const double weight = weights.of[priority.aspect_of(element.role)];
     const bool shows_uncertainty = element.technique == DataTechnique::uncertainty_only;
     element.detail *= shows_uncertainty ? details.extrinsic : priority.data.at(weight);
@@ -56,11 +57,11 @@ void weigh_element(const PrioritySettings& priority, const AspectWeights& weight
 }
 
 /// Glyphs that say nothing but how unsure data are go with the room for them.
-void weigh_elements(const PrioritySettings& priority, const AspectWeights& weights, const Details& details,
-                    DataElementList& elements) {
+void apply_to_elements(const PrioritySettings& priority, const AspectWeights& weights, const Details& details,
+                       DataElementList& elements) {
     std::size_t kept = 0;
     for (std::size_t n = 0; n < elements.size(); ++n) {
-        weigh_element(priority, weights, details, elements[n]);
+        apply_to_element(priority, weights, details, elements[n]);
         const bool is_left =
             elements[n].technique != DataTechnique::uncertainty_only || levels_at_detail(0, details.extrinsic) != 1;
         if (is_left && kept != n) elements[kept] = elements[n];
@@ -112,7 +113,7 @@ double legible_ambient(const ShadeSettings& shade, const DataScale& scale, doubl
     return light;
 }
 
-void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
+void apply_priorities(const AspectWeights& weights, DesignSettings& design) noexcept {
     const PrioritySettings& priority = design.priority;
     if (!priority.is_stated) return;
     const double terrain = weights.of[kTerrainAspect], data = priority.data.at(weights.of[kDataAspect]);
@@ -122,7 +123,7 @@ void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
     const double overlay = has_overlay_alone ? std::fmax(details.extrinsic, kMinIntrinsic) : details.extrinsic;
     design.data.ground = at_detail(design.data.ground, {data, details.intrinsic, overlay});
     if (design.data.ground.overlay.strength <= 0) design.data.ground.overlay.technique = UncertaintyOverlay::none;
-    weigh_elements(priority, weights, details, design.data.elements);
+    apply_to_elements(priority, weights, details, design.data.elements);
     TerrainStyle& style = design.terrain.style;
     const double shading = std::fmin(priority.shading.at(terrain), readable_shading(design.data.ground, weights));
     style.shade = at_strength(style.shade, shading);
@@ -133,7 +134,7 @@ void weigh(const AspectWeights& weights, DesignSettings& design) noexcept {
 
 DesignSettings weighted(const DesignSettings& design) noexcept {
     DesignSettings weighted = design;
-    weigh(design.priority.weights, weighted);
+    apply_priorities(design.priority.weights, weighted);
     return weighted;
 }
 

@@ -23,7 +23,7 @@ namespace tedavis::design {
 [[nodiscard]] double legible_ambient(const ShadeSettings& shade, const DataScale& scale, double least) noexcept;
 
 /// Applies the weights to `design`, which must be as it was read.
-void weigh(const AspectWeights& weights, DesignSettings& design) noexcept;
+void apply_priorities(const AspectWeights& weights, DesignSettings& design) noexcept;
 /// Returns the design with the weights that it states.
 [[nodiscard]] DesignSettings weighted(const DesignSettings& design) noexcept;
 

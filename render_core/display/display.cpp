@@ -35,7 +35,7 @@ base::Error Display::start(const DisplaySettings& settings, base::Arena memory, 
     if (base::Error error = painter_.open(surface, settings.device, settings.programs)) return error;
     if (base::Error error = start_all(terrain, scene)) return error;
     painter_.seal();
-    arenas_.note_use(budget);
+    arenas_.record_use(budget);
     frame_.shown = &planner_.look();  // who draws before the first plan sees no terrain
     frame_.look_key = planner_.look_key();
     return {};
@@ -72,14 +72,6 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
 
 void Display::stop() { painter_.stop(); }
 
-bool Display::asks_for_rays(const DisplaySettings& settings) {
-    bool asks = settings.design.terrain.renderer == design::TerrainRenderer::trace;
-    const std::size_t count = settings.phases != nullptr ? settings.phases->size() : 0;
-    for (std::size_t place = 1; place <= count; ++place)
-        asks = asks || settings.phases->at(place).terrain.renderer == design::TerrainRenderer::trace;
-    return asks;
-}
-
 bool Display::can_show(const design::DesignSettings& possible) const {
     return planner_.stereo_margin_px(possible) == painter_.abilities().stereo_margin_px && memory_.clutter.can_show(possible) &&
            painter_.can_show(possible);
@@ -92,16 +84,6 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
             return false;
     keep_scene();
     planner_.set_designs(design, phases, memory_);
-    return true;
-}
-
-/// All designs are judged before any is changed.
-bool Display::set_foci(const design::FocusList& chosen) {
-    for (std::size_t place = 0; place < planner_.design_count(); ++place) {
-        design::DesignSettings design;
-        if (!planner_.with_foci(chosen, place, design) || !can_show(design)) return false;
-    }
-    planner_.set_foci(chosen, memory_);
     return true;
 }
 
@@ -118,52 +100,20 @@ void Display::keep_scene() {
     planner_.keep_scene(frame_, memory_);
 }
 
-void Display::update(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                     const flight::FlightTrail* trail) {
-    planner_.plan({state, phase, now, trail}, memory_, frame_);
+void Display::plan(const flight::FrameInput& input) {
+    planner_.plan(input, memory_, frame_);
     record_ = {};
     static_cast<FrameStatement&>(record_) = frame_;
 }
 
-void Display::preroll(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now,
-                      const flight::FlightTrail* trail) {
-    const std::uint64_t frames = memory_.frames;
-    update(state, phase, now, trail);
-    memory_.frames = frames;
-}
-
-void Display::preroll_interval(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
-    planner_.decide_interval({state, phase, now, nullptr}, memory_, scratch_);
-}
-
-void Display::settle(const flight::AircraftState& state, const flight::PhaseStatus& phase, base::Time now) {
-    constexpr int kMaxTimes = 64;
-    cut_to_design();
-    for (int n = 0; n < kMaxTimes; ++n) {
-        preroll(state, phase, now);
-        if (frame_.terrain.pending == 0) return;
-    }
-}
-
-IntervalMemory Display::interval_memory() const { return {memory_.labels, memory_.boost}; }
-
-void Display::restore(const IntervalMemory& memory) {
-    const LabelHistory now = memory_.labels;
-    memory_.labels = memory.labels;
-    memory_.labels.labels.gone = 0;
-    memory_.labels.is_anew = false;
-    memory_.labels.last_now = now.last_now;
-    memory_.labels.last_eye = now.last_eye;
-    memory_.labels.last_forward = now.last_forward;
-    memory_.boost = memory.weights;
-}
-
 void Display::draw(base::Surface& surface) {
     painter_.begin(surface);
-    if (!painter_.prepare(frame_)) planner_.plan_without_terrain(memory_, frame_);
+    if (!painter_.prepare(frame_)) planner_.plan_again({true, {}}, memory_, frame_);
     const draw::TerrainDrawResult terrain = paint_measured(surface);
     planner_.conclude(memory_, frame_);
-    record_ = record_of(frame_, painter_.drawn(terrain), planner_.elements().reports(), budget());
+    painter_.draw_measures(frame_, surface);
+    painter_.dim(frame_);
+    record_ = record_of(frame_, painter_.drawn(terrain), planner_.elements().reports(), planner_.budget());
 }
 
 /// Data on the ground go by the strength that their program draws them with.
@@ -171,40 +121,58 @@ void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
     const EffectWorkTable work = painter_.work();
     painter_.bare_ground(frame_, last);
     painter_.begin(surface);
-    static_cast<void>(paint(surface, last, false));
+    static_cast<void>(paint(surface, last));
+    if (last == PictureLayer::symbology) painter_.draw_measures(frame_, surface);
+    painter_.dim(frame_);
     painter_.restore_ground(frame_);
     painter_.work() = work;
 }
 
-draw::TerrainDrawResult Display::paint(base::Surface& surface, PictureLayer last, bool is_unseen) {
-    const draw::TerrainDrawResult drawn = draw_scene(surface, last, is_unseen);
-    if (!is_unseen) painter_.draw_fade(frame_);
-    const bool is_whole = last == PictureLayer::symbology;
-    if (!frame_.is_free_view && is_whole) painter_.draw_symbology(frame_, surface);
-    if (is_whole) measure(surface, is_unseen);
-    if (is_unseen) return drawn;
-    if (is_whole && memory_.saliency.runs()) {
-        painter_.draw_saliency(frame_, surface, memory_.saliency.measures());
-        if (memory_.saliency.measures()) memory_.saliency.take();
+/// The frame's picture, after those that are measured for it. Of pictures that are not shown only the work of measuring counts.
+draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
+    const EffectWorkTable begun = painter_.work();
+    draw::TerrainDrawResult drawn = paint_next(surface);
+    while (frame_.clutter.probe != Probe::none) {
+        const bool may_stay = frame_.clutter.probe == Probe::shown;
+        planner_.plan_again({false, painter_.measure_clutter(surface)}, memory_, frame_);
+        if (may_stay && frame_.clutter.probe == Probe::none) return drawn;
+        const EffectWork measuring = painter_.work()[Effect::clutter];
+        painter_.work() = begun;
+        painter_.work()[Effect::clutter] = measuring;
+        painter_.prepare_elements(frame_.picture);
+        drawn = paint_next(surface);
     }
-    painter_.dim(frame_);
     return drawn;
 }
 
-draw::TerrainDrawResult Display::draw_scene(base::Surface& surface, PictureLayer last, bool is_unseen) {
+draw::TerrainDrawResult Display::paint_next(base::Surface& surface) {
+    if (frame_.clutter.probe != Probe::hidden) return paint(surface, PictureLayer::symbology);
+    const WorkScope measuring(painter_.gl(), painter_.work()[Effect::clutter]);
+    return paint(surface, PictureLayer::symbology);
+}
+
+/// The planned picture without what is measured of it. Of a picture that is not shown nothing fades.
+draw::TerrainDrawResult Display::paint(base::Surface& surface, PictureLayer last) {
+    const draw::TerrainDrawResult drawn = draw_scene(surface, last);
+    if (frame_.clutter.probe != Probe::hidden) painter_.draw_fade(frame_);
+    if (!frame_.is_free_view && last == PictureLayer::symbology) painter_.draw_symbology(frame_, surface);
+    return drawn;
+}
+
+draw::TerrainDrawResult Display::draw_scene(base::Surface& surface, PictureLayer last) {
     if (painter_.abilities().is_stereo) return draw_sides(surface, last);
-    if (frame_.keeps_scene && !is_unseen) {
+    if (frame_.keeps_scene && frame_.clutter.probe != Probe::hidden) {
         const draw::TerrainDrawResult drawn = painter_.draw_kept(frame_);
         gl::bind_surface(painter_.gl(), surface);
         return drawn;  // what was kept covers the surface
     }
-    return painter_.draw_scene(frame_, frame_.camera, surface, last);
+    return painter_.draw_scene(frame_, frame_.picture, surface, last);
 }
 
-draw::TerrainDrawResult Display::draw_side(const EyePair& pair, draw::EyeSide side, PictureLayer last) {
-    const PlannedCamera camera = planner_.plan_side(pair, side, memory_, frame_);
-    painter_.prepare_elements(camera);
-    return painter_.draw_side(frame_, camera, last, side);
+draw::TerrainDrawResult Display::draw_side(const StereoCameras& pair, draw::EyeSide side, PictureLayer last) {
+    const PlannedPicture picture = planner_.plan_side(pair, side, memory_, frame_);
+    painter_.prepare_elements(picture);
+    return painter_.draw_side(frame_, picture, last, side);
 }
 
 /// One picture is for both where they cannot be told apart; in its own colours then.
@@ -218,55 +186,12 @@ draw::TerrainDrawResult Display::draw_sides(base::Surface& surface, PictureLayer
         if (has_halves) painter_.put_side(surface, mode, EyeSide::right, 0);
         return drawn;
     }
-    const draw::TerrainDrawResult drawn = draw_side(frame_.eyes, EyeSide::left, last);
-    painter_.put_side(surface, mode, EyeSide::left, frame_.eyes.shift_px);
+    const draw::TerrainDrawResult drawn = draw_side(frame_.stereo_cameras, EyeSide::left, last);
+    painter_.put_side(surface, mode, EyeSide::left, frame_.stereo_cameras.shift_px);
     const WorkScope work(painter_.gl(), painter_.work()[Effect::stereo]);
-    static_cast<void>(draw_side(frame_.eyes, EyeSide::right, last));
-    painter_.put_side(surface, mode, EyeSide::right, frame_.eyes.shift_px);
+    static_cast<void>(draw_side(frame_.stereo_cameras, EyeSide::right, last));
+    painter_.put_side(surface, mode, EyeSide::right, frame_.stereo_cameras.shift_px);
     return drawn;
-}
-
-/// Where the picture that is shown has all its detail it is the one that is measured.
-draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
-    constexpr PictureLayer kWhole = PictureLayer::symbology;
-    if (memory_.clutter.step() == ClutterControl::Step::none) return paint(surface, kWhole, false);
-    const bool is_whole = frame_.declutter.regions.is_whole() && !frame_.keeps_scene && frame_.earlier_share <= 0;
-    if (is_whole) {
-        const EffectWorkTable work = painter_.work();
-        const draw::TerrainDrawResult drawn = paint(surface, kWhole, false);
-        if (memory_.clutter.step() == ClutterControl::Step::none) return drawn;
-        const EffectWork measured = painter_.work()[Effect::clutter];
-        painter_.work() = work;
-        painter_.work()[Effect::clutter] = measured;
-    }
-    measure_unseen(surface);
-    planner_.plan_measured(frame_.declutter, memory_, frame_);
-    painter_.prepare_elements(frame_.camera);
-    return paint(surface, kWhole, false);
-}
-
-/// What is on the surface, where it is what is to be measured; else its edges, where the design shows them.
-void Display::measure(base::Surface& surface, bool is_unseen) {
-    const design::ClutterView view = frame_.shown->effects.clutter;
-    if (memory_.clutter.step() != ClutterControl::Step::none) memory_.clutter.take(painter_.measure_clutter(surface));
-    if (is_unseen || view == design::ClutterView::none || !frame_.effects.runs(Effect::clutter)) return;
-    painter_.show_clutter(surface, view);
-}
-
-/// Of the design that is shown alone, whatever fades. The surface is left with a picture that is nobody's.
-void Display::measure_unseen(base::Surface& surface) {
-    const policy::Declutter shown = frame_.declutter;
-    const EffectWorkTable work = painter_.work();
-    EffectWork unseen = painter_.work()[Effect::clutter];
-    while (memory_.clutter.step() != ClutterControl::Step::none) {
-        const WorkScope scope(painter_.gl(), unseen, 2);
-        planner_.plan_probe(memory_, frame_);
-        painter_.prepare_elements(frame_.camera);
-        static_cast<void>(paint(surface, PictureLayer::symbology, true));
-    }
-    frame_.declutter = shown;
-    painter_.work() = work;
-    painter_.work()[Effect::clutter] = unseen;
 }
 
 }  // namespace tedavis::display

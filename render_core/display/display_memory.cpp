@@ -41,7 +41,7 @@ base::Error DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& res
     return {};
 }
 
-void DisplayMemory::note_use(base::BudgetTable& budget) const {
+void DisplayMemory::record_use(base::BudgetTable& budget) const {
     for (const Part& part : kParts)
         if (base::BudgetLine* const line = budget.find(part.line); line != nullptr) line->use = (this->*part.arena).use();
 }

@@ -23,7 +23,7 @@ public:
     /// success.
     [[nodiscard]] base::Error cut(const base::BudgetTable& budget, base::Arena& reservation);
     /// Writes into the lines what their owners have taken.
-    void note_use(base::BudgetTable& budget) const;
+    void record_use(base::BudgetTable& budget) const;
 
     /// References to the arenas: valid as long as this object.
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }

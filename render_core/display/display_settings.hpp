@@ -16,6 +16,9 @@ struct DisplaySettings {
     bool expects_scene = false;              ///< one may come later, by take_scene()
     bool terrain_failed_at_start = false;    ///< there should be terrain, and start() is given none: said as a failure
     base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
+
+    /// Whether one of the designs asks for terrain that is traced by rays: workers make it faster (TerrainInput).
+    [[nodiscard]] bool asks_for_rays() const;
 };
 
 }  // namespace tedavis::display

@@ -12,14 +12,14 @@ constexpr design::Color kContactSky{0x3A, 0x3C, 0x42}, kContactGround{0x86, 0x0A
 
 }  // namespace
 
-DrawContext context_of(const PlannedFrame& frame, const Eye& eye, PictureLayer last) {
-    DrawContext context{*frame.shown, frame.decisions, eye, frame};
+DrawContext context_of(const PlannedFrame& frame, const Camera& camera, PictureLayer last) {
+    DrawContext context{*frame.shown, frame.decisions, camera, frame};
     context.aircraft_msl_m = frame.altitude_msl_m;
     context.eye_msl_m = frame.eye_msl_m;
     context.map_share = frame.map_share;
     context.focus = frame.focus;
     context.shadows = frame.shadows;
-    context.haze_per_m = frame.effects.runs(effects::Effect::haze) ? frame.camera.eye.haze_per_m : 0;
+    context.haze_per_m = frame.effects.runs(effects::Effect::haze) ? frame.picture.camera.haze_per_m : 0;
     context.is_free_view = frame.is_free_view;
     context.last = last;
     if (frame.draws_foci) context.foci = &frame.foci_plan.foci.regions;
@@ -33,7 +33,7 @@ draw::HeightSpan height_span(const terrain::FileHeader& header) {
 
 draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     draw::TerrainDrawInput input;
-    input.view = frame.eye.view;
+    input.view = frame.camera.view;
     input.haze_per_m = frame.haze_per_m;
     const earth::Geodetic& place = frame.record.own_ship.position;
     const design::ShadeSettings& shade = frame.design.terrain.style.shade;
@@ -54,10 +54,10 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
 
 draw::SkyInput make_sky_input(const DrawContext& frame) {
     draw::SkyInput sky;
-    sky.view = draw::make_view_frame(frame.eye.view);
+    sky.view = draw::make_view_frame(frame.camera.view);
     sky.colors = frame.design.sky;
     sky.air = frame.air;
-    sky.axes = {frame.eye.view.forward, frame.eye.view.right, frame.eye.view.down};
+    sky.axes = {frame.camera.view.forward, frame.camera.view.right, frame.camera.view.down};
     if (frame.decisions.show_terrain) {
         // What no terrain covers below the horizon is not known to be ground.
         sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
@@ -76,7 +76,7 @@ draw::SkyInput make_sky_input(const DrawContext& frame) {
 
 draw::DataFrame make_data_frame(const DrawContext& frame) {
     draw::DataFrame data;
-    data.view = frame.eye.view;
+    data.view = frame.camera.view;
     data.towards_light =
         policy::towards_light(frame.record.light.azimuth_rad, frame.record.light.elevation_rad, frame.record.own_ship.position);
     data.haze_per_m = frame.haze_per_m;
@@ -110,18 +110,18 @@ draw::MapInput make_map_input(const DrawContext& frame, const flight::AircraftSt
     const design::ViewSettings& view = frame.design.view;
     draw::MapInput map;
     map.up_rad = draw::map_up_rad(state, frame.decisions);
-    map.px_per_m = map_scale_px_per_m(view, frame.eye.view.width, frame.eye.view.height);
-    map.is_flat = frame.decisions.show_terrain && frame.eye.view.is_flat();
+    map.px_per_m = map_scale_px_per_m(view, frame.camera.view.width, frame.camera.view.height);
+    map.is_flat = frame.decisions.show_terrain && frame.camera.view.is_flat();
     for (const DistortionRecord& focus : frame.record.distortion)
         if (focus.state == DistortionState::shown && frame.decisions.show_terrain)
-            static_cast<void>(map.magnified.try_push_back(magnified_sign(frame.eye.view, focus, map.px_per_m)));
+            static_cast<void>(map.magnified.try_push_back(magnified_sign(frame.camera.view, focus, map.px_per_m)));
     if (view.mode != design::ViewMode::orthographic) return map;
     map.is_oblique = true;
     map.turn_rad = view.look_turn_rad;
     map.look_down_rad = view.look_down_rad;
     const flight::Signal source = flight::Signal::height_above_terrain;
-    if (frame.eye.view.is_flat())
-        map.above_ground_m = frame.aircraft_msl_m - frame.eye.view.flat_msl_m;
+    if (frame.camera.view.is_flat())
+        map.above_ground_m = frame.aircraft_msl_m - frame.camera.view.flat_msl_m;
     else if (state.is_valid(source, frame.record.time))
         map.above_ground_m = state[source].value_or(0);
     return map;

@@ -1,7 +1,7 @@
 /// What the drawers of a frame are given, from what was planned of it. Pure; any thread.
 #pragma once
 
-#include "render_core/display/eye.hpp"
+#include "render_core/display/camera.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/picture_layer.hpp"
 #include "render_core/display/planned_frame.hpp"
@@ -20,7 +20,7 @@ namespace tedavis::display {
 struct DrawContext {
     const design::DesignSettings& design;
     const policy::DisplayDecisions& decisions;
-    const Eye& eye;
+    const Camera& camera;
     const FrameStatement& record;
     double aircraft_msl_m = 0, eye_msl_m = 0;
     double haze_per_m = 0;                           ///< as planned; 0 for none
@@ -38,7 +38,8 @@ struct DrawContext {
 };
 
 /// Of a planned frame, seen by one of its cameras.
-[[nodiscard]] DrawContext context_of(const PlannedFrame& frame, const Eye& eye, PictureLayer last = PictureLayer::symbology);
+[[nodiscard]] DrawContext context_of(const PlannedFrame& frame, const Camera& camera,
+                                     PictureLayer last = PictureLayer::symbology);
 
 [[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);
 [[nodiscard]] draw::TerrainDrawInput make_terrain_input(const DrawContext& frame);

@@ -69,7 +69,7 @@ void state_terrain_aspect(const EffectNotes& notes, AspectRecord& aspect) {
 
 }  // namespace
 
-void note_effects(const EffectNotes& notes, FrameRecord& record) {
+void record_effects(const EffectNotes& notes, FrameRecord& record) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n)
         note(static_cast<Effect>(n), notes.plan[static_cast<Effect>(n)], record);
     if (notes.plan.runs(Effect::ground_data)) state_data_aspects(notes.design.data.ground, notes.members, record);

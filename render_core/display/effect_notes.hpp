@@ -19,6 +19,6 @@ struct EffectNotes {
 };
 
 /// Appends to the record's effects and states its aspects.
-void note_effects(const EffectNotes& notes, FrameRecord& record);
+void record_effects(const EffectNotes& notes, FrameRecord& record);
 
 }  // namespace tedavis::display

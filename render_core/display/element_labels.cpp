@@ -116,7 +116,6 @@ void ElementLabels::decide(const LabelFrame& frame) {
     time_ = frame.time;
     interval_now_ = frame.now;
     text_px_ = frame.text_px;
-    is_anew_ = leaps;
     decide_interval(frame, interval);
 }
 
@@ -125,7 +124,6 @@ void ElementLabels::decide_anew(const LabelFrame& frame) {
     decided_for_ = design_;
     if (!planner_.is_decided()) return;
     planner_.forget();
-    is_anew_ = true;
     decide_interval({frame.ground, view_, frame.missing, time_, interval_now_, text_px_},
                     flight::decision_interval_of(interval_now_));
 }
@@ -142,6 +140,15 @@ void ElementLabels::decide_interval(const LabelFrame& frame, std::int64_t interv
     planner_.settle(shapes);
 }
 
+void LabelHistory::take_interval(const LabelHistory& decided) {
+    LabelHistory next = decided;
+    next.labels.keep_looks(labels);
+    next.last_now = last_now;
+    next.last_eye = last_eye;
+    next.last_forward = last_forward;
+    *this = next;
+}
+
 void ElementLabels::keep(LabelHistory& memory) const {
     planner_.keep(memory.labels);
     memory.view = view_;
@@ -149,7 +156,6 @@ void ElementLabels::keep(LabelHistory& memory) const {
     memory.now = interval_now_;
     memory.text_px = text_px_;
     memory.design = decided_for_;
-    memory.is_anew = is_anew_;
     memory.last_now = last_now_;
     memory.last_eye = last_eye_;
     memory.last_forward = last_forward_;
@@ -162,7 +168,6 @@ void ElementLabels::restore(const LabelHistory& memory) {
     interval_now_ = memory.now;
     text_px_ = memory.text_px;
     decided_for_ = memory.design;
-    is_anew_ = memory.is_anew;
     last_now_ = memory.last_now;
     last_eye_ = memory.last_eye;
     last_forward_ = memory.last_forward;
@@ -293,9 +298,9 @@ void ElementLabels::Pass::add_protected() {
 /// Those that gave way come last: they must not take the room of what stands where it was placed.
 void ElementLabels::Pass::add_others() {
     const base::Span<const Label> labels = labels_.planner_.labels();
-    for (const bool gave_way : {false, true})
+    for (const bool was_decluttered : {false, true})
         for (std::size_t n = protected_; n < labels.size(); ++n)
-            if ((labels[n].level < labels[n].wanted) == gave_way) add(n);
+            if ((labels[n].level < labels[n].wanted) == was_decluttered) add(n);
 }
 
 LabelCounts ElementLabels::Pass::count() {

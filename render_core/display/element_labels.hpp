@@ -58,12 +58,13 @@ struct LabelHistory {
     base::Time now{0};
     double text_px = 16;
     std::size_t design = 0;
-    bool is_anew = false;
     base::Time last_now{0};
     glm::dvec3 last_eye{0}, last_forward{0};
 
     /// What they are has changed, or the scene: the next frame places all at once.
     void forget() { labels = {}; }
+    /// Takes over what was decided for an interval; what the last frame showed of it remains.
+    void take_interval(const LabelHistory& decided);
 };
 
 class ElementLabels {
@@ -129,7 +130,6 @@ private:
     base::FixedVector<Group, draw::kMaxLabelGroups> groups_;
     base::FixedVector<ObstacleRoom, kMaxObstacleRooms> obstacle_rooms_;  ///< of the last pass
     std::size_t design_ = 0, decided_for_ = 0;
-    bool is_anew_ = false;
     terrain::View view_;  ///< of the interval that was decided last, with what follows
     flight::FlightTime time_;
     base::Time interval_now_{0};

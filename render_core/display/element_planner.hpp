@@ -118,7 +118,7 @@ public:
     [[nodiscard]] CasterSet casters(const design::CasterRoles& roles) const;
 
     /// Seen from another eye than the planned one from here on.
-    void stand_at(const glm::dvec3& eye) { glyphs_.stand_at(eye); }
+    void set_camera(const glm::dvec3& eye) { glyphs_.set_camera(eye); }
     [[nodiscard]] PlannedElements planned() const { return {shown_, !reports_.empty(), standing_key_, time_}; }
     /// What planned() is drawn from.
     [[nodiscard]] const draw::SolidBatch& standing() const { return standing_; }

@@ -17,8 +17,8 @@ double least_degree(const design::FocusList& foci) {
 }
 
 /// Once each of what the elements colour by, of wind the speed.
-void note_values(const scene::FocusRegion& region, const ElementReport& report, const flight::FlightTime& time,
-                 FocusRecord& record) {
+void record_values(const scene::FocusRegion& region, const ElementReport& report, const flight::FlightTime& time,
+                   FocusRecord& record) {
     const scene::Layer& layer = *report.layer;
     const std::string_view name =
         layer.entry->role == scene::LayerRole::wind ? std::string_view("speed") : report.element->by_color.attribute.view();
@@ -30,13 +30,13 @@ void note_values(const scene::FocusRegion& region, const ElementReport& report, 
     static_cast<void>(record.values.try_push_back({layer.entry->name, name, found.low, found.high, found.count}));
 }
 
-void note_all_values(const scene::FocusRegion& region, const ElementReports& reports, const flight::FlightTime& time,
-                     FocusRecord& record) {
+void record_all_values(const scene::FocusRegion& region, const ElementReports& reports, const flight::FlightTime& time,
+                       FocusRecord& record) {
     for (const ElementReport& report : reports)
-        if (region.is_valid && report.state == ElementState::shown) note_values(region, report, time, record);
+        if (region.is_valid && report.state == ElementState::shown) record_values(region, report, time, record);
 }
 
-void note_region(const scene::FocusRegion& region, FocusRecord& record) {
+void record_region(const scene::FocusRegion& region, FocusRecord& record) {
     record.is_shown = region.is_valid;
     if (!region.is_valid) return;
     const glm::dvec2 first = region.points[0];
@@ -77,7 +77,7 @@ FociPlan plan_foci(const design::FocusList& foci, const draw::FocusFrame& frame)
     return plan;
 }
 
-void note_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameStatement& record) {
+void record_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameStatement& record) {
     const draw::FrameFoci& foci = plan.foci;
     for (std::size_t n = 0; n < foci.regions.size(); ++n) {
         const design::FocusSettings& focus = (*foci.foci)[n];
@@ -85,14 +85,14 @@ void note_foci(const FociPlan& plan, const ElementPlanner& elements, const Eleme
         one.name = focus.name;
         one.shape = design::kFocusShapeNames[static_cast<std::size_t>(focus.shape)];
         one.reason = draw::reason_of(plan.states[n]);
-        note_region(foci.regions[n], one);
+        record_region(foci.regions[n], one);
         if (draw::is_shown(plan.states[n])) {
             const draw::FocusCounts counts = elements.count_in_focus(frame, n);
             one.in_focus = counts.in_focus;
             one.intermediate = counts.intermediate;
             one.context = counts.context;
             if (focus.shape != design::FocusShape::data)
-                note_all_values(foci.regions[n], elements.reports(), frame.time, one);
+                record_all_values(foci.regions[n], elements.reports(), frame.time, one);
             else
                 one.low = foci.ranges[n].low, one.high = foci.ranges[n].high;
         }

@@ -19,6 +19,6 @@ struct FociPlan {
 [[nodiscard]] FociPlan plan_foci(const design::FocusList& foci, const draw::FocusFrame& frame);
 
 /// What a frame's record says of its foci; after ElementPlanner::plan_signs().
-void note_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameStatement& record);
+void record_foci(const FociPlan& plan, const ElementPlanner& elements, const ElementFrame& frame, FrameStatement& record);
 
 }  // namespace tedavis::display

@@ -19,7 +19,7 @@ Name effect_name(const ElementReport& report) {
     return name;
 }
 
-void note_effect(const ElementReport& report, FrameRecord& record) {
+void record_effect(const ElementReport& report, FrameRecord& record) {
     EffectRecord effect;
     effect.name = effect_name(report);
     effect.state = report.state == ElementState::shown ? EffectState::run : EffectState::skipped;
@@ -29,7 +29,7 @@ void note_effect(const ElementReport& report, FrameRecord& record) {
     static_cast<void>(record.effects.try_push_back(effect));
 }
 
-void note_aspects(const ElementReport& report, FrameRecord& record) {
+void record_aspects(const ElementReport& report, FrameRecord& record) {
     const design::DataElement& element = *report.element;
     if (!is_drawn(report)) return;
     if (element.technique != design::DataTechnique::uncertainty_only)
@@ -41,7 +41,7 @@ void note_aspects(const ElementReport& report, FrameRecord& record) {
 }
 
 /// What is out of view counts as nothing else; of what is not told apart, the drawn ones are taken to be out of it first.
-void note_count(const ElementReport& report, DataRecord& type) {
+void record_count(const ElementReport& report, DataRecord& type) {
     if (report.state != ElementState::shown) {
         type.hidden += report.count.all();
         return;
@@ -63,7 +63,7 @@ void flag(std::string_view name, FrameStatement& record) {
     static_cast<void>(record.flags.try_push_back(Name(name)));
 }
 
-void note_stale(std::string_view layer, base::Duration age, FrameStatement& record) {
+void record_stale(std::string_view layer, base::Duration age, FrameStatement& record) {
     if (age.ns <= 0) return;
     flag("data.stale", record);
     for (const StaleRecord& known : record.stale)
@@ -82,7 +82,7 @@ void add_technique(std::string_view name, double detail, AspectRecord& aspect) {
     aspect.technique.append(name);
 }
 
-void note_terrain(const TerrainPlan& plan, FrameStatement& record) {
+void record_terrain(const TerrainPlan& plan, FrameStatement& record) {
     TerrainRecord& terrain = record.terrain;
     terrain.worst_error_px = plan.lod.worst_error_px;
     terrain.tau_reached_px = plan.lod.tau_reached_px;
@@ -102,7 +102,7 @@ void note_terrain(const TerrainPlan& plan, FrameStatement& record) {
     terrain.worst_chunk.append(base::digits(worst.j).view());
 }
 
-void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record) {
+void record_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record) {
     const auto drawn = state == draw::TraceState::traced ? design::TerrainRenderer::trace : design::TerrainRenderer::raster;
     record.terrain.renderer = Name(design::kTerrainRendererNames[static_cast<std::size_t>(drawn)]);
     if (drawn == asked) return;
@@ -110,19 +110,19 @@ void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameS
     flag("terrain.not_traced", record);
 }
 
-void note_elements(const ElementReports& reports, FrameRecord& record) {
+void record_elements(const ElementReports& reports, FrameRecord& record) {
     for (const ElementReport& report : reports) {
         if (report.state != ElementState::shown && report.state != ElementState::not_measured) flag("data.missing", record);
-        note_effect(report, record);
-        note_aspects(report, record);
+        record_effect(report, record);
+        record_aspects(report, record);
         if (report.layer == nullptr) continue;
         DataRecord* const type = record_of(scene::name_of(report.layer->entry->role), record);
         if (type == nullptr) continue;
-        note_count(report, *type);
+        record_count(report, *type);
     }
 }
 
-void note_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record) {
+void record_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record) {
     AspectRecord* const main[] = {&record.terrain_aspect, &record.data_aspect, &record.uncertainty_aspect};
     for (std::size_t n = 0; n < priority.count(); ++n) {
         if (n < design::kMainAspects) main[n]->weight = weights.of[n];
@@ -130,13 +130,13 @@ void note_weights(const design::PrioritySettings& priority, const design::Aspect
     }
 }
 
-void note_budget(const effects::BudgetReport& report, FrameRecord& record) {
-    record.governor = {report.deadline_ms, report.predicted_ms, static_cast<std::uint32_t>(report.rung), report.changed,
+void record_budget(const effects::BudgetReport& report, FrameRecord& record) {
+    record.governor = {report.deadline_ms, report.predicted_ms, static_cast<std::uint32_t>(report.quality_level), report.changed,
                        effects::to_string(report.why)};
     if (report.is_missed) flag("deadline.missed", record);
 }
 
-void note_work(const EffectWorkTable& work, FrameRecord& record) {
+void record_work(const EffectWorkTable& work, FrameRecord& record) {
     for (EffectRecord& noted : record.effects) {
         const effects::Effect effect = effects::effect_of(noted.name.view());
         if (effect == effects::Effect::count_ || effect == effects::Effect::terrain) continue;
@@ -146,7 +146,7 @@ void note_work(const EffectWorkTable& work, FrameRecord& record) {
     }
 }
 
-void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record) {
+void record_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record) {
     record.terrain.triangles = drawn.triangles;
     record.terrain.chunks = drawn.draws;
     for (EffectRecord& effect : record.effects)

@@ -16,25 +16,25 @@ namespace tedavis::display {
 void flag(std::string_view name, FrameStatement& record);
 
 /// Once a layer, with the flag data.stale; an age of 0 is none.
-void note_stale(std::string_view layer, base::Duration age, FrameStatement& record);
+void record_stale(std::string_view layer, base::Duration age, FrameStatement& record);
 
 /// One more technique that shows an aspect, named once; the aspect's detail is that of the most detailed one.
 void add_technique(std::string_view name, double detail, AspectRecord& aspect);
 
-/// Asks for record.terrain.tau_px. Triangles are those planned until note_drawn().
-void note_terrain(const TerrainPlan& plan, FrameStatement& record);
+/// Asks for record.terrain.tau_px. Triangles are those planned until record_drawn().
+void record_terrain(const TerrainPlan& plan, FrameStatement& record);
 /// With the flag terrain.not_traced where rays were asked for and triangles are drawn.
-void note_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record);
+void record_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record);
 /// Counts by type, an effect an element ("data.tube"), and the techniques of all that is shown of the data and of their
 /// uncertainty.
-void note_elements(const ElementReports& reports, FrameRecord& record);
+void record_elements(const ElementReports& reports, FrameRecord& record);
 /// With the flag deadline.missed where it was.
 /// The weight of each aspect, and of which one something has raised it.
-void note_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record);
-void note_budget(const effects::BudgetReport& report, FrameRecord& record);
-/// After note_effects().
-void note_work(const EffectWorkTable& work, FrameRecord& record);
+void record_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record);
+void record_budget(const effects::BudgetReport& report, FrameRecord& record);
+/// After record_effects().
+void record_work(const EffectWorkTable& work, FrameRecord& record);
 /// After the terrain is noted among the effects.
-void note_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);
+void record_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);
 
 }  // namespace tedavis::display

@@ -118,31 +118,31 @@ bool FramePainter::prepare(const PlannedFrame& frame) {
         drawn_.ground_data_is_missing = !terrain_.set_ground_data(gl_, frame.ground_slice);
     }
     const bool ready = frame.decisions.show_terrain &&
-                       terrain_.prepare(gl_, frame.camera.terrain, make_terrain_input(context_of(frame, frame.camera.eye)));
-    prepare_elements(frame.camera);
+                       terrain_.prepare(gl_, frame.picture.terrain, make_terrain_input(context_of(frame, frame.picture.camera)));
+    prepare_elements(frame.picture);
     return ready || !frame.decisions.show_terrain;
 }
 
-void FramePainter::prepare_elements(const PlannedCamera& camera) {
-    if (elements_.is_started()) elements_.prepare(gl_, camera.data);
+void FramePainter::prepare_elements(const PlannedPicture& picture) {
+    if (elements_.is_started()) elements_.prepare(gl_, picture.data);
 }
 
-draw::TerrainDrawResult FramePainter::draw_scene(const PlannedFrame& frame, const PlannedCamera& camera,
+draw::TerrainDrawResult FramePainter::draw_scene(const PlannedFrame& frame, const PlannedPicture& picture,
                                                  const gl::DrawPlace& place, PictureLayer last, bool has_shadow_map) {
-    const DrawContext context = context_of(frame, camera.eye, last);
+    const DrawContext context = context_of(frame, picture.camera, last);
     return passes_.draw(gl_, place,
-                        {context, frame.effects, terrain_, camera.terrain, elements_, camera.data, camera.casters, drawn_.work,
+                        {context, frame.effects, terrain_, picture.terrain, elements_, picture.data, picture.casters, drawn_.work,
                          frame.terrain_has_void, has_shadow_map});
 }
 
 draw::TerrainDrawResult FramePainter::draw_kept(const PlannedFrame& frame) {
     follow_look(frame);
-    return draw_scene(frame, frame.camera, fade_.target());
+    return draw_scene(frame, frame.picture, fade_.target());
 }
 
-draw::TerrainDrawResult FramePainter::draw_side(const PlannedFrame& frame, const PlannedCamera& camera, PictureLayer last,
+draw::TerrainDrawResult FramePainter::draw_side(const PlannedFrame& frame, const PlannedPicture& picture, PictureLayer last,
                                                 draw::EyeSide side) {
-    return draw_scene(frame, camera, stereo_.target(), last, side == draw::EyeSide::right);
+    return draw_scene(frame, picture, stereo_.target(), last, side == draw::EyeSide::right);
 }
 
 void FramePainter::put_side(const base::Surface& surface, design::StereoMode mode, draw::EyeSide side, std::int32_t shift_px) {
@@ -171,15 +171,24 @@ effects::ClutterMap FramePainter::measure_clutter(const base::Surface& surface) 
     return edges_.densities(gl_, surface);
 }
 
-void FramePainter::show_clutter(const base::Surface& surface, design::ClutterView view) {
+void FramePainter::draw_measures(const PlannedFrame& frame, const base::Surface& surface) {
+    draw_edges(frame, surface);
+    draw_saliency(frame, surface);
+}
+
+void FramePainter::draw_edges(const PlannedFrame& frame, const base::Surface& surface) {
+    const design::ClutterView view = frame.shown->effects.clutter;
+    if (view == design::ClutterView::none || !frame.effects.runs(effects::Effect::clutter)) return;
     const WorkScope scope(gl_, drawn_.work[effects::Effect::clutter], 2);
     edges_.measure(gl_, surface);
     edges_.show(gl_, view == design::ClutterView::edges ? draw::EdgeView::edges : draw::EdgeView::regions);
 }
 
-void FramePainter::draw_saliency(const PlannedFrame& frame, const base::Surface& surface, bool measures) {
-    const WorkScope scope(gl_, drawn_.work[effects::Effect::saliency], measures ? 2 : 1);
-    if (measures) saliency_.measure(gl_, surface, frame.shown->effects.saliency.scale);
+void FramePainter::draw_saliency(const PlannedFrame& frame, const base::Surface& surface) {
+    if (!frame.saliency.is_shown) return;
+    const bool is_measured = frame.saliency.is_measured;
+    const WorkScope scope(gl_, drawn_.work[effects::Effect::saliency], is_measured ? 2 : 1);
+    if (is_measured) saliency_.measure(gl_, surface, frame.shown->effects.saliency.scale);
     saliency_.show(gl_, frame.shown->effects.saliency.view);
 }
 

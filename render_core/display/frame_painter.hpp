@@ -33,7 +33,7 @@ struct DrawnFrame {
 struct PainterStart {
     effects::DeviceSettings& device;
     draw::DrawnDesigns designs;
-    const ClutterControl& clutter;  ///< what the designs ask for
+    const DeclutterControl& clutter;  ///< what the designs ask for
     std::uint32_t width_px = 0, height_px = 0, stereo_margin_px = 0;
 };
 
@@ -55,14 +55,14 @@ public:
     void begin(base::Surface& surface);
     /// Uploads what is new. False where the planned terrain cannot be drawn.
     [[nodiscard]] bool prepare(const PlannedFrame& frame);
-    void prepare_elements(const PlannedCamera& camera);
+    void prepare_elements(const PlannedPicture& picture);
     /// Terrain, sky, data and signs as a camera of the frame sees them, up to a layer.
-    draw::TerrainDrawResult draw_scene(const PlannedFrame& frame, const PlannedCamera& camera, const gl::DrawPlace& place,
+    draw::TerrainDrawResult draw_scene(const PlannedFrame& frame, const PlannedPicture& picture, const gl::DrawPlace& place,
                                        PictureLayer last = PictureLayer::symbology, bool has_shadow_map = false);
     /// Into the picture that later frames fade from.
     draw::TerrainDrawResult draw_kept(const PlannedFrame& frame);
     /// For one eye of a pair; then put_side() puts it onto the surface.
-    draw::TerrainDrawResult draw_side(const PlannedFrame& frame, const PlannedCamera& camera, PictureLayer last,
+    draw::TerrainDrawResult draw_side(const PlannedFrame& frame, const PlannedPicture& picture, PictureLayer last,
                                       draw::EyeSide side);
     void put_side(const base::Surface& surface, design::StereoMode mode, draw::EyeSide side, std::int32_t shift_px);
     /// What fades out.
@@ -71,9 +71,9 @@ public:
     void draw_symbology(const PlannedFrame& frame, const base::Surface& surface);
     /// The density of edges of what is on the surface.
     [[nodiscard]] effects::ClutterMap measure_clutter(const base::Surface& surface);
-    void show_clutter(const base::Surface& surface, design::ClutterView view);
-    /// The saliency map over what is on the surface, measured anew or as it was; and the light of the panel.
-    void draw_saliency(const PlannedFrame& frame, const base::Surface& surface, bool measures);
+    /// Edges and the saliency map over what is on the surface, where the frame shows them.
+    void draw_measures(const PlannedFrame& frame, const base::Surface& surface);
+    /// The light of the panel.
     void dim(const PlannedFrame& frame);
 
     /// The ground's colours without what lies before a layer; then as the frame has them.
@@ -86,6 +86,8 @@ public:
     [[nodiscard]] const gl::Gl& gl() const { return gl_; }
 
 private:
+    void draw_edges(const PlannedFrame& frame, const base::Surface& surface);
+    void draw_saliency(const PlannedFrame& frame, const base::Surface& surface);
     [[nodiscard]] draw::DrawnDesign drawn_design(const design::DesignSettings& design, bool has_focus) const;
     void follow_look(const PlannedFrame& frame);
 

@@ -68,7 +68,7 @@ void FramePlanner::follow_painter(const PainterAbilities& painter, draw::DrawnDe
     if (terrain_.is_started()) terrain_.follow_painter(painter.reads_pages, painter.tracer);
     terrain_.set_design(designs[0]);
     terrain_look_key_ = look_key_;
-    note_intervals();
+    record_intervals();
 }
 
 void FramePlanner::plan(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame) {
@@ -83,6 +83,19 @@ void FramePlanner::plan(const flight::FrameInput& input, PlannerMemory& memory, 
     plan_elements();
     plan_effects();
     end();
+    plan_probe();
+}
+
+void FramePlanner::plan_again(const PainterFindings& findings, PlannerMemory& memory, PlannedFrame& frame) {
+    memory_ = &memory;
+    frame_ = &frame;
+    if (findings.terrain_failed) {
+        plan_without_terrain();
+    } else {
+        memory.clutter.take(findings.edges);
+        if (memory.clutter.step() == DeclutterControl::Step::none) return plan_measured();
+    }
+    plan_probe();
 }
 
 void FramePlanner::begin(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame) {
@@ -100,7 +113,7 @@ void FramePlanner::begin(const flight::FrameInput& input, PlannerMemory& memory,
 void FramePlanner::end() {
     memory_->had_warning = has_warning();
     frame_->keeps_scene = memory_->transition.keeps;
-    if (frame_->keeps_scene) memory_->transition.kept_view = frame_->camera.eye.view;
+    if (frame_->keeps_scene) memory_->transition.kept_view = frame_->picture.camera.view;
     frame_->weights = memory_->weights;
     frame_->budget = memory_->budget.report();
     set_camera();
@@ -109,21 +122,21 @@ void FramePlanner::end() {
 
 void FramePlanner::set_camera() {
     frame_->look_key = look_key_;
-    frame_->camera.terrain = terrain_.seen_from(frame_->camera.eye.view);
+    frame_->picture.terrain = terrain_.seen_from(frame_->picture.camera.view);
     set_camera_data();
 }
 
 void FramePlanner::set_camera_data() {
-    frame_->camera.data = elements_.planned();
-    frame_->camera.casters = elements_.casters(look_.effects.shadows.casters);
+    frame_->picture.data = elements_.planned();
+    frame_->picture.casters = elements_.casters(look_.effects.shadows.casters);
 }
 
-void FramePlanner::plan_without_terrain(PlannerMemory& memory, PlannedFrame& frame) {
-    memory_ = &memory;
-    frame_ = &frame;
-    memory.terrain_failed = true;
+void FramePlanner::plan_without_terrain() {
+    memory_->terrain_failed = true;
+    if (frame_->clutter.probe != Probe::none) frame_->declutter = frame_->clutter.before_probes;
+    frame_->clutter = {};
     give_up_terrain(policy::TerrainSource::failed);
-    frame.labels = {};
+    frame_->labels = {};
     put_symbology();
     plan_effects();
     end();
@@ -131,19 +144,18 @@ void FramePlanner::plan_without_terrain(PlannerMemory& memory, PlannedFrame& fra
 
 /// The design of another phase may decide; what painters have been told of the shown one holds on.
 void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch) {
-    memory_ = &memory;
-    frame_ = &scratch;
-    sync_look();
+    const LookOf look = look_of_;
     const std::uint64_t look_key = look_key_;
     PlannerMemory passing = memory;
+    passing.weights = look.weights;  // what the design looks like now is the least work to begin from
+    passing.shows_alert = look.shows_alert;
     passing.shown = phases_.place_of(input.phase.presented);
     passing.view = ViewTransition();
     begin(input, passing, scratch);
     begin_plan();
     if (elements_.is_started()) elements_.labels().keep(memory.labels);
     memory.boost = passing.boost;
-    memory_ = &memory;
-    sync_look();
+    if (look_key_ != look_key) take_look(look);
     look_key_ = look_key;
 }
 
@@ -161,7 +173,7 @@ void FramePlanner::begin_plan() {
         frame_->conditions.terrain = policy::TerrainSource::above_own_ship;
     frame_->conditions.shows_measure = shows_measure();
     frame_->conditions.is_reduced = look_.degradation.show_reduced && memory_->budget.is_reduced();
-    weigh();
+    apply_priorities();
     memory_->view.step(look_.view.mode, look_.view.transition_s, frame_->time);
     decide();
     state_frame();
@@ -240,21 +252,22 @@ void FramePlanner::plan_terrain() {
         return;
     }
     widen_bands();
-    Eye seen = frame_->camera.eye;
+    Camera seen = frame_->picture.camera;
     seen.view = frame_->seen;
     TerrainPlan plan = terrain_.plan(seen, look_, tau_factor);
     if (plan.is_unmagnified) stop_magnifying();
-    if (frame_->eyes.base_m > 0)
+    if (frame_->stereo_cameras.base_m > 0)
         for (const draw::EyeSide side : draw::kEyeSides)
-            terrain_.widen_error(eye_of(frame_->camera.eye, frame_->eyes, side, painter_.stereo_margin_px).view, look_, plan.lod);
+            terrain_.widen_error(camera_of(frame_->picture.camera, frame_->stereo_cameras, side, painter_.stereo_margin_px).view,
+                                 look_, plan.lod);
     if (terrain_.is_traced()) plan = as_traced(plan);
     if (!plan.lod.within_budget) {
         give_up_terrain(policy::TerrainSource::over_budget);
         return;
     }
     frame_->terrain_has_void = plan.has_void;
-    note_terrain(plan, *frame_);
-    note_renderer(look_.terrain.renderer, terrain_.trace_state(), *frame_);
+    record_terrain(plan, *frame_);
+    record_renderer(look_.terrain.renderer, terrain_.trace_state(), *frame_);
     // What budgets leave is the best there will be, and is said to be coarse.
     if (plan.pending != 0 && plan.lod.worst_waiting_px > look_.degradation.terrain_removed_px) {
         give_up_terrain(policy::TerrainSource::too_coarse);
@@ -282,7 +295,7 @@ void FramePlanner::put_symbology() {
     const draw::SymbolGround over = memory_->view.is_under_way() ? draw::SymbolGround::moving
                                     : frame_->conditions.is_map  ? draw::SymbolGround::map
                                                                  : draw::SymbolGround::perspective;
-    const DrawContext frame = context_of(*frame_, frame_->camera.eye);
+    const DrawContext frame = context_of(*frame_, frame_->picture.camera);
     frame_->maps_beside = plan_symbology(
         {frame, frame_->state, settings_.width_px, settings_.height_px, over, data_, frame_->data, elements_.reports()},
         symbology_, *frame_);

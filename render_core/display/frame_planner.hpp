@@ -1,7 +1,8 @@
 /// Decides what a frame shows: which design, from where, which terrain, data, labels and effects, and why. No GL, no clock, no
 /// file, no heap after start().
 ///
-///   start(...) · plan(input, memory, frame) each frame · while a picture of it is to be measured, plan_probe(frame) and the like
+///   start(...) · each frame plan(input, memory, frame), plan_again(findings, memory, frame) while the painter has found
+///   something of it, and conclude(memory, frame) when it has been drawn
 ///
 /// What one frame leaves to the next is PlannerMemory, and nothing else decides: the same input and memory, with the same chunks
 /// arrived, give the same frame. Built geometry and chunks are kept here, because they take time.
@@ -20,6 +21,7 @@
 #include "render_core/draw/quad_batch.hpp"
 #include "render_core/draw/stereo_pass.hpp"
 #include "render_core/flight/frame_input.hpp"
+#include "render_core/flight/terrain_heights.hpp"
 #include "render_core/policy/predicted_track.hpp"
 
 namespace tedavis::display {
@@ -34,7 +36,7 @@ struct PainterAbilities {
     draw::TraceState tracer = draw::TraceState::not_asked_for;
 };
 
-class FramePlanner {
+class FramePlanner final : public flight::TerrainHeights {
 public:
     /// Takes the designs, as the device can show them; before all else. What cannot be had is refused in one message.
     [[nodiscard]] base::Error take_designs(const DisplaySettings& settings, PlannerMemory& memory);
@@ -52,42 +54,36 @@ public:
 
     /// The frame of this input, which follows the one that left `memory`.
     void plan(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame);
-    /// The planned frame again, whose terrain the painter could not draw.
-    void plan_without_terrain(PlannerMemory& memory, PlannedFrame& frame);
+    /// The planned frame again, from what the painter has found of it: terrain that cannot be drawn, or the edges of the picture
+    /// that `frame.clutter.probe` asked for. Nothing else reaches the planner from the painter.
+    void plan_again(const PainterFindings& findings, PlannerMemory& memory, PlannedFrame& frame);
     /// Decides only what is decided once for each interval (flight/decision_interval.hpp): labels, priorities and the terrain
     /// alert. `input`: at the interval's first instant, but with the phase of the frame before, whose design the next one shows.
-    /// `scratch` is no frame afterwards.
+    /// Changes nothing else of `memory`, which need not be the memory of the frames that are shown; a replay decides all
+    /// intervals since the log's start, so that they are the same however a frame is reached. `scratch` is no frame afterwards.
     void decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch);
 
-    /// The planned frame as the picture that ClutterControl::step() asks to be measured.
-    void plan_probe(PlannerMemory& memory, PlannedFrame& frame);
-    /// The planned frame again, as it was before its probes (`planned`), by what they have measured.
-    void plan_measured(policy::Declutter planned, PlannerMemory& memory, PlannedFrame& frame);
     /// The planned frame as one camera of a pair sees it.
-    [[nodiscard]] PlannedCamera plan_side(const EyePair& pair, draw::EyeSide side, PlannerMemory& memory, PlannedFrame& frame);
-    /// How the budget of clutter was held in the planned frame.
+    [[nodiscard]] PlannedPicture plan_side(const StereoCameras& pair, draw::EyeSide side, PlannerMemory& memory,
+                                           PlannedFrame& frame);
+    /// The planned frame has been drawn: states how the budget of clutter was held, and remembers that saliency was measured.
     void conclude(PlannerMemory& memory, PlannedFrame& frame);
 
-    /// Other designs, which painters have said they can show; `chosen_foci` of them stand first in each.
+    /// Other designs, which painters have said they can show.
     void set_designs(const design::DesignSettings& design, const design::PhaseDesigns* phases, PlannerMemory& memory);
-    /// Foci that somebody chose, in place of those chosen before.
-    void set_foci(const design::FocusList& chosen, PlannerMemory& memory);
-    /// The design at a place, 0 for the one that is shown where no phase has another, with these chosen foci. False where it has
-    /// no room for them.
-    [[nodiscard]] bool with_foci(const design::FocusList& chosen, std::size_t place, design::DesignSettings& design) const;
     /// False, and nothing changes, where the scene is no newer revision, or none was expected.
     [[nodiscard]] bool accepts(const scene::Scene& scene) const;
     [[nodiscard]] bool take_scene(const scene::Scene& scene, PlannerMemory& memory);
-    /// The next frame does not follow the last one: the phase that it is told has its design at once.
-    static void cut(PlannerMemory& memory);
     /// What is planned stays in the picture for a while, and fades: the painter has kept it.
     void keep_scene(const PlannedFrame& frame, PlannerMemory& memory) const;
 
+    /// Replaces the own ship's camera with another one until cleared: the simulator's free camera.
     void set_free_view(const terrain::View& view) {
         free_view_ = view;
         free_view_active_ = true;
     }
     void clear_free_view() { free_view_active_ = false; }
+    /// From the next plan() on nothing is left out for being unseen: what the planner of effects saves can be measured.
     void force_effects(bool forced) { effects_are_forced_ = forced; }
 
     [[nodiscard]] std::size_t design_count() const { return phases_.size() + 1; }
@@ -97,15 +93,25 @@ public:
     [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
     [[nodiscard]] bool has_data_to_show() const;
     [[nodiscard]] draw::DataVariant data_variant() const;
+    /// Whether an interval leaves anything to the next one.
     [[nodiscard]] bool has_intervals() const { return has_intervals_; }
+    /// Whether a phase's design takes the place of another one little by little.
     [[nodiscard]] bool fades() const { return painter_.fades; }
-    [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now);
+    /// Missing outside the database or over voids, too.
+    [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) override;
+    /// Where the obstacles on the way are in a frame that has been drawn: computed when it is asked for, and only then. None
+    /// where no terrain or no data are shown.
     [[nodiscard]] ObstaclePlaces obstacles_ahead(const PlannedFrame& frame, const PlannerMemory& memory);
 
     [[nodiscard]] DisplaySettings& settings() { return settings_; }
     [[nodiscard]] const DisplaySettings& settings() const { return settings_; }
+    [[nodiscard]] const base::BudgetTable& budget() const { return settings_.device.budget; }
     [[nodiscard]] TerrainPlanner& terrain() { return terrain_; }
     [[nodiscard]] const TerrainPlanner& terrain() const { return terrain_; }
+    /// Null without terrain.
+    [[nodiscard]] const terrain::TerrainDatabase* terrain_database() const {
+        return terrain_.is_started() ? &terrain_.database() : nullptr;
+    }
     [[nodiscard]] SpatialData& data() { return data_; }
     [[nodiscard]] const ElementPlanner& elements() const { return elements_; }
     [[nodiscard]] const draw::QuadBatch& symbology() const { return symbology_; }
@@ -116,11 +122,21 @@ public:
 
 private:
     class Boosts;
+    /// What the look of the shown design follows from.
+    struct LookOf {
+        std::size_t shown = 0;
+        design::AspectWeights weights;
+        bool shows_alert = false;
+    };
     void begin(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame);
     void end();
+    void plan_without_terrain();
+    void plan_measured();
+    void plan_probe();
     // Designs
     void sync_look();
-    void take_look();
+    void take_look(const LookOf& of);
+    [[nodiscard]] LookOf asked_look() const { return {memory_->shown, memory_->weights, memory_->shows_alert}; }
     void show_design(std::size_t place);
     void follow_phase();
     void follow_foci();
@@ -130,7 +146,7 @@ private:
     // What may be shown, and what comes first
     void begin_plan();
     [[nodiscard]] policy::TerrainSource terrain_source() const;
-    void weigh();
+    void apply_priorities();
     void decide();
     void decide_again();
     void give_up_terrain(policy::TerrainSource reason);
@@ -149,11 +165,11 @@ private:
     void widen_bands();
     void plan_data();
     void set_elements(std::size_t shown);
-    void note_intervals();
+    void record_intervals();
     void decide_labels();
     void plan_elements();
     void plan_detail_again(bool is_shown);
-    void plan_signs(const Eye& eye, SignFrame signs);
+    void plan_signs(const Camera& camera, SignFrame signs);
     void state_labels();
     void state_stale_data();
     void state_stale_source(const scene::Layer& source, const scene::AttributeEntry& made, double stale_after_s);
@@ -164,7 +180,7 @@ private:
     void put_symbology();
     void plan_declutter();
     [[nodiscard]] bool shows_measure() const;
-    [[nodiscard]] bool has_what_gives_way() const;
+    [[nodiscard]] bool has_declutterable_data() const;
     void plan_effects();
     void state_view(effects::EffectFacts& facts);
     void state_data(effects::EffectFacts& facts);
@@ -182,14 +198,9 @@ private:
     design::DesignSettings design_;                              ///< as the device can show it; where no phase has another
     design::PhaseDesigns phases_;                                ///< likewise
     effects::EffectSet asked_of_[design::kMaxPhaseDesigns + 1];  ///< by designs as they were handed over
-    std::size_t chosen_foci_ = 0;                                ///< the first ones of every design
 
     design::DesignSettings look_;  ///< the shown design at the frame's weights
-    struct LookOf {
-        std::size_t shown = 0;
-        design::AspectWeights weights;
-        bool shows_alert = false;
-    } look_of_;
+    LookOf look_of_;
     std::uint64_t look_key_ = 1, terrain_look_key_ = 0;
     bool draws_foci_ = false;     ///< in the look that painters were told last
     double band_deviations_ = 0;  ///< of the look's coverage

@@ -2,8 +2,8 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/design/weighted_design.hpp"
-#include "render_core/display/eye_pair.hpp"
 #include "render_core/display/frame_planner.hpp"
+#include "render_core/display/stereo_cameras.hpp"
 #include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::display {
@@ -47,73 +47,46 @@ std::uint32_t FramePlanner::stereo_margin_px(const design::DesignSettings& desig
 void FramePlanner::set_designs(const design::DesignSettings& design, const design::PhaseDesigns* phases, PlannerMemory& memory) {
     memory_ = &memory;
     const std::size_t count = phases != nullptr ? phases->size() : 0;
-    chosen_foci_ = 0;
     phases_ = phases != nullptr ? *phases : design::PhaseDesigns();
     for (std::size_t place = 0; place <= count; ++place) {
         const design::DesignSettings& asked = place == 0 ? design : phases->at(place);
         asked_of_[place] = effects::asked_effects(asked);
         (place == 0 ? design_ : phases_.at(place)) = effects::possible_design(asked, settings_.device);
     }
-    cut(memory);
+    memory.cut();
     show_design(0);
     memory.labels.forget();
     memory.boost.forget();
-    note_intervals();
-}
-
-bool FramePlanner::with_foci(const design::FocusList& chosen, std::size_t place, design::DesignSettings& design) const {
-    const design::FocusList before = design_at(place).foci;  // `design` may be the one at this place
-    if (chosen.size() + before.size() - chosen_foci_ > scene::kMaxFoci) return false;
-    design = design_at(place);
-    design.foci = chosen;
-    for (std::size_t n = chosen_foci_; n < before.size(); ++n) static_cast<void>(design.foci.try_push_back(before[n]));
-    return true;
-}
-
-void FramePlanner::set_foci(const design::FocusList& chosen, PlannerMemory& memory) {
-    memory_ = &memory;
-    for (std::size_t place = 0; place < design_count(); ++place) {
-        design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
-        TEDAVIS_CHECK(with_foci(chosen, place, kept));
-        asked_of_[place].add(effects::asked_effects(kept));
-    }
-    chosen_foci_ = chosen.size();
-    memory.clutter.forget();
-    show_design(memory.shown);
-}
-
-void FramePlanner::cut(PlannerMemory& memory) {
-    memory.transition.cut();
-    memory.saliency.forget();
-    memory.clutter.forget();
+    record_intervals();
 }
 
 void FramePlanner::show_design(std::size_t place) {
     memory_->shown = place;
     memory_->weights = design_at(place).priority.weights;
-    take_look();
+    take_look(asked_look());
 }
 
 /// The memory may be that of another frame than the last one.
 void FramePlanner::sync_look() {
+    const LookOf asked = asked_look();
     const bool is_same =
-        look_of_.shown == memory_->shown && look_of_.weights == memory_->weights && look_of_.shows_alert == memory_->shows_alert;
-    if (!is_same) take_look();
+        look_of_.shown == asked.shown && look_of_.weights == asked.weights && look_of_.shows_alert == asked.shows_alert;
+    if (!is_same) take_look(asked);
     frame_->shown = &look_;
 }
 
 /// At other weights than the stated ones it has the programs of the design as it was read. While terrain is ahead it has warning
 /// colours, whatever it says of them.
-void FramePlanner::take_look() {
-    const design::DesignSettings& stated = design_at(memory_->shown);
+void FramePlanner::take_look(const LookOf& of) {
+    const design::DesignSettings& stated = design_at(of.shown);
     look_ = stated;
-    design::weigh(memory_->weights, look_);
-    if (!(memory_->weights == stated.priority.weights)) design::keep_programs(stated, look_);
-    if (memory_->shows_alert) design::require_warning_colors(look_);
+    design::apply_priorities(of.weights, look_);
+    if (!(of.weights == stated.priority.weights)) design::keep_programs(stated, look_);
+    if (of.shows_alert) design::require_warning_colors(look_);
     band_deviations_ = design::deviations_of_coverage(look_.widening.coverage);
-    look_of_ = {memory_->shown, memory_->weights, memory_->shows_alert};
+    look_of_ = of;
     ++look_key_;
-    if (elements_.is_started()) set_elements(memory_->shown);
+    if (elements_.is_started()) set_elements(of.shown);
 }
 
 /// While there is a warning the picture turns at once: nobody shall look for it in a picture that is half another.
@@ -150,7 +123,7 @@ bool FramePlanner::has_warning() const {
 }
 
 void FramePlanner::keep_scene(const PlannedFrame& frame, PlannerMemory& memory) const {
-    memory.transition.kept_view = frame.camera.eye.view;
+    memory.transition.kept_view = frame.picture.camera.view;
     memory.transition.fades_next = true;
 }
 
@@ -169,8 +142,9 @@ double FramePlanner::next_fade_share() {
     if (!memory_->transition.fade_lasts) return 0;
     const double share = 1 - (frame_->time - memory_->transition.fade_began).to_seconds() / look_.effects.fade_s;
     // A scene that stands still while the horizon turns would mislead.
-    const bool has_turned = glm::dot(memory_->transition.kept_view.forward, frame_->camera.eye.view.forward) < kMinTurnCosine ||
-                            glm::dot(memory_->transition.kept_view.right, frame_->camera.eye.view.right) < kMinTurnCosine;
+    const bool has_turned =
+        glm::dot(memory_->transition.kept_view.forward, frame_->picture.camera.view.forward) < kMinTurnCosine ||
+        glm::dot(memory_->transition.kept_view.right, frame_->picture.camera.view.right) < kMinTurnCosine;
     memory_->transition.fade_lasts = share > 0 && share <= 1 && !has_turned && !has_warning();
     return memory_->transition.fade_lasts ? share : 0;
 }

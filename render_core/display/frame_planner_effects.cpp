@@ -28,7 +28,7 @@ double dimming_of(const policy::PanelLight& panel) {
 
 void FramePlanner::plan_effects() {
     frame_->shadows = plan_shadows();
-    frame_->focus = focus_of(look_.effects.depth_of_field, elements_, frame_->camera.eye.view.eye);
+    frame_->focus = focus_of(look_.effects.depth_of_field, elements_, frame_->picture.camera.view.eye);
     frame_->panel = policy::panel_light(look_.effects, frame_->state.own_ship.position, frame_->flight_time.utc);
     frame_->earlier_share = next_fade_share();
     frame_->design = design_at(memory_->transition.keeps ? memory_->transition.to : memory_->shown).name;
@@ -44,31 +44,32 @@ void FramePlanner::plan_effects() {
     frame_->effects = memory_->budget.plan(effects::effect_requests(facts), settings_.device.capability, frame_->counters,
                                            terrain_tolerance(), frame_->time);
     memory_->saliency.plan(frame_->effects.runs(effects::Effect::saliency), frame_->time);
-    const bool may_hold = facts.has_what_gives_way && !facts.is_stereo;
+    frame_->saliency = {memory_->saliency.runs(), memory_->saliency.measures()};
+    const bool may_hold = facts.has_declutterable_data && !facts.is_stereo;
     memory_->clutter.plan(frame_->effects.runs(effects::Effect::clutter), frame_->time, memory_->shown,
                           may_hold ? look_.priority.held_clutter() : 1);
 }
 
 /// What may be shown, and how the eye sees it.
 void FramePlanner::state_view(effects::EffectFacts& facts) {
-    const Eye& eye = frame_->camera.eye;
+    const Camera& camera = frame_->picture.camera;
     SeenSpan seen;
     if (frame_->decisions.show_terrain && !elements_.has_anything())
-        seen = {terrain_.nearest_m(eye.view), terrain_.farthest_m(eye.view)};
+        seen = {terrain_.nearest_m(camera.view), terrain_.farthest_m(camera.view)};
     facts.shows_terrain = frame_->decisions.show_terrain;
     facts.shows_warning_colors = frame_->decisions.show_warning_colors;
     facts.is_unusual_attitude = frame_->decisions.unusual_attitude;
     facts.is_near = is_near();
     facts.is_stereo = painter_.is_stereo;
-    facts.parallax_px = parallax_bound_px(frame_->eyes, eye.view.focal_px, seen.nearest_m, seen.farthest_m);
+    facts.parallax_px = parallax_bound_px(frame_->stereo_cameras, camera.view.focal_px, seen.nearest_m, seen.farthest_m);
     facts.fade_share = frame_->earlier_share;
     facts.light_has_date = frame_->light.source != policy::LightSource::no_date;
     facts.sun_is_too_low = frame_->light.source == policy::LightSource::sun_too_low;
     facts.panel_has_date = frame_->panel.has_date;
     facts.panel_dimming = dimming_of(frame_->panel);
-    facts.has_haze = eye.haze_per_m > 0;
+    facts.has_haze = camera.haze_per_m > 0;
     facts.has_air = look_.sky.air.is_shown;
-    facts.haze_bound = haze_bound(eye.haze_per_m, seen.farthest_m);
+    facts.haze_bound = haze_bound(camera.haze_per_m, seen.farthest_m);
     facts.air_bound = air_bound(look_.sky.air, seen.farthest_m);
     facts.focus_blur_px = frame_->focus.blur_px;
     facts.focus_is_known = frame_->focus.is_known;
@@ -92,7 +93,7 @@ void FramePlanner::state_data(effects::EffectFacts& facts) {
     facts.widest_shadow_px = frame_->shadows.widest_px;
     facts.shadow_in_air = frame_->shadows.in_air;
     facts.shows_clutter = look_.effects.clutter != design::ClutterView::none;
-    facts.has_what_gives_way = look_.priority.held_clutter() < 1 && has_what_gives_way();
+    facts.has_declutterable_data = look_.priority.held_clutter() < 1 && has_declutterable_data();
 }
 
 ShadowPlan FramePlanner::plan_shadows() {
@@ -103,17 +104,18 @@ ShadowPlan FramePlanner::plan_shadows() {
         none.state = effects::ShadowState::nothing_casts;
         return none;
     }
-    const earth::Geodetic eye = earth::from_ecef(frame_->camera.eye.view.eye);
+    const earth::Geodetic eye = earth::from_ecef(frame_->picture.camera.view.eye);
     const terrain::HeightAnswer ground = terrain_.true_height(eye.latitude_rad, eye.longitude_rad);
     const double lowest_m = double{terrain_.database().header().min_height_m};
     const bool is_known = ground.status == terrain::HeightStatus::land || ground.status == terrain::HeightStatus::sea;
-    const double ground_m = frame_->camera.eye.view.is_flat() ? frame_->camera.eye.view.flat_msl_m
-                            : is_known                        ? ground.height.m
-                                                              : lowest_m;
-    return display::plan_shadows({settings, frame_->light, frame_->camera.eye.view, std::fmax(frame_->eye_msl_m - ground_m, 0),
-                                  undulation_m(eye), std::fmin(lowest_m, ground_m), terrain_.nearest_m(frame_->camera.eye.view),
-                                  settings_.device.capability.shadow_map_px, frame_->data.ground == GroundDataState::shown},
-                                 elements_.casters(settings.casters));
+    const double ground_m = frame_->picture.camera.view.is_flat() ? frame_->picture.camera.view.flat_msl_m
+                            : is_known                            ? ground.height.m
+                                                                  : lowest_m;
+    return display::plan_shadows(
+        {settings, frame_->light, frame_->picture.camera.view, std::fmax(frame_->eye_msl_m - ground_m, 0), undulation_m(eye),
+         std::fmin(lowest_m, ground_m), terrain_.nearest_m(frame_->picture.camera.view),
+         settings_.device.capability.shadow_map_px, frame_->data.ground == GroundDataState::shown},
+        elements_.casters(settings.casters));
 }
 
 void FramePlanner::count() {

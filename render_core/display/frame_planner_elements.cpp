@@ -8,7 +8,7 @@ namespace tedavis::display {
 namespace {
 
 /// Glyphs of fields and points, not those of the air round the own ship; and names.
-bool gives_way(const ElementReport& report, const policy::Declutter& declutter) {
+bool may_declutter(const ElementReport& report, const policy::Declutter& declutter) {
     if (report.state != ElementState::shown || report.layer == nullptr) return false;
     const bool has_glyphs = is_glyph_technique(report.element->technique) && report.slot < GlyphElements::kSlots;
     return (has_glyphs || has_labels(*report.element, *report.layer)) &&
@@ -29,7 +29,7 @@ bool FramePlanner::accepts(const scene::Scene& scene) const {
 
 bool FramePlanner::take_scene(const scene::Scene& scene, PlannerMemory& memory) {
     if (!data_.take(scene)) return false;
-    note_intervals();
+    record_intervals();
     memory.clutter.forget();
     if (!elements_.is_started()) return true;
     set_elements(memory.shown);
@@ -38,7 +38,7 @@ bool FramePlanner::take_scene(const scene::Scene& scene, PlannerMemory& memory) 
 }
 
 /// Of other designs, or another scene.
-void FramePlanner::note_intervals() {
+void FramePlanner::record_intervals() {
     has_intervals_ = terrain_.is_started();  // it may be ahead
     for (std::size_t place = 0; place < design_count(); ++place) {
         const design::DesignSettings& design = design_at(place);
@@ -71,11 +71,11 @@ void FramePlanner::plan_elements() {
     if (frame_->conditions.data_are_out_of_date) decide_again();
     put_symbology();
     // Of a picture for each eye they are planned once more with the eye.
-    if (shows_elements()) plan_signs(frame_->camera.eye, {});
+    if (shows_elements()) plan_signs(frame_->picture.camera, {});
     state_labels();
     state_stale_data();
     if (!frame_->foci_plan.foci.regions.empty())
-        note_foci(frame_->foci_plan, elements_, element_frame(ground, frame_->seen), *frame_);
+        record_foci(frame_->foci_plan, elements_, element_frame(ground, frame_->seen), *frame_);
 }
 
 void FramePlanner::state_labels() {
@@ -83,26 +83,26 @@ void FramePlanner::state_labels() {
     frame_->labels = {labels.placed, labels.suppressed, labels.changed, labels.lowered};
 }
 
-void FramePlanner::plan_signs(const Eye& eye, SignFrame signs) {
-    TerrainGround ground(terrain_, eye.view);
-    terrain::LineOfSight sight = terrain_.sight(eye.view);
-    signs.text_px = text_px(context_of(*frame_, eye), settings_.width_px, settings_.height_px);
+void FramePlanner::plan_signs(const Camera& camera, SignFrame signs) {
+    TerrainGround ground(terrain_, camera.view);
+    terrain::LineOfSight sight = terrain_.sight(camera.view);
+    signs.text_px = text_px(context_of(*frame_, camera), settings_.width_px, settings_.height_px);
     signs.sight = &sight;
     signs.is_metric = look_.symbology.legend_unit == design::HeightUnit::metres;
     signs.symbology = free_view_active_ ? nullptr : &symbology_;
-    elements_.plan_signs(element_frame(ground, eye.view), signs);
+    elements_.plan_signs(element_frame(ground, camera.view), signs);
 }
 
 /// Nothing of a picture without terrain.
 void FramePlanner::decide_labels() {
     if (!elements_.is_started()) return;
     if (!frame_->decisions.show_terrain) return elements_.labels().skip(frame_->time);
-    TerrainGround ground(terrain_, frame_->camera.eye.view);
-    elements_.decide_labels(element_frame(ground, frame_->camera.eye.view),
-                            text_px(context_of(*frame_, frame_->camera.eye), settings_.width_px, settings_.height_px));
+    TerrainGround ground(terrain_, frame_->picture.camera.view);
+    elements_.decide_labels(element_frame(ground, frame_->picture.camera.view),
+                            text_px(context_of(*frame_, frame_->picture.camera), settings_.width_px, settings_.height_px));
 }
 
-/// By the rung of the frame before: the notice comes and goes with the view, a frame late at most.
+/// By the quality level of the frame before: the notice comes and goes with the view, a frame late at most.
 bool FramePlanner::shows_measure() const {
     using effects::Effect;
     const design::ViewEffects& asked = look_.effects;
@@ -111,15 +111,15 @@ bool FramePlanner::shows_measure() const {
 }
 
 void FramePlanner::plan_declutter() {
-    memory_->clutter.follow(frame_->time, frame_->camera.eye.view);
+    memory_->clutter.follow(frame_->time, frame_->picture.camera.view);
     const design::PrioritySettings& priority = look_.priority;
     frame_->declutter = policy::declutter_of(memory_->clutter.regions(frame_->time, memory_->shown), priority, memory_->weights);
 }
 
-bool FramePlanner::has_what_gives_way() const {
+bool FramePlanner::has_declutterable_data() const {
     const policy::Declutter declutter = policy::declutter_of(effects::least_detail(), look_.priority, memory_->weights);
     for (const ElementReport& report : elements_.reports())
-        if (gives_way(report, declutter)) return true;
+        if (may_declutter(report, declutter)) return true;
     return false;
 }
 
@@ -130,54 +130,67 @@ void FramePlanner::plan_detail_again(bool is_shown) {
     elements_.plan_detail(element_frame(ground, frame_->seen));
     SignFrame signs;
     signs.is_planned_again = !is_shown;
-    plan_signs(frame_->camera.eye, signs);
+    plan_signs(frame_->picture.camera, signs);
     if (!is_shown) return;
     const std::uint32_t changed = frame_->labels.changed;
     state_labels();
     frame_->labels.changed += changed;
 }
 
-void FramePlanner::plan_probe(PlannerMemory& memory, PlannedFrame& frame) {
-    memory_ = &memory;
-    frame_ = &frame;
-    frame.declutter = policy::declutter_of(memory.clutter.step_regions(), look_.priority, memory.weights);
+/// The picture that the budget of clutter asks to be measured. Where the frame itself has all its detail, and no other design's
+/// picture stands in it, it is the first one.
+void FramePlanner::plan_probe() {
+    using Step = DeclutterControl::Step;
+    PlannedClutter& clutter = frame_->clutter;
+    const Step step = memory_->clutter.step();
+    if (step == Step::none) return;
+    if (clutter.probe == Probe::none) clutter.before_probes = frame_->declutter;
+    const bool has_all = frame_->declutter.regions.is_whole() && !frame_->keeps_scene && frame_->earlier_share <= 0;
+    clutter.probe = step == Step::whole && has_all ? Probe::shown : Probe::hidden;
+    if (clutter.probe == Probe::shown) return;
+    frame_->declutter = policy::declutter_of(memory_->clutter.step_regions(), look_.priority, memory_->weights);
     plan_detail_again(false);
     set_camera_data();
 }
 
-void FramePlanner::plan_measured(policy::Declutter planned, PlannerMemory& memory, PlannedFrame& frame) {
-    memory_ = &memory;
-    frame_ = &frame;
+/// The frame that is shown, by what its probes have measured. A probe that is shown stays as it is.
+void FramePlanner::plan_measured() {
+    PlannedClutter& clutter = frame_->clutter;
+    const bool is_planned = clutter.probe == Probe::shown;
+    clutter.probe = Probe::none;
+    if (is_planned) return;
     plan_declutter();
-    plan_detail_again(planned.regions.factor != frame.declutter.regions.factor);
+    plan_detail_again(clutter.before_probes.regions.factor != frame_->declutter.regions.factor);
     set_camera_data();
-    if (elements_.is_started()) elements_.labels().keep(memory.labels);
+    if (elements_.is_started()) elements_.labels().keep(memory_->labels);
 }
 
-PlannedCamera FramePlanner::plan_side(const EyePair& pair, draw::EyeSide side, PlannerMemory& memory, PlannedFrame& frame) {
+PlannedPicture FramePlanner::plan_side(const StereoCameras& pair, draw::EyeSide side, PlannerMemory& memory,
+                                       PlannedFrame& frame) {
     memory_ = &memory;
     frame_ = &frame;
-    PlannedCamera camera;
-    camera.eye = eye_of(frame.camera.eye, pair, side, painter_.stereo_margin_px);
+    PlannedPicture picture;
+    picture.camera = camera_of(frame.picture.camera, pair, side, painter_.stereo_margin_px);
     if (shows_elements()) {
         const std::uint32_t margin_px = painter_.stereo_margin_px;
-        plan_signs(camera.eye,
+        plan_signs(picture.camera,
                    {{}, {}, {}, 2 * margin_px, draw::StereoPass::screen_begins_px(margin_px, side, pair.shift_px), true});
-        elements_.stand_at(camera.eye.view.eye);
+        elements_.set_camera(picture.camera.view.eye);
     }
-    camera.terrain = terrain_.seen_from(camera.eye.view);
-    camera.data = elements_.planned();
-    camera.casters = elements_.casters(look_.effects.shadows.casters);
-    return camera;
+    picture.terrain = terrain_.seen_from(picture.camera.view);
+    picture.data = elements_.planned();
+    picture.casters = elements_.casters(look_.effects.shadows.casters);
+    return picture;
 }
 
 void FramePlanner::conclude(PlannerMemory& memory, PlannedFrame& frame) {
+    if (frame.saliency.is_measured) memory.saliency.take();
     if (look_.priority.held_clutter() >= 1) return;
-    const ClutterControl::Measured measured = memory.clutter.measured(frame.time, memory.shown);
+    const DeclutterControl::Measured measured = memory.clutter.measured(frame.time, memory.shown);
     frame.clutter.measured = measured.clutter;
     frame.clutter.reached = measured.reached;
     for (const ElementReport& report : elements_.reports())
-        if (gives_way(report, frame.declutter)) frame.clutter.roles |= 1u << static_cast<unsigned>(report.layer->entry->role);
+        if (may_declutter(report, frame.declutter)) frame.clutter.roles |= 1u << static_cast<unsigned>(report.layer->entry->role);
 }
 
 }  // namespace tedavis::display

@@ -81,7 +81,7 @@ policy::PredictedTrack FramePlanner::track_of(const flight::OwnShipEstimate& own
 }
 
 /// Before anything of the frame is planned.
-void FramePlanner::weigh() {
+void FramePlanner::apply_priorities() {
     design::AspectWeights weights = design_at(memory_->shown).priority.weights;
     if (has_intervals_) {
         Boosts boosts(*this);
@@ -95,7 +95,7 @@ void FramePlanner::weigh() {
     if (weights == memory_->weights && shows_alert == memory_->shows_alert) return;
     memory_->weights = weights;
     memory_->shows_alert = shows_alert;
-    take_look();
+    take_look(asked_look());
 }
 
 ObstaclePlaces FramePlanner::obstacles_ahead(const PlannedFrame& frame, const PlannerMemory& memory) {
@@ -103,11 +103,11 @@ ObstaclePlaces FramePlanner::obstacles_ahead(const PlannedFrame& frame, const Pl
         frame.state.own_ship.state != base::SignalState::valid)
         return {};
     const policy::PredictedTrack track = track_of(frame.state.own_ship);
-    TerrainGround ground(terrain_, frame.camera.eye.view);
+    TerrainGround ground(terrain_, frame.picture.camera.view);
     policy::HazardWatch watch(design_at(memory.shown).priority, track, ground, frame.flight_time.utc.ns);
-    terrain::LineOfSight sight = terrain_.sight(frame.camera.eye.view);
-    const draw::SignView eye{frame.camera.eye.view, static_cast<float>(text_px(context_of(frame, frame.camera.eye),
-                                                                               settings_.width_px, settings_.height_px))};
+    terrain::LineOfSight sight = terrain_.sight(frame.picture.camera.view);
+    const draw::SignView eye{frame.picture.camera.view, static_cast<float>(text_px(context_of(frame, frame.picture.camera),
+                                                                                   settings_.width_px, settings_.height_px))};
     return obstacle_places({data_.scene(), frame.flight_time, ground, eye, &sight, elements_.reports(), elements_.labels()},
                            watch);
 }
@@ -136,7 +136,7 @@ void FramePlanner::state_stale_data() {
     const double stale_after_s = design_at(memory_->shown).data.stale_after_s;
     for (const scene::Layer& layer : data_.scene().layers()) {
         if (!is_in_design(layer) || !is_valid_at(layer, frame_->flight_time)) continue;
-        note_stale(layer.entry->name, stale_age(layer, frame_->flight_time, stale_after_s), *frame_);
+        record_stale(layer.entry->name, stale_age(layer, frame_->flight_time, stale_after_s), *frame_);
         for (const scene::Attribute& attribute : layer.attributes)
             if (const std::uint8_t from = attribute.entry->derived_from; from > 0)
                 state_stale_source(data_.scene().layers()[from - 1], *attribute.entry, stale_after_s);
@@ -151,7 +151,7 @@ void FramePlanner::state_stale_source(const scene::Layer& source, const scene::A
         age.ns = frame_->flight_time.utc.ns - made.derived_minute * kMinute_ns;
         if (age.to_seconds() <= stale_after_s) return;
     }
-    note_stale(source.entry->name, age, *frame_);
+    record_stale(source.entry->name, age, *frame_);
 }
 
 /// Of what the design shows: measured so long ago that it is said to be stale, or out of date.

@@ -28,7 +28,7 @@ void FramePlanner::plan_view() {
     const earth::Geodetic& place = frame_->state.own_ship.position;
     const double undulation = undulation_m(place);
     frame_->altitude_msl_m = place.height.m - (frame_->state.own_ship.height_is_geometric ? undulation : 0);
-    EyeInput input;
+    CameraInput input;
     input.own_ship = {place.latitude_rad, place.longitude_rad, {frame_->altitude_msl_m + undulation}};
     input.msl_m = frame_->altitude_msl_m;
     input.above_ground_m = frame_->state[Signal::height_above_terrain].value_or(frame_->altitude_msl_m);
@@ -42,16 +42,16 @@ void FramePlanner::plan_view() {
     frame_->map_share = memory_->view.map_share();
     frame_->is_free_view = free_view_active_;
     if (terrain_.is_started()) frame_->heights = height_span(terrain_.database().header());
-    frame_->camera.eye = make_eye(input, look_.view, look_.sky.haze_distance_m);
-    if (free_view_active_) frame_->camera.eye.view = free_view_;
-    if (look_.view.reference == design::Reference::flat) frame_->camera.eye.view.flat_msl_m = look_.view.flat_msl_m;
-    const earth::Geodetic eye_place = earth::from_ecef(frame_->camera.eye.view.eye);
+    frame_->picture.camera = make_camera(input, look_.view, look_.sky.haze_distance_m);
+    if (free_view_active_) frame_->picture.camera.view = free_view_;
+    if (look_.view.reference == design::Reference::flat) frame_->picture.camera.view.flat_msl_m = look_.view.flat_msl_m;
+    const earth::Geodetic eye_place = earth::from_ecef(frame_->picture.camera.view.eye);
     frame_->eye_msl_m = eye_place.height.m - undulation_m(eye_place);
-    frame_->eyes = {};
+    frame_->stereo_cameras = {};
     if (painter_.is_stereo && is_near())
-        frame_->eyes = eye_pair(look_.effects.stereo, frame_->camera.eye.view.focal_px, frame_->camera.eye.view.near_m,
-                                painter_.stereo_margin_px);
-    frame_->seen = seen_by_both(frame_->camera.eye.view, frame_->eyes);
+        frame_->stereo_cameras = stereo_cameras(look_.effects.stereo, frame_->picture.camera.view.focal_px,
+                                                frame_->picture.camera.view.near_m, painter_.stereo_margin_px);
+    frame_->seen = seen_by_both(frame_->picture.camera.view, frame_->stereo_cameras);
 }
 
 /// Where they are, whatever is shown of them.
@@ -59,7 +59,7 @@ void FramePlanner::plan_foci() {
     frame_->foci_plan = {};
     if (look_.foci.empty() || !terrain_.is_started()) return;
     const design::PrioritySettings& priority = look_.priority;
-    TerrainGround ground(terrain_, frame_->camera.eye.view);
+    TerrainGround ground(terrain_, frame_->picture.camera.view);
     const double own_height_m = frame_->altitude_msl_m + undulation_m(frame_->state.own_ship.position);
     frame_->foci_plan =
         display::plan_foci(look_.foci, {frame_->state.own_ship, own_height_m, data_.has_scene() ? &data_.scene() : nullptr,
@@ -84,23 +84,23 @@ void FramePlanner::magnify() {
         if (record.state != DistortionState::shown) continue;
         const terrain::HeightAnswer ground = terrain_.true_height(record.middle.latitude_rad, record.middle.longitude_rad);
         const bool is_known = ground.status == terrain::HeightStatus::land || ground.status == terrain::HeightStatus::sea;
-        const double msl_m = frame_->camera.eye.view.is_flat() ? frame_->camera.eye.view.flat_msl_m : ground.height.m;
+        const double msl_m = frame_->picture.camera.view.is_flat() ? frame_->picture.camera.view.flat_msl_m : ground.height.m;
         if (is_known) record.middle.height.m = msl_m + ground.undulation.m;
     }
     frame_->distortion = plan.records;
     if (plan.magnifiers.empty()) return;
-    frame_->camera.eye.view.magnifiers = plan.magnifiers;
-    unmagnified_near_m_ = frame_->camera.eye.view.near_m;
-    unmagnified_far_m_ = frame_->camera.eye.view.far_m;
-    make_room(frame_->camera.eye.view);
-    frame_->seen = seen_by_both(frame_->camera.eye.view, frame_->eyes);
+    frame_->picture.camera.view.magnifiers = plan.magnifiers;
+    unmagnified_near_m_ = frame_->picture.camera.view.near_m;
+    unmagnified_far_m_ = frame_->picture.camera.view.far_m;
+    make_room(frame_->picture.camera.view);
+    frame_->seen = seen_by_both(frame_->picture.camera.view, frame_->stereo_cameras);
 }
 
 void FramePlanner::stop_magnifying() {
-    frame_->camera.eye.view.magnifiers.clear();
-    frame_->camera.eye.view.near_m = unmagnified_near_m_;
-    frame_->camera.eye.view.far_m = unmagnified_far_m_;
-    frame_->seen = seen_by_both(frame_->camera.eye.view, frame_->eyes);
+    frame_->picture.camera.view.magnifiers.clear();
+    frame_->picture.camera.view.near_m = unmagnified_near_m_;
+    frame_->picture.camera.view.far_m = unmagnified_far_m_;
+    frame_->seen = seen_by_both(frame_->picture.camera.view, frame_->stereo_cameras);
     withhold(frame_->distortion, DistortionState::over_budget);
 }
 

@@ -112,14 +112,14 @@ struct FocusRecord {
 
 /// How the frame's deadline was held (effects::BudgetReport).
 struct GovernorRecord {
-    double deadline_ms = 0;   ///< 0: none is held
-    double predicted_ms = 0;  ///< modelled cost of the frame; 0: not known
-    std::uint32_t rung = 0;   ///< of effects::kLadder; 0: the design's own picture
-    bool changed = false;     ///< with this frame
+    double deadline_ms = 0;           ///< 0: none is held
+    double predicted_ms = 0;          ///< modelled cost of the frame; 0: not known
+    std::uint32_t quality_level = 0;  ///< of effects::kQualityLevels; 0: the design's own picture
+    bool changed = false;             ///< with this frame
     base::FixedString<63> why;
 };
 
-/// How the budget of clutter was held (display/clutter_control.hpp).
+/// How the budget of clutter was held (display/declutter_control.hpp).
 struct ClutterRecord {
     double budget = 1;                  ///< 1: none is held
     effects::ClutterMeasures measured;  ///< that it follows from, the newest

@@ -286,7 +286,7 @@ std::uint32_t GlyphElements::slots_of(const design::CasterRoles& roles) const {
     return slots;
 }
 
-void GlyphElements::stand_at(const glm::dvec3& eye) {
+void GlyphElements::set_camera(const glm::dvec3& eye) {
     batch_.move(glm::vec3(batch_eye_ - eye));
     batch_eye_ = eye;
 }

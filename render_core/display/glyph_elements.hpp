@@ -66,7 +66,7 @@ public:
     [[nodiscard]] std::uint32_t slots_of(const design::CasterRoles& roles) const;
 
     /// Seen from another eye than the planned one from here on.
-    void stand_at(const glm::dvec3& eye);
+    void set_camera(const glm::dvec3& eye);
 
 private:
     struct Slot {

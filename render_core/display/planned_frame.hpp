@@ -3,14 +3,14 @@
 /// Plain but for references to the planner's own, which stay until the next plan. Thread  the display's.
 #pragma once
 
+#include "render_core/display/camera.hpp"
 #include "render_core/display/caster_set.hpp"
 #include "render_core/display/element_planner.hpp"
-#include "render_core/display/eye.hpp"
-#include "render_core/display/eye_pair.hpp"
 #include "render_core/display/foci_plan.hpp"
 #include "render_core/display/frame_record.hpp"
 #include "render_core/display/shadow_plan.hpp"
 #include "render_core/display/spatial_data.hpp"
+#include "render_core/display/stereo_cameras.hpp"
 #include "render_core/display/symbology_data.hpp"
 #include "render_core/display/terrain_planner.hpp"
 #include "render_core/draw/color_table.hpp"
@@ -26,15 +26,35 @@
 namespace tedavis::display {
 
 /// What stands in the picture of one camera: the frame's own, or one of a pair.
-struct PlannedCamera {
-    Eye eye;
+struct PlannedPicture {
+    Camera camera;
     SeenTerrain terrain;
     PlannedElements data;
     CasterSet casters;
 };
 
+/// What is measured of a planned picture before the frame is shown.
+enum class Probe : std::uint8_t {
+    none,    ///< nothing: the picture is shown
+    shown,   ///< the edges of the picture; it is shown where the next plan asks for no other one
+    hidden,  ///< the edges of the picture, which is not shown
+};
+
+/// What the painter found of a planned picture: plain input of FramePlanner::plan_again().
+struct PainterFindings {
+    bool terrain_failed = false;  ///< it could not be drawn; then nothing was measured
+    effects::ClutterMap edges;    ///< of the picture that PlannedFrame::probe asks for
+};
+
+struct PlannedSaliency {
+    bool is_shown = false;
+    bool is_measured = false;  ///< of this picture; else the map is an earlier frame's
+};
+
 /// How the budget of clutter is held: what the frame follows from, and what gives way in it.
 struct PlannedClutter {
+    Probe probe = Probe::none;
+    policy::Declutter before_probes;  ///< of the frame, while its probes are planned
     effects::ClutterMeasures measured;
     effects::ClutterMap reached;
     std::uint32_t roles = 0;  ///< of layers that give way; a bit for each scene::LayerRole
@@ -51,9 +71,9 @@ struct PlannedFrame : FrameStatement {
     std::uint64_t look_key = 0;                     ///< another one: painters must be told of the design anew
     bool draws_foci = false;                        ///< with what they change of the ground
 
-    PlannedCamera camera;
+    PlannedPicture picture;
     terrain::View seen;  ///< all that is drawn of the frame: the camera's view, or as wide as a picture for each eye
-    EyePair eyes;
+    StereoCameras stereo_cameras;
     double eye_msl_m = 0;
     double map_share = 0;       ///< of the way from 3D to the map, 0..1
     bool is_free_view = false;  ///< the camera is nobody's
@@ -63,6 +83,7 @@ struct PlannedFrame : FrameStatement {
     FociPlan foci_plan;
     policy::Declutter declutter;
     PlannedClutter clutter;
+    PlannedSaliency saliency;
     SpatialDataPlan data;
     std::uint64_t ground_key = 0;                    ///< another one: `ground_slice` has changed
     const scene::GridSlice* ground_slice = nullptr;  ///< what colours the ground; null for nothing

@@ -1,12 +1,13 @@
 /// All that decides in one frame because of the frames before it. Plain data: to plan a frame again, or one that lies elsewhere,
-/// is to plan it from a copy.
+/// is to plan it from a copy. A replay keeps copies as the state of the log's decision intervals (flight/decision_interval.hpp).
 ///
 /// What the planner keeps besides (chunks that have arrived, geometry that is built) only saves time.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
-#include "render_core/display/clutter_control.hpp"
+#include "render_core/display/declutter_control.hpp"
 #include "render_core/display/element_labels.hpp"
 #include "render_core/display/saliency_schedule.hpp"
 #include "render_core/display/view_transition.hpp"
@@ -44,9 +45,29 @@ struct PlannerMemory {
     ViewTransition view;
     policy::PriorityBoost boost;
     LabelHistory labels;
-    ClutterControl clutter;
+    DeclutterControl clutter;
     SaliencySchedule saliency;
     effects::FrameBudget budget;
+
+    /// The next frame does not follow the last one: the phase that it is told has its design at once.
+    void cut() {
+        transition.cut();
+        saliency.forget();
+        clutter.forget();
+    }
+    /// True where a later frame shows the planned one again, or what is measured of it: it must be drawn, even if nobody looks at
+    /// it.
+    [[nodiscard]] bool must_be_drawn() const { return transition.keeps || saliency.must_be_drawn() || clutter.must_be_drawn(); }
+    /// From when on, besides, frames that must be drawn are a part of the one at `time`.
+    [[nodiscard]] base::Time needed_since(base::Time time) const {
+        return std::min(saliency.needed_since(time), clutter.needed_since(time));
+    }
+    /// Takes over the labels and the priorities that FramePlanner::decide_interval() has left in `decided`. What the last frame
+    /// showed of the labels remains this memory's.
+    void take_interval(const PlannerMemory& decided) {
+        boost = decided.boost;
+        labels.take_interval(decided.labels);
+    }
 };
 static_assert(std::is_trivially_copyable_v<PlannerMemory>);
 

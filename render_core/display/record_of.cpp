@@ -24,13 +24,13 @@ FrameRecord record_of(const PlannedFrame& plan, const DrawnFrame& drawn, const E
     FrameRecord record;
     static_cast<FrameStatement&>(record) = plan;
     if (drawn.ground_data_is_missing) flag("ground_data.missing", record);
-    note_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn}, record);
-    note_budget(plan.budget, record);
-    note_elements(reports, record);
+    record_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn}, record);
+    record_budget(plan.budget, record);
+    record_elements(reports, record);
     record.clutter = clutter_of(plan);
-    note_weights(plan.shown->priority, plan.weights, record);
-    note_drawn(drawn.terrain, table, record);
-    note_work(drawn.work, record);
+    record_weights(plan.shown->priority, plan.weights, record);
+    record_drawn(drawn.terrain, table, record);
+    record_work(drawn.work, record);
     record.bytes.uploaded = drawn.uploaded_bytes;
     return record;
 }

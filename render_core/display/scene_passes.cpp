@@ -115,7 +115,7 @@ draw::AirFrame ScenePasses::update_air(gl::Gl& gl, const PassInput& input) {
     air_.update(gl, frame.design.sky.air, frame.eye_msl_m, light.elevation_rad);
     draw::AirFrame air = air_.frame();
     air.towards_sun = policy::towards_light(light.azimuth_rad, light.elevation_rad, frame.record.own_ship.position);
-    air.up = earth::up_at(frame.eye.view.eye);
+    air.up = earth::up_at(frame.camera.view.eye);
     air.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
     air.eye_height_m = frame.eye_msl_m;
     air.share = 1 - frame.map_share;
@@ -131,7 +131,7 @@ draw::ShadowRead ScenePasses::draw_shadows(gl::Gl& gl, const PassInput& input) {
     if (!input.has_shadow_map) {
         const WorkScope work(gl, map);
         static_cast<void>(
-            shadows_.draw(gl, input.elements.caster_drawers(), input.casters, plan.frame, input.frame.eye.view.eye));
+            shadows_.draw(gl, input.elements.caster_drawers(), input.casters, plan.frame, input.frame.camera.view.eye));
     }
     for (const effects::Effect reader : {effects::Effect::soft_shadows, effects::Effect::volumetric_light})
         if (input.plan.runs(reader)) input.work[reader] += map;
@@ -189,8 +189,8 @@ void ScenePasses::finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const d
 void ScenePasses::draw_shafts(gl::Gl& gl, const PassInput& input, const draw::ShadowRead& shadow) {
     const DrawContext& frame = input.frame;
     const WorkScope work(gl, input.work[effects::Effect::volumetric_light]);
-    shafts_.draw(gl, {frame.eye.view, view_effects_.target().color(), shadow, frame.air, frame.haze_per_m, frame.design.sky.haze,
-                      frame.shadows.in_air, frame.shadows.steps});
+    shafts_.draw(gl, {frame.camera.view, view_effects_.target().color(), shadow, frame.air, frame.haze_per_m,
+                      frame.design.sky.haze, frame.shadows.in_air, frame.shadows.steps});
 }
 
 void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn) {

@@ -42,7 +42,7 @@ const char* reason_of(GroundDataState state) noexcept {
     return "unknown";
 }
 
-std::string_view scene_fault(std::string_view sentence) noexcept { return base::text_behind(kOfScene, sentence); }
+std::string_view scene_fault(std::string_view message) noexcept { return base::text_behind(kOfScene, message); }
 
 base::Error SpatialData::start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side) {
     most_side_ = most_side;

@@ -41,7 +41,7 @@ struct SpatialDataPlan {
 };
 
 /// What a sentence of start() says of the scene database, to stand behind the file's name; empty for one about other things.
-[[nodiscard]] std::string_view scene_fault(std::string_view sentence) noexcept;
+[[nodiscard]] std::string_view scene_fault(std::string_view message) noexcept;
 
 class SpatialData {
 public:

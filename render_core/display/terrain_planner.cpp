@@ -76,7 +76,7 @@ TerrainPlan as_traced(TerrainPlan plan) {
     return plan;
 }
 
-std::string_view database_fault(std::string_view sentence) { return base::text_behind(kOfDatabase, sentence); }
+std::string_view database_fault(std::string_view message) { return base::text_behind(kOfDatabase, message); }
 
 std::uint32_t TerrainPlanner::reader_tickets(const effects::DeviceSettings& device) {
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
@@ -165,15 +165,16 @@ std::uint32_t TerrainPlanner::parts_in_view() const {
     return std::max(slots / 2, slots - std::min(slots, roots + kSlotsBeside));
 }
 
-terrain::LodSettings TerrainPlanner::lod_settings(const design::DesignSettings& design, const Eye& eye, double tau_factor) const {
+terrain::LodSettings TerrainPlanner::lod_settings(const design::DesignSettings& design, const Camera& camera,
+                                                  double tau_factor) const {
     terrain::LodSettings lod;
     lod.tau_px = design.terrain.tau_px * tau_factor;
     lod.max_triangles = device_->triangle_budget;
     lod.max_chunks = device_->max_chunk_slots * 2 / 3;  // the others hold ancestors
     if (device_->terrain_ms > 0) lod.max_ms = device_->terrain_ms;
     lod.cost = {device_->ns_per_triangle, device_->us_per_chunk};
-    lod.haze_per_m = eye.haze_per_m;
-    lod.height_weight = eye.height_weight;
+    lod.haze_per_m = camera.haze_per_m;
+    lod.height_weight = camera.height_weight;
     lod.conservative_up = design.terrain.conservative_up;
     if (needs_map(design.terrain.style, design::BakedMap::drape)) lod.drape = drape_detail_;
     return lod;
@@ -185,11 +186,11 @@ terrain::View TerrainPlanner::over_ground(terrain::View view) {
     return view;
 }
 
-TerrainPlan TerrainPlanner::plan(const Eye& eye, const design::DesignSettings& design, double tau_factor) {
-    const terrain::LodSettings lod = lod_settings(design, eye, tau_factor);
+TerrainPlan TerrainPlanner::plan(const Camera& camera, const design::DesignSettings& design, double tau_factor) {
+    const terrain::LodSettings lod = lod_settings(design, camera, tau_factor);
     store_.begin_frame();
     TerrainPlan plan;
-    terrain::View view = eye.view;
+    terrain::View view = camera.view;
     follow_view(view);
     plan.is_unmagnified = !view.magnifiers.empty() && !can_magnify(view, lod);
     if (plan.is_unmagnified) view.magnifiers.clear();

@@ -9,7 +9,7 @@
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/ports/byte_source.hpp"
 #include "render_core/base/ports/workers.hpp"
-#include "render_core/display/eye.hpp"
+#include "render_core/display/camera.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/screen_part.hpp"
 #include "render_core/draw/terrain_program.hpp"
@@ -56,7 +56,7 @@ struct TerrainPlan {
 [[nodiscard]] TerrainPlan as_traced(TerrainPlan plan);
 
 /// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
-[[nodiscard]] std::string_view database_fault(std::string_view sentence);
+[[nodiscard]] std::string_view database_fault(std::string_view message);
 
 /// The terrain of one camera, as a painter draws it. The chunks must stay: until the next plan().
 struct SeenTerrain {
@@ -94,7 +94,7 @@ public:
 
     /// Chooses the chunks of this frame from what is there, and asks for what the view needs. `tau_factor`: of the error
     /// that the design allows.
-    [[nodiscard]] TerrainPlan plan(const Eye& eye, const design::DesignSettings& design, double tau_factor = 1);
+    [[nodiscard]] TerrainPlan plan(const Camera& camera, const design::DesignSettings& design, double tau_factor = 1);
     /// After plan(): of the chosen chunks seen from elsewhere, too, where that makes the worst error greater.
     void widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod);
     /// Instead of plan() in a frame without terrain: what has arrived later follows from such frames as well.
@@ -127,7 +127,7 @@ private:
     [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
     [[nodiscard]] std::uint32_t parts_in_view() const;
     void decide_drape();
-    [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Eye& eye,
+    [[nodiscard]] terrain::LodSettings lod_settings(const design::DesignSettings& design, const Camera& camera,
                                                     double tau_factor) const;
     void follow_view(const terrain::View& view);
     [[nodiscard]] base::Error start_store(const TerrainInput& input, const TerrainMemory& memory);

@@ -23,7 +23,7 @@ struct HorizonLight {
 };
 
 HorizonLight horizon_light(const earth::Air& air, const earth::SunThroughAir& sun, double eye_height_m) {
-    earth::AirWay level(air, sun, eye_height_m, -std::sin(horizon_dip_rad(eye_height_m)));
+    earth::AirPath level(air, sun, eye_height_m, -std::sin(horizon_dip_rad(eye_height_m)));
     level.walk_to(50'000, 32);
     level.walk_out(128);
     const earth::AirLight light = level.light();
@@ -78,7 +78,7 @@ void AirTable::update(gl::Gl& gl, const design::AirSettings& settings, double ey
     // Brightness is a root of light.
     const double scale = settings.horizon_brightness * settings.horizon_brightness / horizon.square;
     for (std::uint32_t row = 0; row < kRows; ++row)
-        upload_row(gl, row, earth::AirWay(air, sun, height_m, sine_of_row(row, dip_rad)), scale);
+        upload_row(gl, row, earth::AirPath(air, sun, height_m, sine_of_row(row, dip_rad)), scale);
     is_known_ = true;
     settings_ = settings;
     height_step_ = height_step;
@@ -93,7 +93,7 @@ AirFrame AirTable::frame() const {
     return frame;
 }
 
-void AirTable::upload_row(gl::Gl& gl, std::uint32_t row, earth::AirWay way, double scale) const {
+void AirTable::upload_row(gl::Gl& gl, std::uint32_t row, earth::AirPath way, double scale) const {
     std::uint16_t texels[kBlocks][kColumns][4];
     for (std::uint32_t column = 0; column < kColumns; ++column) {
         if (column + 1 < kColumns)

@@ -59,7 +59,7 @@ public:
     [[nodiscard]] static double distance_of_column_m(double column) noexcept;
 
 private:
-    void upload_row(gl::Gl& gl, std::uint32_t row, earth::AirWay way, double scale) const;
+    void upload_row(gl::Gl& gl, std::uint32_t row, earth::AirPath way, double scale) const;
 
     gl::Texture texture_;
     bool is_known_ = false;

@@ -30,8 +30,8 @@ public:
 
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
-    /// Updates the table. `bands` are all bands of the design, or none. `haze_per_m` is 1 / distance at which haze hides 1 -
-    /// 1/e, 0 for none.
+    /// Updates the table. `bands` are all bands of the design, or none. `haze_per_m` is 1 / distance at which haze hides
+    /// 1 - 1/e, 0 for none.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
                 const design::SkySettings& sky, double haze_per_m);
     /// For a change of the design: the next update computes everything.

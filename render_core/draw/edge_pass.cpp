@@ -126,11 +126,11 @@ void EdgePass::find_crests(gl::Gl& gl, const Rows& read, const Rows& blurred, co
 }
 
 void EdgePass::follow(gl::Gl& gl) {
-    static_assert(kTurns % 2 == 0, "the last turn leaves its edges where the first one found them");
-    for (int turn = 0; turn < kTurns; ++turn) {
-        const gl::Program& follow = use(gl, EdgeStep::follow, edges_[turn % 2]);
+    static_assert(kIterations % 2 == 0, "the last iteration leaves its edges where the first one found them");
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+        const gl::Program& follow = use(gl, EdgeStep::follow, edges_[iteration % 2]);
         gl->Uniform1f(follow.uniform(kEdgeBand), static_cast<float>(edge_blocks(width_px_)));
-        edges_[(turn + 1) % 2].bind(gl);
+        edges_[(iteration + 1) % 2].bind(gl);
         triangle_.draw(gl);
     }
 }

@@ -2,8 +2,8 @@
 ///
 /// Edges are defined by perception/edge_detector.hpp with its default settings. All sums are integers that a float represents
 /// exactly, so that gradients, maxima and thresholds equal those of the CPU pixel by pixel. Only hysteresis is limited: weak
-/// edges are followed through kTurns blocks of 4 x 4 pixels from a strong edge. README.md states the resulting difference. Both
-/// lanes give the same result.
+/// edges are followed through kIterations blocks of 4 x 4 pixels from a strong edge. README.md states the resulting difference.
+/// Both lanes give the same result.
 ///
 /// The picture is copied and searched in strips, which overlap by what a pixel's edge depends on; kept of the whole picture are
 /// three times two bits a pixel, twice. Every target has four bytes a texel, as ES 2 draws into. Nothing is blended or
@@ -31,7 +31,7 @@ enum class EdgeView : std::uint8_t { edges, regions };
 class EdgePass {
 public:
     /// Number of blocks of 4 x 4 pixels through which weak edges are followed.
-    static constexpr int kTurns = 12;
+    static constexpr int kIterations = 12;
 
     /// The surface has this size, at most perception::kMaxPictureSide per side. `shows`: show() may be called.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,

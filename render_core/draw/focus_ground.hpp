@@ -24,7 +24,7 @@ namespace tedavis::draw {
 
 /// The variant of foci that programs are built for.
 struct GroundFocusKind {
-    std::uint8_t foci = 0;  ///< of the design; 0: none changes the ground
+    std::uint8_t foci = 0;  ///< number of the design's foci; 0: none changes the ground
     bool has_paths = false, has_squares = false, has_chebyshev = false;
     bool has_lines = false, has_halos = false, has_grids = false;
     bool sketches = false, blurs = false;
@@ -42,13 +42,13 @@ inline constexpr double kSharpCode = 20;
 inline constexpr std::size_t kFocusUniforms = 4;
 inline constexpr const char* kFocusUniformNames[kFocusUniforms] = {"focus_axes", "focus_parts", "focus_look", "focus_least"};
 
-/// The lines of a grid are a round number of metres apart: 1, 2 or 5 times a power of ten, two or more to the focus' radius.
+/// Returns the spacing of a grid's lines: 1, 2 or 5 times a power of ten metres, so that the radius of the focus has two or more.
 [[nodiscard]] double focus_grid_spacing_m(double radius_m) noexcept;
 
 /// The data of foci for a chunk of terrain.
 struct FocusOfChunk {
     bool is_in_focus = true;                                          ///< the whole chunk: the program without foci draws it
-    double least_degree = 0;                                          ///< of all its places
+    double least_degree = 0;                                          ///< least degree of all points of the chunk
     std::uint8_t first[scene::kMaxFoci]{}, count[scene::kMaxFoci]{};  ///< parts of each focus
 };
 

@@ -12,7 +12,7 @@
 
 namespace tedavis::draw {
 
-/// Where a chunk's posts lie on a grid: posts of the grid = places of the chunk * scale + offset.
+/// Maps a chunk to a grid: position in posts of the grid = position in the chunk * scale + offset.
 struct GridWindow {
     double scale_i = 0, scale_j = 0, offset_i = 0, offset_j = 0;
 };

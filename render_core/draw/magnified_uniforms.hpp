@@ -17,7 +17,8 @@ inline constexpr std::size_t kMagnifierUniforms = 2;
 inline constexpr const char* kMagnifierUniformNames[kMagnifierUniforms] = {"lens", "lens_part"};
 inline constexpr std::string_view kMagnifiedDefine = "#define MAGNIFIED 1\n";
 
-/// Of the program in use, whose list has those names from `first` on; its places are measured from `origin` (ECEF).
+/// Sets the uniforms of the program in use; `first` is the index of the names in its list. Positions are relative to `origin`
+/// (ECEF).
 void set_magnifier_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const earth::MagnifiedPart& part,
                             const glm::dvec3& origin);
 

@@ -13,14 +13,14 @@
 
 namespace tedavis::draw {
 
-/// Where a page's first texel lies in its atlases, texels, at the texel's middle.
+/// Position of the centre of a page's first texel in its atlases, in texels.
 struct PageOrigin {
     float map_x = 0, map_y = 0, horizon_x = 0, horizon_y = 0;
 };
 
 class PageAtlas {
 public:
-    /// `slots` 1 or more; `staging` holds one page of texels. With `coast`, the map that tells sea from land is there too.
+    /// `slots` 1 or more; `staging` holds one page of texels. With `coast` there is also the map that separates sea from land.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, const design::MapSet& maps, bool coast,
                                     std::uint32_t slots, base::Arena& staging);
     [[nodiscard]] static std::uint64_t bytes_needed(const design::MapSet& maps, bool coast, std::uint32_t slots);

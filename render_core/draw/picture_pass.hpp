@@ -21,7 +21,7 @@ struct PictureInput {
     SkyInput sky;
     bool outlined = false;  ///< with the silhouettes of the style
     DistanceLeft left;      ///< in the picture's alpha
-    ScreenPart ground;      ///< beyond it nothing was drawn
+    ScreenPart ground;      ///< part of the screen outside which nothing was drawn
     // For codes only.
     bool has_void = false;  ///< ground without data is in view
     HeightSpan heights;     ///< as the terrain was drawn with
@@ -52,7 +52,7 @@ public:
     void destroy(gl::Gl& gl);
 
 private:
-    /// Of coloured terrain, or of codes.
+    /// Programs for coloured terrain, or for codes.
     struct Programs {
         gl::Program ground[2][2];  ///< the second with what is not known; the second with silhouettes
         gl::Program sky;

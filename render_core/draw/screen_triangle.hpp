@@ -13,7 +13,7 @@ namespace tedavis::draw {
 class ScreenTriangle {
 public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget);
-    /// With the program and target that are in use.
+    /// Draws the triangle with the current program and target.
     void draw(gl::Gl& gl) const;
     void destroy(gl::Gl& gl) { corners_.destroy(gl); }
 

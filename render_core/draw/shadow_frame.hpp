@@ -44,7 +44,7 @@ struct ShadowFrame {
     glm::dmat3 axes{1.0};               ///< columns, ECEF unit vectors: right, up, towards the sun
     ShadowLevel levels[kShadowLevels];  ///< the finest first
     double sine = 1;                    ///< of the light's elevation
-    /// Casters lie between these places of the light's frame; while there are none, the first is beyond the second.
+    /// Bounds of the casters in the light frame; without casters `low_m` is above `high_m`.
     glm::dvec3 low_m{kShadowReach_m}, high_m{-kShadowReach_m};
     double top_m = -kShadowReach_m;  ///< no caster is higher over the ellipsoid
     double on_ground = 0;            ///< share of the light that a full shadow removes; 0: no shadows are drawn
@@ -59,15 +59,15 @@ struct ShadowView {
     std::uint32_t level_px = 1024;
 };
 
-/// Without casters yet.
+/// Makes the light frame, without casters.
 [[nodiscard]] ShadowFrame make_shadow_frame(const ShadowView& from);
-/// One more of them.
+/// Adds a caster.
 void add_caster(ShadowFrame& frame, const CasterBall& ball);
 
 /// True where anything that the sphere may shade, down to `lowest_m` above the ellipsoid, may be in the picture.
 [[nodiscard]] bool shades_the_view(const ShadowFrame& frame, const terrain::View& view, const CasterBall& ball, double lowest_m);
 
-/// Edge of a texel of a level.
+/// Returns the edge length of a level's texel.
 [[nodiscard]] inline double texel_m(const ShadowLevel& level, std::uint32_t level_px) { return 2 * level.half_m / level_px; }
 
 }  // namespace tedavis::draw

@@ -2,8 +2,8 @@
 ///
 /// It has three levels, stored one above the other: the caster's distance towards the sun in 24 bits of red, green and blue
 /// (steps of 5 cm), and in alpha the share of light that it blocks. The terrain is not in the map, so it never shades itself,
-/// and the bias only covers rounding (kShadowBias_m), however low the sun. Ground above a caster is lit from half a texel above
-/// it.
+/// and the bias only covers rounding (kShadowBias_m), however low the sun. Ground that rises above
+/// a caster is lit from half a texel above the caster.
 ///
 /// Penumbrae after Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005, sketches, with the disc of the sun: what stands d
 /// metres towards the sun from a place shades it through a disc of d times the sun's radius. Wide ones are read from a coarser

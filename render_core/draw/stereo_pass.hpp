@@ -18,15 +18,15 @@ inline constexpr EyeSide kEyeSides[] = {EyeSide::left, EyeSide::right};
 
 class StereoPass {
 public:
-    /// Of a screen of `width_px` x `height_px`; an eye's picture is wider by 2 * `margin_px`.
+    /// Allocates for a screen of `width_px` x `height_px`; an eye's picture is wider by 2 * `margin_px`.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     std::uint32_t margin_px);
     [[nodiscard]] bool is_started() const { return picture_.is_started(); }
     [[nodiscard]] std::uint32_t margin_px() const { return margin_px_; }
     /// The target for one eye's scene.
     [[nodiscard]] const gl::RenderTarget& target() const { return picture_.target(); }
-    /// Where the screen begins in an eye's picture, pixels from its left edge. `shift_px`: of each eye's picture towards its own
-    /// side, -margin..margin.
+    /// Returns where the screen begins in an eye's picture, in pixels from its left edge. `shift_px` is the shift of each eye's
+    /// picture towards its own side, -margin..margin.
     [[nodiscard]] static std::int32_t screen_begins_px(std::uint32_t margin_px, EyeSide side, std::int32_t shift_px);
     /// Copies the last drawn picture to the surface: to the eye's half (side by side), to its colour channels (anaglyph, red
     /// for the left eye), or to the whole surface (no mode).

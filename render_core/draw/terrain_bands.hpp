@@ -8,15 +8,15 @@
 namespace tedavis::draw {
 
 struct TerrainBands {
-    float lower_m[design::kMaxWarningBands];    ///< heights above MSL from which a band holds, ascending; 1e9 where unused
+    float lower_m[design::kMaxWarningBands];    ///< heights above MSL at which a band begins, ascending; 1e9 where unused
     float color[design::kMaxWarningBands * 4];  ///< red, green, blue, strength; 0..1
     std::size_t count = 0;
 
     TerrainBands();
 };
 
-/// Of `bands` (the highest first) those that hold somewhere between two heights above MSL; the last one whose lower limit
-/// is not above a height holds there. An empty result means that no warning colour is due.
+/// Returns those of `bands` (the highest first) that apply somewhere between two heights above MSL. At a height the last one
+/// applies whose lower limit is not above it. An empty result means that no warning colour is due.
 [[nodiscard]] TerrainBands bands_within(const design::WarningBands& bands, double aircraft_msl_m, bool gear_down,
                                         float least_height_m, float greatest_height_m);
 

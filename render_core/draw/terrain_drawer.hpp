@@ -29,18 +29,18 @@ namespace tedavis::draw {
 struct TerrainDrawInput {
     terrain::View view;
     double haze_per_m = 0;  ///< 1 / distance at which haze hides 1 - 1/e; 0 for none
-    /// Towards each light of the style, ECEF.
+    /// Unit vectors towards the lights of the style, ECEF.
     glm::dvec3 light_direction[design::kMaxLights];
     bool warning_colors = false;
     double aircraft_msl_m = 0;   ///< for warning colours
-    double bands_lowered_m = 0;  ///< by so much their limits go down
+    double bands_lowered_m = 0;  ///< amount by which the limits of the bands are lowered
     bool gear_down = false;
     HeightSpan heights;  ///< of the whole database, for codes
     AirFrame air;
     ShadowRead shadow;
     DistanceLeft left;                          ///< in alpha, of programs for light shafts, and for blur round a focus
-    const scene::FocusRegions* foci = nullptr;  ///< as many as the design has; must stay. Null: there are none
-    bool blurs_context = true;                  ///< false: brightness stands for it
+    const scene::FocusRegions* foci = nullptr;  ///< as many as the design has; must stay valid. Null: there are none
+    bool blurs_context = true;                  ///< false: brightness replaces blur
 };
 
 class TerrainDrawer {

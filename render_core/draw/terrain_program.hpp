@@ -95,23 +95,24 @@ enum class TerrainOutput : std::uint8_t {
 struct DrawnDesign {
     const design::DesignSettings* design = nullptr;
     TerrainOutput output = TerrainOutput::color;
-    bool has_focus = false;  ///< what it has of foci is drawn: one is somewhere, and changes the ground
+    bool has_focus = false;  ///< foci are drawn: one is in effect and changes the ground
 };
 using DrawnDesigns = base::Span<const DrawnDesign>;
 
-/// Whether the distances in the picture serve volumetric light alone: then warning colours say that they are near, so that no
-/// shaft makes them darker, and the picture needs no pass of its own before the others.
+/// True where the distances in the picture are only used for volumetric light. Warning colours are then written as near, so that
+/// no shaft darkens them, and the picture needs no separate pass before the others.
 [[nodiscard]] bool has_shafts_only(const design::DesignSettings& design) noexcept;
 /// True where there is blur round a focus; degrees of focus are then written instead of distances.
 [[nodiscard]] bool blurs_context(const DrawnDesign& design) noexcept;
-/// The cheapest that shows the style and the data on a device that has off-screen depth or not; `focus`: what is drawn of foci.
+/// Returns the cheapest output that shows the style and the data on a device with or without off-screen depth; `focus` is the
+/// variant of foci that is drawn.
 [[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth,
                                       const GroundFocusKind& focus = {}) noexcept;
 /// With that output. `has_focus`: whether foci are to be drawn, where the design has any that change the ground.
 [[nodiscard]] DrawnDesign drawn_as(const design::DesignSettings& design, bool off_screen_depth, bool has_focus) noexcept;
 
 struct TerrainVariant {
-    std::size_t bands = 0;  ///< warning bands that it tells apart
+    std::size_t bands = 0;  ///< number of warning bands that it distinguishes
     bool baked = false;     ///< the chunk has attribute pages
     bool coast = false;     ///< the chunk has sea and land; what a pixel is comes from its pages
     bool classes = true;    ///< the chunk has sea or void; codes of land alone are written faster
@@ -141,7 +142,7 @@ using TerrainDefines = base::FixedString<kMaxTerrainDefines>;
 [[nodiscard]] base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                                            const TerrainVariant& variant);
 
-/// The number of bands in the smallest program that tells `bands` apart.
+/// Returns the number of bands in the smallest program that distinguishes `bands` bands.
 inline constexpr std::size_t kBandVariants = 3;
 inline constexpr std::size_t kBandsOfVariant[kBandVariants] = {0, 2, design::kMaxWarningBands};
 [[nodiscard]] constexpr std::size_t band_variant(std::size_t bands) noexcept { return bands == 0 ? 0 : bands <= 2 ? 1 : 2; }

@@ -19,7 +19,7 @@
 
 namespace tedavis::draw {
 
-/// What tracing takes beside the terrain's own; without an arena there is none.
+/// Resources of tracing, besides those of the terrain; without an arena nothing is traced.
 struct TracePlace {
     base::Workers* workers = nullptr;  ///< null: the caller's thread
     base::Arena* memory = nullptr;
@@ -28,7 +28,7 @@ struct TracePlace {
 
 class TracedTerrain {
 public:
-    /// Of the whole database that the query answers from; state() says whether it can trace it.
+    /// Starts with the whole database of the query; state() returns whether it can be traced.
     [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
                                     effects::DeviceSettings& device, const TracePlace& place);
     /// not_asked_for before start().

@@ -72,12 +72,12 @@ glm::dvec3 SunThroughAir::at(double height_m) const noexcept {
     return glm::exp(-glm::mix(depths_[below], depths_[below + 1], row - static_cast<double>(below)));
 }
 
-AirWay::AirWay(const Air& air, const SunThroughAir& sun, double eye_height_m, double sine) noexcept
+AirPath::AirPath(const Air& air, const SunThroughAir& sun, double eye_height_m, double sine) noexcept
     : air_(air), sun_(sun), eye_height_m_(eye_height_m), sine_(sine) {}
 
-double AirWay::height_at(double length_m) const noexcept { return height_on_ray(eye_height_m_, sine_, length_m); }
+double AirPath::height_at(double length_m) const noexcept { return height_on_ray(eye_height_m_, sine_, length_m); }
 
-void AirWay::add(double from_m, double to_m) noexcept {
+void AirPath::add(double from_m, double to_m) noexcept {
     const double half_m = 0.5 * (to_m - from_m);
     for (const double place : kGauss) {
         const double height_m = height_at(from_m + (to_m - from_m) * place);
@@ -94,23 +94,23 @@ void AirWay::add(double from_m, double to_m) noexcept {
     }
 }
 
-void AirWay::walk_to(double length_m, int steps) noexcept {
+void AirPath::walk_to(double length_m, int steps) noexcept {
     const double from_m = length_m_, step_m = (length_m - length_m_) / steps;
     for (int step = 0; step < steps; ++step) add(from_m + step * step_m, from_m + (step + 1) * step_m);
     length_m_ = length_m;
 }
 
-double AirWay::length_in_air_m() const noexcept {
+double AirPath::length_in_air_m() const noexcept {
     const double r = kMeanRadius_m + eye_height_m_, end = kMeanRadius_m + kAirEnds_m;
     return -r * sine_ + std::sqrt(std::fmax(r * r * (sine_ * sine_ - 1) + end * end, 0));
 }
 
-void AirWay::walk_out(int steps) noexcept {
+void AirPath::walk_out(int steps) noexcept {
     const double out_m = length_in_air_m();
     if (out_m > length_m_) walk_to(out_m, steps);
 }
 
-AirLight AirWay::light() const noexcept {
+AirLight AirPath::light() const noexcept {
     return {glm::exp(-depth_of(air_, molecules_m_, aerosol_m_)), by_molecules_, by_aerosol_};
 }
 

@@ -46,11 +46,11 @@ private:
 };
 
 /// Integrates along a straight ray from the eye point, in steps that the caller chooses.
-class AirWay {
+class AirPath {
 public:
     /// `sine` is that of the ray's elevation above the horizontal plane at the eye point, -1..1; `eye_height_m` is -500 ..
     /// 99,000.
-    AirWay(const Air& air, const SunThroughAir& sun, double eye_height_m, double sine) noexcept;
+    AirPath(const Air& air, const SunThroughAir& sun, double eye_height_m, double sine) noexcept;
     /// Integrates on to `length_m` from the eye point in `steps` equal steps (Gauss, two points each).
     void walk_to(double length_m, int steps) noexcept;
     /// Integrates on to the end of the atmosphere, or over the same length again for a ray that ends on the ground.

@@ -8,11 +8,11 @@ constexpr std::string_view kAnew = "; measure this display with `tedavis calibra
 
 void read_line(base::ConfigSection costs, std::string_view name, CostLine& line) {
     if (!costs.has(name)) {
-        base::FixedString<127> sentence("the cost of '");
-        sentence.append(name);
-        sentence.append("' is missing");
-        sentence.append(kAnew);
-        return costs.fault(name, sentence.view());
+        base::FixedString<127> message("the cost of '");
+        message.append(name);
+        message.append("' is missing");
+        message.append(kAnew);
+        return costs.fault(name, message.view());
     }
     base::ConfigSection section = costs.section(name);
     line.fixed_ms = section.number("fixed_ms", 0, kMaxMs);
@@ -38,13 +38,13 @@ void read_subject(base::ConfigSection& root, CalibrationSubject& subject) {
 
 /// "these costs were measured for 'a', not for 'b'; measure ..."
 void refuse(base::ConfigSection& root, std::string_view key, std::string_view of, std::string_view display) {
-    base::FixedString<383> sentence("these costs were measured for '");
-    sentence.append(of);
-    sentence.append("', not for '");
-    sentence.append(display);
-    sentence.append("'");
-    sentence.append(kAnew);
-    root.fault(key, sentence.view());
+    base::FixedString<383> message("these costs were measured for '");
+    message.append(of);
+    message.append("', not for '");
+    message.append(display);
+    message.append("'");
+    message.append(kAnew);
+    root.fault(key, message.view());
 }
 
 void require_subject(base::ConfigSection& root, const CalibrationSubject& of, const CalibrationSubject& display) {

@@ -5,7 +5,7 @@
 /// change linearly between the two. The resulting picture is measured, and detail is reduced further where that does not
 /// suffice, because regions are not independent: objects extend over their borders, and fewer objects may be placed elsewhere.
 /// Of the measured pictures the one with the least excess is chosen, or the one with the least detail where all exceed the
-/// budget much. The inputs are pictures that no earlier result has reduced, so the result cannot oscillate.
+/// budget by much. The inputs are pictures that no earlier result has reduced, so the result cannot oscillate.
 ///
 /// Measurements are inputs. Pure; any thread.
 #pragma once

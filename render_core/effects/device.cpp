@@ -112,10 +112,10 @@ void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
 void require_line(base::ConfigSection& root, const base::BudgetTable& budget, const RequiredLine& required, bool may_miss) {
     const base::BudgetLine* line = budget.find(required.name);
     if (line == nullptr ? may_miss : line->kind == required.kind) return;
-    base::FixedString<127> sentence("the budget needs a line '");
-    sentence.append(required.name);
-    sentence.append(required.kind == base::MemoryKind::cpu ? "' of kind \"cpu\"; add it" : "' of kind \"gpu\"; add it");
-    root.fault("budget", sentence.view());
+    base::FixedString<127> message("the budget needs a line '");
+    message.append(required.name);
+    message.append(required.kind == base::MemoryKind::cpu ? "' of kind \"cpu\"; add it" : "' of kind \"gpu\"; add it");
+    root.fault("budget", message.view());
 }
 
 void require_lines(base::ConfigSection root, const base::BudgetTable& budget) {

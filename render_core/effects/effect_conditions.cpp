@@ -51,7 +51,7 @@ EffectRequest context_blur_request(const EffectFacts& facts) noexcept {
 EffectRequest clutter_request(const EffectFacts& facts) noexcept {
     if (facts.shows_clutter) return kApplicable;
     if (facts.is_stereo) return {Kind::no_input, "regions of a picture for each eye are not those of the view"};
-    if (!facts.has_what_gives_way) return {Kind::not_applicable, "nothing is shown that gives way"};
+    if (!facts.has_declutterable_data) return {Kind::not_applicable, "nothing is shown that gives way"};
     return kApplicable;
 }
 

@@ -69,9 +69,9 @@ struct EffectFacts {
     CueState vertical_lines, projections, curtains;
     ShadowState shadows = ShadowState::not_asked_for;
     double widest_shadow_px = 0;
-    double shadow_in_air = 0;         ///< share of the air's light that shadows remove
-    bool shows_clutter = false;       ///< clutter is shown as a view
-    bool has_what_gives_way = false;  ///< data that may be reduced for the clutter budget are shown
+    double shadow_in_air = 0;             ///< share of the air's light that shadows remove
+    bool shows_clutter = false;           ///< clutter is shown as a view
+    bool has_declutterable_data = false;  ///< data that may be reduced for the clutter budget are shown
 };
 
 }  // namespace tedavis::effects

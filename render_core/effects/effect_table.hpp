@@ -78,7 +78,7 @@ struct EffectRow {
     std::string_view bound;                                              ///< what its bound is made of; empty: it has none
     std::string_view cost;                                               ///< what it adds to a frame
     std::array<Effect, 2> replacements{Effect::count_, Effect::count_};  ///< in order; count_ for none
-    std::uint8_t given_up_from = kNeverGivenUp;                          ///< first quality level (rung) without it
+    std::uint8_t given_up_from = kNeverGivenUp;                          ///< first quality level without it
     bool distracts = false;     ///< it distracts from a recovery and is not shown in an unusual attitude
     bool needs_terrain = true;  ///< it is not shown where terrain is not
 

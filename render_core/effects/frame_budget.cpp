@@ -8,8 +8,8 @@ namespace {
 constexpr double kMinFactor = 0.5, kMaxFactor = 4;
 constexpr double kMeasuredWeight = 1.0 / 16;  // of one frame: a single late one is no trend
 
-Quality quality_on(std::size_t rung, const TerrainTolerance& tolerance) {
-    return {tau_px_on(rung, tolerance.design_px, tolerance.coarse_px), kLadder[rung].detail_factor};
+Quality quality_on(std::size_t quality_level, const TerrainTolerance& tolerance) {
+    return {tau_px_on(quality_level, tolerance.design_px, tolerance.coarse_px), kQualityLevels[quality_level].detail_factor};
 }
 
 }  // namespace
@@ -23,18 +23,20 @@ void FrameBudget::hold(double deadline_ms, const CostTable& costs, const Governo
 }
 
 double FrameBudget::tau_factor(const TerrainTolerance& tolerance) const {
-    return tau_px_on(governor_.rung(), tolerance.design_px, tolerance.coarse_px) / tolerance.design_px;
+    return tau_px_on(governor_.quality_level(), tolerance.design_px, tolerance.coarse_px) / tolerance.design_px;
 }
 
-std::array<double, kRungs> FrameBudget::costs_of_rungs(const PlanInput& input, const DeviceCapability& device,
-                                                       const FrameCounters& counters, const TerrainTolerance& tolerance) const {
-    const Quality now = quality_on(governor_.rung(), tolerance);
-    std::array<double, kRungs> ms{};
-    for (std::size_t rung = 0; rung < kRungs; ++rung) {
-        PlanInput on_rung = input;
-        on_rung.too_costly.add(given_up_on(rung));
-        const FrameCounters there = counters_at(counters, now, quality_on(rung, tolerance));
-        ms[rung] = measured_factor_ * modelled_ms(costs_, plan_effects(on_rung, device), there);
+std::array<double, kQualityLevelCount> FrameBudget::costs_of_quality_levels(const PlanInput& input,
+                                                                            const DeviceCapability& device,
+                                                                            const FrameCounters& counters,
+                                                                            const TerrainTolerance& tolerance) const {
+    const Quality now = quality_on(governor_.quality_level(), tolerance);
+    std::array<double, kQualityLevelCount> ms{};
+    for (std::size_t quality_level = 0; quality_level < kQualityLevelCount; ++quality_level) {
+        PlanInput on_quality_level = input;
+        on_quality_level.too_costly.add(given_up_on(quality_level));
+        const FrameCounters there = counters_at(counters, now, quality_on(quality_level, tolerance));
+        ms[quality_level] = measured_factor_ * modelled_ms(costs_, plan_effects(on_quality_level, device), there);
     }
     return ms;
 }
@@ -46,11 +48,11 @@ FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, con
     input.too_costly.add(given_up_);
     if (is_held()) {
         const GovernorDecision decision =
-            governor_.decide({now, deadline_ms_, costs_of_rungs(input, device, counters, tolerance)}, settings_);
-        report_.rung = decision.rung;
+            governor_.decide({now, deadline_ms_, costs_of_quality_levels(input, device, counters, tolerance)}, settings_);
+        report_.quality_level = decision.quality_level;
         report_.changed = decision.changed;
         report_.why = decision.why;
-        input.too_costly.add(given_up_on(decision.rung));
+        input.too_costly.add(given_up_on(decision.quality_level));
     } else if (deadline_ms_ > 0) {
         report_.why = GovernorWhy::cost_unknown;
     }
@@ -60,7 +62,7 @@ FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, con
     return plan;
 }
 
-void FrameBudget::note_measured(double ms) {
+void FrameBudget::record_measured(double ms) {
     if (!(report_.predicted_ms > 0) || !(ms > 0)) return;
     if (ms > report_.predicted_ms && ms <= deadline_ms_) return;
     const double factor = measured_factor_ * ms / report_.predicted_ms;

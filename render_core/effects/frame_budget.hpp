@@ -3,8 +3,8 @@
 ///
 ///   hold(deadline, costs) once · tau_factor(), detail_factor() before, plan() after terrain and data are chosen, each frame
 ///
-/// Without a deadline or without known costs it plans the requested effects and states why nothing is reduced. Pure. Thread
-/// one. Memory  none beside itself.
+/// Without a deadline or without known costs it plans the requested effects and states why nothing is reduced.
+/// Pure. Thread  one. Memory  none besides itself.
 #pragma once
 
 #include "render_core/effects/frame_governor.hpp"
@@ -19,7 +19,7 @@ struct TerrainTolerance {
 struct BudgetReport {
     double deadline_ms = 0;   ///< 0: none is held
     double predicted_ms = 0;  ///< modelled cost of the planned frame; 0 where it is unknown
-    std::size_t rung = 0;
+    std::size_t quality_level = 0;
     bool changed = false;
     bool is_missed = false;  ///< the modelled cost exceeds the deadline nevertheless
     GovernorWhy why = GovernorWhy::no_deadline;
@@ -33,11 +33,11 @@ public:
 
     /// Factor for the error that the design allows the terrain.
     [[nodiscard]] double tau_factor(const TerrainTolerance& tolerance) const;
-    [[nodiscard]] double detail_factor() const { return kLadder[governor_.rung()].detail_factor; }
-    [[nodiscard]] bool is_reduced() const { return governor_.rung() > 0; }
+    [[nodiscard]] double detail_factor() const { return kQualityLevels[governor_.quality_level()].detail_factor; }
+    [[nodiscard]] bool is_reduced() const { return governor_.quality_level() > 0; }
     /// True where the last planned frame gives up the effect.
     [[nodiscard]] bool gives_up(Effect effect) const {
-        return given_up_.has(effect) || given_up_on(governor_.rung()).has(effect);
+        return given_up_.has(effect) || given_up_on(governor_.quality_level()).has(effect);
     }
 
     /// Plans the frame. `counters` are those of this frame, whose terrain was selected with tau_factor() and whose glyphs with
@@ -49,7 +49,7 @@ public:
     /// Takes the measured time of the last planned frame, an upper bound; only where there is a clock, never in a replay.
     /// Modelled costs are then scaled to this machine, by 0.5 to 4. A time above the model but below the deadline may include
     /// waiting for the screen and is ignored.
-    void note_measured(double ms);
+    void record_measured(double ms);
     /// Gives up further effects at every level; used to measure the cost of an effect.
     void give_up(const EffectSet& effects) { given_up_ = effects; }
 
@@ -58,9 +58,10 @@ public:
     void restore(const FrameGovernor& governor) { governor_ = governor; }
 
 private:
-    [[nodiscard]] std::array<double, kRungs> costs_of_rungs(const PlanInput& input, const DeviceCapability& device,
-                                                            const FrameCounters& counters,
-                                                            const TerrainTolerance& tolerance) const;
+    [[nodiscard]] std::array<double, kQualityLevelCount> costs_of_quality_levels(const PlanInput& input,
+                                                                                 const DeviceCapability& device,
+                                                                                 const FrameCounters& counters,
+                                                                                 const TerrainTolerance& tolerance) const;
 
     double deadline_ms_ = 0;
     double measured_factor_ = 1;

@@ -6,7 +6,7 @@
 namespace tedavis::effects {
 namespace {
 
-constexpr std::size_t kLastRung = kRungs - 1;
+constexpr std::size_t kLastQualityLevel = kQualityLevelCount - 1;
 constexpr double kMaxGrowth = 2;
 constexpr std::int64_t kRelapseDwells = 8;  // a return that lasted less was none
 
@@ -21,11 +21,11 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(GovernorWhy::cou
     "the cheapest picture is too dear",
 };
 
-/// The richest rung whose cost is at most `limit_ms`; the last one for none.
-std::size_t richest_within(const std::array<double, kRungs>& ms, double growth, double limit_ms) {
-    for (std::size_t rung = 0; rung < kRungs; ++rung)
-        if (ms[rung] * growth <= limit_ms) return rung;
-    return kLastRung;
+/// The richest quality level whose cost is at most `limit_ms`; the last one for none.
+std::size_t richest_within(const std::array<double, kQualityLevelCount>& ms, double growth, double limit_ms) {
+    for (std::size_t quality_level = 0; quality_level < kQualityLevelCount; ++quality_level)
+        if (ms[quality_level] * growth <= limit_ms) return quality_level;
+    return kLastQualityLevel;
 }
 
 }  // namespace
@@ -71,42 +71,44 @@ bool FrameGovernor::may_change(base::Time now, const GovernorSettings& settings)
     return !now_.has_changed || now - now_.last_change >= settings.dwell;
 }
 
-void FrameGovernor::note_cheap_rungs(const GovernorInput& input, const GovernorSettings& settings, double growth) {
-    for (std::size_t rung = 0; rung < kRungs; ++rung)
-        if (input.ms[rung] * growth > settings.relax_at * input.deadline_ms) now_.cheap_since[rung] = input.now;
+void FrameGovernor::record_cheap_quality_levels(const GovernorInput& input, const GovernorSettings& settings, double growth) {
+    for (std::size_t quality_level = 0; quality_level < kQualityLevelCount; ++quality_level)
+        if (input.ms[quality_level] * growth > settings.relax_at * input.deadline_ms) now_.cheap_since[quality_level] = input.now;
 }
 
-GovernorDecision FrameGovernor::change(std::size_t rung, GovernorWhy why, base::Time now) {
-    now_.rung = static_cast<std::uint8_t>(rung);
+GovernorDecision FrameGovernor::change(std::size_t quality_level, GovernorWhy why, base::Time now) {
+    now_.quality_level = static_cast<std::uint8_t>(quality_level);
     now_.has_changed = true;
     now_.last_change = now;
-    return {rung, true, why};
+    return {quality_level, true, why};
 }
 
 GovernorDecision FrameGovernor::tighten(const GovernorInput& input, const GovernorSettings& settings, double growth) {
-    const bool still_fits = input.ms[now_.rung] <= input.deadline_ms;
-    if (now_.rung == kLastRung)
-        return {kLastRung, false, still_fits ? GovernorWhy::cheaper_for_now : GovernorWhy::cheapest_is_too_dear};
-    if (!may_change(input.now, settings)) return {now_.rung, false, GovernorWhy::waits};
+    const bool still_fits = input.ms[now_.quality_level] <= input.deadline_ms;
+    if (now_.quality_level == kLastQualityLevel)
+        return {kLastQualityLevel, false, still_fits ? GovernorWhy::cheaper_for_now : GovernorWhy::cheapest_is_too_dear};
+    if (!may_change(input.now, settings)) return {now_.quality_level, false, GovernorWhy::waits};
     const bool is_relapse = now_.has_relaxed && (input.now - now_.last_relaxed).ns < kRelapseDwells * settings.dwell.ns;
     const std::uint32_t more = now_.patience * 2;
     now_.patience = !is_relapse ? 1 : more < settings.most_patience ? more : settings.most_patience;
-    std::size_t rung = richest_within(input.ms, growth, settings.aim_at * input.deadline_ms);
-    if (rung <= now_.rung) rung = now_.rung + std::size_t{1};
-    return change(rung, input.ms[rung] > input.deadline_ms ? GovernorWhy::cheapest_is_too_dear : GovernorWhy::too_dear,
+    std::size_t quality_level = richest_within(input.ms, growth, settings.aim_at * input.deadline_ms);
+    if (quality_level <= now_.quality_level) quality_level = now_.quality_level + std::size_t{1};
+    return change(quality_level,
+                  input.ms[quality_level] > input.deadline_ms ? GovernorWhy::cheapest_is_too_dear : GovernorWhy::too_dear,
                   input.now);
 }
 
 GovernorDecision FrameGovernor::relax(const GovernorInput& input, const GovernorSettings& settings) {
     const std::int64_t wait_ns = settings.dwell.ns * now_.patience;
-    for (std::size_t rung = 0; rung < now_.rung; ++rung) {
-        const bool is_cheap = (input.now - now_.cheap_since[rung]).ns >= wait_ns && now_.cheap_since[rung] < input.now;
+    for (std::size_t quality_level = 0; quality_level < now_.quality_level; ++quality_level) {
+        const bool is_cheap =
+            (input.now - now_.cheap_since[quality_level]).ns >= wait_ns && now_.cheap_since[quality_level] < input.now;
         if (!is_cheap || !may_change(input.now, settings)) continue;
         now_.has_relaxed = true;
         now_.last_relaxed = input.now;
-        return change(rung, GovernorWhy::relaxed, input.now);
+        return change(quality_level, GovernorWhy::relaxed, input.now);
     }
-    return {now_.rung, false, now_.rung == 0 ? GovernorWhy::fits : GovernorWhy::cheaper_for_now};
+    return {now_.quality_level, false, now_.quality_level == 0 ? GovernorWhy::fits : GovernorWhy::cheaper_for_now};
 }
 
 GovernorDecision FrameGovernor::decide(const GovernorInput& input, const GovernorSettings& settings) {
@@ -114,8 +116,8 @@ GovernorDecision FrameGovernor::decide(const GovernorInput& input, const Governo
     now_.time = input.now;
     now_.trend.take(input.now, input.ms[0]);
     const double growth = now_.trend.growth(input.ms[0], settings.dwell);
-    note_cheap_rungs(input, settings, growth);
-    const bool is_too_dear = input.ms[now_.rung] > settings.act_at * input.deadline_ms;
+    record_cheap_quality_levels(input, settings, growth);
+    const bool is_too_dear = input.ms[now_.quality_level] > settings.act_at * input.deadline_ms;
     return is_too_dear ? tighten(input, settings, growth) : relax(input, settings);
 }
 

@@ -1,4 +1,4 @@
-/// Holds a frame's deadline by choosing a quality level of quality_ladder.hpp. It is deterministic: it uses the source's time
+/// Holds a frame's deadline by choosing a quality level of quality_level.hpp. It is deterministic: it uses the source's time
 /// and modelled costs and reads no clock, so a replay decides as the flight did.
 ///
 /// - A frame whose modelled cost exceeds `act_at` of the deadline changes at once to the richest level below `aim_at` of it,
@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "render_core/base/time.hpp"
-#include "render_core/effects/quality_ladder.hpp"
+#include "render_core/effects/quality_level.hpp"
 
 namespace tedavis::effects {
 
@@ -40,11 +40,11 @@ enum class GovernorWhy : std::uint8_t {
 struct GovernorInput {
     base::Time now;  ///< the source's time; an earlier one than the last resets, the same one decides the same frame again
     double deadline_ms = 0;
-    std::array<double, kRungs> ms{};  ///< modelled cost of this frame at every level, descending
+    std::array<double, kQualityLevelCount> ms{};  ///< modelled cost of this frame at every level, descending
 };
 
 struct GovernorDecision {
-    std::size_t rung = 0;
+    std::size_t quality_level = 0;
     bool changed = false;
     GovernorWhy why = GovernorWhy::no_deadline;
 };
@@ -70,26 +70,26 @@ class FrameGovernor {
 public:
     FrameGovernor() = default;
     /// A governor that has chosen `rung` and has no history.
-    explicit FrameGovernor(std::size_t rung) { now_.rung = static_cast<std::uint8_t>(rung); }
+    explicit FrameGovernor(std::size_t quality_level) { now_.quality_level = static_cast<std::uint8_t>(quality_level); }
     /// Decides the level of a frame; to be called once per frame, with a deadline above 0.
     GovernorDecision decide(const GovernorInput& input, const GovernorSettings& settings = {});
     /// Level of the last decision.
-    [[nodiscard]] std::size_t rung() const { return now_.rung; }
+    [[nodiscard]] std::size_t quality_level() const { return now_.quality_level; }
 
 private:
     struct State {
         bool has_begun = false, has_changed = false, has_relaxed = false;
-        std::uint8_t rung = 0;
+        std::uint8_t quality_level = 0;
         std::uint32_t patience = 1;  ///< number of dwells for which a richer level must have been cheap enough
         base::Time time, last_change, last_relaxed;
-        std::array<base::Time, kRungs> cheap_since{};  ///< for richer levels
+        std::array<base::Time, kQualityLevelCount> cheap_since{};  ///< for richer levels
         CostTrend trend;
     };
     void begin(const GovernorInput& input);
-    void note_cheap_rungs(const GovernorInput& input, const GovernorSettings& settings, double growth);
+    void record_cheap_quality_levels(const GovernorInput& input, const GovernorSettings& settings, double growth);
     GovernorDecision tighten(const GovernorInput& input, const GovernorSettings& settings, double growth);
     GovernorDecision relax(const GovernorInput& input, const GovernorSettings& settings);
-    GovernorDecision change(std::size_t rung, GovernorWhy why, base::Time now);
+    GovernorDecision change(std::size_t quality_level, GovernorWhy why, base::Time now);
     [[nodiscard]] bool may_change(base::Time now, const GovernorSettings& settings) const;
 
     State now_, before_;  ///< before_: the state before the frame of now_.time was decided

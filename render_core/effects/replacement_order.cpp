@@ -5,12 +5,12 @@
 namespace tedavis::effects {
 namespace {
 
-using Sentence = base::FixedString<255>;
+using Message = base::FixedString<255>;
 
-Sentence joined(std::initializer_list<std::string_view> parts) {
-    Sentence sentence;
-    for (std::string_view part : parts) sentence.append(part);
-    return sentence;
+Message joined(std::initializer_list<std::string_view> parts) {
+    Message message;
+    for (std::string_view part : parts) message.append(part);
+    return message;
 }
 
 bool can_replace(Effect effect, Effect replacement) {
@@ -25,7 +25,7 @@ ReplacementOrder::ReplacementOrder() : order_{} {
     for (std::size_t n = 0; n < kEffectCount; ++n) order_[n] = row_of(static_cast<Effect>(n)).replacements;
 }
 
-base::Result<ReplacementOrder, Sentence> replacement_order(base::Span<const design::InsteadOf> stated) noexcept {
+base::Result<ReplacementOrder, Message> replacement_order(base::Span<const design::InsteadOf> stated) noexcept {
     ReplacementOrder order;
     for (const design::InsteadOf& one : stated) {
         const Effect effect = effect_of(one.effect.view());

@@ -79,13 +79,13 @@ base::Duration allowance(Scenario stated, Scenario in_effect, const PhaseArbiter
 /// Whether a source below the one in effect has stated another scenario for longer than it may.
 bool contradicted(const PhaseVotes& all, base::Time now, const PhaseArbiterSettings& settings, PhaseArbiterState& state) {
     const Scenario in_effect = state.phase.scenario;
-    const bool spoken_for = speaks(all, state.source);
+    const bool has_voted = speaks(all, state.source);
     bool any = false;
     for (std::size_t n = 0; n < all.size(); ++n) {
         const bool below = all[n].source < state.source;  // the enumeration is in order of authority
         const PhaseStatement& statement = all[n].statement;
         const Scenario stated = statement.phase.scenario;
-        const bool differs = spoken_for && below && statement.stated && stated != Scenario::unknown && stated != in_effect;
+        const bool differs = has_voted && below && statement.stated && stated != Scenario::unknown && stated != in_effect;
         PhaseArbiterState::Difference& difference = state.differences[n];
         if (!differs || !difference.running || difference.in_effect != in_effect) difference = {now, in_effect, differs};
         any = any || (differs && now - difference.since >= allowance(stated, in_effect, settings));

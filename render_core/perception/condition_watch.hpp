@@ -33,7 +33,7 @@ struct ConditionMoment {
 
 struct ConditionVerdict {
     bool is_broken = false;
-    ConditionMoment first;       ///< begin of the first break that counts
+    ConditionMoment first;       ///< beginning of the first break that counts
     ConditionMoment worst;       ///< worst value in breaks that count; the first of equal ones
     ConditionMoment tightest;    ///< value closest to or farthest beyond the limit, of all measured ones
     std::uint32_t measured = 0;  ///< number of measured values; 0: there is no result

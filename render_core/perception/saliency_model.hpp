@@ -8,8 +8,8 @@
 /// A start level of 0 converts each pixel to CIE-Lab: the reference. 1 and 2 convert means of 2 x 2 or 4 x 4 pixels instead and
 /// omit the finer levels; README.md states the error and the time saved.
 ///
-/// Equal pictures give equal maps; maps of two machines may differ in the last digits of their libraries' pow and log2. Memory
-/// from an arena, at start(). One thread. Bounded by the pixels.
+/// Equal pictures give equal maps; maps of two machines may differ in the last digits of their libraries' pow and log2.
+/// Memory  from an arena, at start(). Thread  one. Bounded by the pixels.
 ///
 /// Source: L. Itti, C. Koch, E. Niebur, "A Model of Saliency-Based Visual Attention for Rapid Scene Analysis", IEEE PAMI 20
 /// (1998); B. Han, B. Zhou, "High Speed Visual Saliency Computation on GPU", ICIP 2007.

@@ -49,13 +49,13 @@ double strength(const Complex& number) {
 
 }  // namespace
 
-void fourier_transform(base::Span<Complex> numbers, TransformWay way) noexcept {
+void fourier_transform(base::Span<Complex> numbers, TransformDirection way) noexcept {
     for (int n = 0; n < kSide; ++n) {
         int reversed = 0;
         for (int bit = 0; bit < kBits; ++bit) reversed |= (n >> bit & 1) << (kBits - 1 - bit);
         if (reversed > n) std::swap(numbers[static_cast<std::size_t>(n)], numbers[static_cast<std::size_t>(reversed)]);
     }
-    const double sign = way == TransformWay::forwards ? -1 : 1;
+    const double sign = way == TransformDirection::forwards ? -1 : 1;
     for (int half = 1; half < kSide; half *= 2)
         for (int k = 0; k < half; ++k) {
             const double angle = sign * base::kPi * k / half;
@@ -67,7 +67,7 @@ void fourier_transform(base::Span<Complex> numbers, TransformWay way) noexcept {
                 low += turned;
             }
         }
-    if (way == TransformWay::backwards)
+    if (way == TransformDirection::backwards)
         for (Complex& number : numbers) number *= 1.0 / kSide;
 }
 
@@ -95,14 +95,14 @@ bool SpectralResidual::look(const PictureView& picture) {
         std::fill_n(values_.data(), kCells, 0.0f);
         return true;
     }
-    transform(TransformWay::forwards);
+    transform(TransformDirection::forwards);
     take_residual();
-    transform(TransformWay::backwards);
+    transform(TransformDirection::backwards);
     blur_power();
     return true;
 }
 
-void SpectralResidual::transform(TransformWay way) {
+void SpectralResidual::transform(TransformDirection way) {
     Complex column[kSide];
     for (int y = 0; y < kSide; ++y) fourier_transform(spectrum_.subspan(cell(0, y), kSide), way);
     for (int x = 0; x < kSide; ++x) {

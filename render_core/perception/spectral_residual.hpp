@@ -24,8 +24,8 @@ inline constexpr int kResidualSide = 64;
 inline constexpr double kResidualSigma_px = 2.5;
 
 /// Direction of the in-place Fourier transform of 64 numbers; forwards has no factor, backwards divides by 64.
-enum class TransformWay { forwards, backwards };
-void fourier_transform(base::Span<std::complex<double>> numbers, TransformWay way) noexcept;
+enum class TransformDirection { forwards, backwards };
+void fourier_transform(base::Span<std::complex<double>> numbers, TransformDirection way) noexcept;
 
 class SpectralResidual {
 public:
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] bool has_salient() const { return has_salient_; }
 
 private:
-    void transform(TransformWay way);
+    void transform(TransformDirection way);
     void take_residual();
     void blur_power();
 

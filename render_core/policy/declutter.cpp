@@ -5,8 +5,8 @@ namespace tedavis::policy {
 const scene::DetailRegions* Declutter::regions_of(const design::DataElement& element, scene::LayerRole role,
                                                   bool warns) const noexcept {
     const bool says_uncertainty = element.technique == design::DataTechnique::uncertainty_only;
-    const bool gives_way = says_uncertainty ? lowers_uncertainty : (roles >> static_cast<unsigned>(role) & 1u) != 0;
-    return gives_way && !warns ? &regions : nullptr;
+    const bool may_declutter = says_uncertainty ? lowers_uncertainty : (roles >> static_cast<unsigned>(role) & 1u) != 0;
+    return may_declutter && !warns ? &regions : nullptr;
 }
 
 Declutter declutter_of(const scene::DetailRegions& regions, const design::PrioritySettings& priority,

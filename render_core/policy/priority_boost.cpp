@@ -25,7 +25,6 @@ void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, 
         const TerrainAhead alert = raises_.terrain_ahead;
         raises_ = source.boosts_at(instant_);
         raises_.terrain_ahead = alert;
-        is_anew_ = true;
     }
     design_ = design;
     const std::int64_t interval = flight::decision_interval_of(instant.now);
@@ -40,7 +39,6 @@ void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, 
     follow_alert(asked.terrain_ahead, begins ? kHeldIntervals : passed);
     instant_ = instant;
     is_decided_ = true;
-    is_anew_ = leaps;
 }
 
 void PriorityBoost::approach(const PriorityBoosts& asked, std::int64_t intervals) {

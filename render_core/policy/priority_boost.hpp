@@ -64,8 +64,6 @@ public:
     /// Position of the hazard, or null.
     [[nodiscard]] const earth::Geodetic* hazard() const { return raises_.has_hazard ? &raises_.hazard : nullptr; }
     [[nodiscard]] TerrainAhead terrain_ahead() const { return raises_.terrain_ahead; }
-    /// True where the interval was decided again after it had been decided before.
-    [[nodiscard]] bool is_anew() const { return is_anew_; }
 
 private:
     void approach(const PriorityBoosts& asked, std::int64_t intervals);
@@ -78,7 +76,7 @@ private:
     base::Time last_now_{0};
     flight::OwnShipEstimate last_own_;
     std::size_t design_ = 0;
-    bool is_decided_ = false, is_anew_ = false;
+    bool is_decided_ = false;
 };
 
 }  // namespace tedavis::policy

@@ -32,11 +32,11 @@ TraversalState<Lane> march_side(const HeightMipmap<Height>& bounds, const RayLan
 
 Hit hit_of(const TraversalState<Lane>& m, HitSide side) {
     Hit hit;
-    if (!m.is_met) return hit;
+    if (!m.is_hit) return hit;
     hit.side = side;
-    hit.t = m.met_t;
-    hit.column = static_cast<std::uint32_t>(m.met_column);
-    hit.row = static_cast<std::uint32_t>(m.met_row);
+    hit.t = m.hit_t;
+    hit.column = static_cast<std::uint32_t>(m.hit_column);
+    hit.row = static_cast<std::uint32_t>(m.hit_row);
     return hit;
 }
 
@@ -49,10 +49,10 @@ Hit trace_sides(const TracedField<Height>& field, const Ray& ray) {
         TraversalState<Lane> m = march_side<Height, surface, HitSide::above>(*field.maxima, lanes);
         if (!m.is_beyond) return hit_of(m, HitSide::above);
         if (field.minima == nullptr) return {};
-        lanes.from = m.met_t;
+        lanes.from = m.hit_t;
         m = march_side<Height, surface, HitSide::below>(*field.minima, lanes);
         if (!m.is_beyond) return hit_of(m, HitSide::below);
-        lanes.from = m.met_t;
+        lanes.from = m.hit_t;
     }
     return {};
 }

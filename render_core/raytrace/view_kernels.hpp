@@ -14,8 +14,8 @@
 
 namespace tedavis::raytrace {
 
-/// The camera of a picture. The ray through pixel (x, y), 0 at the upper left, is origin + t * (corner + (x + 0.5) * right + (y
-/// + 0.5) * down), in grid space.
+/// The camera of a picture. The ray through pixel (x, y), 0 at the upper left, is
+/// origin + t * (corner + (x + 0.5) * right + (y + 0.5) * down), in grid space.
 struct GridCamera {
     glm::dvec3 origin{0};
     glm::vec3 corner{0}, right{0}, down{0};

@@ -102,7 +102,7 @@ double GlyphSelection::greatest_degree(const GlyphSummary& summary) const {
 }
 
 /// Of its detail, 0..1, by the region of its mean place and beside foci.
-double GlyphSelection::given_way(const GlyphSummary& summary) const {
+double GlyphSelection::decluttered_share(const GlyphSummary& summary) const {
     if (settings_.regions == nullptr) return 0;
     const glm::dvec3 way = glm::dvec3(summary.place) - eye_;
     const double ahead_m = glm::dot(way, forward_);
@@ -118,14 +118,14 @@ std::size_t GlyphSelection::step_of(const GlyphSummary& summary) const {
 }
 
 double GlyphSelection::coarser(const GlyphSummary& summary) const {
-    const double given = given_way(summary);
+    const double given = decluttered_share(summary);
     const double crowded = given > 0 ? std::pow(settings_.coarsest, settings_.detail * given) : 1;
     return settings_.focus == nullptr ? crowded : crowded * settings_.focus->coarser[step_of(summary)];
 }
 
 /// By its width in glyphs, however large they are on the screen.
 bool GlyphSelection::stands_for_all(const GlyphSummary& summary) const {
-    double across = 1 + (kCrowdedAcross - 1) * given_way(summary);
+    double across = 1 + (kCrowdedAcross - 1) * decluttered_share(summary);
     if (settings_.focus != nullptr) across = std::fmax(across, settings_.focus->across[step_of(summary)]);
     const glm::dvec3 sides = 2.0 * glm::dvec3(summary.reach_m) + static_cast<double>(summary.size_m);
     return across > 1 && std::fmax(sides.x, std::fmax(sides.y, sides.z)) <= across * static_cast<double>(summary.size_m);

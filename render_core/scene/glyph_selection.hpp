@@ -127,7 +127,7 @@ private:
     [[nodiscard]] double greatest_degree(const GlyphSummary& summary) const;
     [[nodiscard]] std::size_t step_of(const GlyphSummary& summary) const;
     [[nodiscard]] double coarser(const GlyphSummary& summary) const;
-    [[nodiscard]] double given_way(const GlyphSummary& summary) const;
+    [[nodiscard]] double decluttered_share(const GlyphSummary& summary) const;
     [[nodiscard]] bool stands_for_all(const GlyphSummary& summary) const;
     [[nodiscard]] std::uint8_t degree_of(const GlyphSummary& summary) const;
 

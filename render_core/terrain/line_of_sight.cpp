@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render_core/earth/magnified_way.hpp"
+#include "render_core/earth/magnified_segment.hpp"
 #include "render_core/terrain/chunk_mesh.hpp"
 #include "render_core/terrain/stored_triangles.hpp"
 
@@ -93,8 +93,8 @@ public:
           posts_(lattice.posts_of(chunk.key)),
           centre_(centre_of(*chunk.entry, eye)),
           sight_(sight) {
-        note_sides();
-        note_taken_out();
+        record_sides();
+        record_taken_out();
     }
 
     /// Whether the sight can meet the chunk at all.
@@ -132,7 +132,7 @@ private:
     static constexpr unsigned kAcross = 3, kAbove = 12, kBothSides = kAcross | kAbove, kTakenOut = 16;
 
     /// On both sides where it lies so near a plane that its lift or rounding may move it to the other.
-    void note_sides() {
+    void record_sides() {
         const double margin = 2 * kWider_m + double{greatest_lift_m(chunk_.lift)};
         const glm::dvec3 &across = sight_.across, &above = sight_.above;
         const double across_0 = glm::dot(across, centre_), above_0 = glm::dot(above, centre_);
@@ -146,7 +146,7 @@ private:
         }
     }
 
-    void note_taken_out() {
+    void record_taken_out() {
         if (chunk_.coarser_edges == 0) return;
         for (std::uint32_t n = 0; n < chunk_.entry->border_count && n < count_; ++n)
             if (is_taken_out(vertices_[n], posts_.i1 - posts_.i0, posts_.j1 - posts_.j0, chunk_.coarser_edges))
@@ -187,8 +187,9 @@ bool LineOfSight::is_hidden(const glm::dvec3& place) {
     if (view_.is_flat() || !(depth_m * reach(view_) > view_.near_m)) return false;
     const double from = view_.near_m / depth_m, to = reach(view_);
     if (view_.magnifiers.empty()) return is_blocked(view_.eye, way, from, to);
-    return earth::any_true_way(view_.magnifiers, {view_.eye + way * from, view_.eye + way * to},
-                               [&](const earth::TrueWay& part) { return is_blocked(part.begin, part.end - part.begin, 0, 1); });
+    return earth::any_true_segment(
+        view_.magnifiers, {view_.eye + way * from, view_.eye + way * to},
+        [&](const earth::TrueSegment& part) { return is_blocked(part.begin, part.end - part.begin, 0, 1); });
 }
 
 bool LineOfSight::is_blocked(const glm::dvec3& eye, const glm::dvec3& way, double from, double to) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "platform/programs/program_folder.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/terrain/verify_page.hpp"
 #include "target/board_display.hpp"
@@ -20,8 +21,7 @@ constexpr double kMegabyte = 1e6;
 
 class BoardChecks {
 public:
-    BoardChecks(const BoardSettings& settings, SelfTestReport& report)
-        : settings_(settings), report_(report), display_(settings) {}
+    BoardChecks(const BoardSettings& settings, SelfTestReport& report) : settings_(settings), report_(report) {}
 
     void run() {
         if (!settings_.terrain.empty()) check_terrain();
@@ -76,30 +76,32 @@ private:
 
     /// False where there is no display.
     [[nodiscard]] bool check_start() {
-        const base::Error surface = display_.open_surface();
-        add("board_surface", surface, settings_.surface.view());
-        if (surface) return false;
-        base::Error error = display_.start();
-        const bool is_started = error.message.empty();
+        using platform::HostPart;
+        const platform::HostFault fault = start_board_display(settings_, host_);
+        const bool has_surface = fault.part != HostPart::surface && fault.part != HostPart::context;
+        add("board_surface", has_surface ? base::Error() : fault.error, settings_.surface.view());
+        if (!has_surface) return false;
+        base::Error error = fault.error;
+        const bool is_started = !fault;
         // A fault of terrain whose bytes are right: it does not fit the device.
         const SelfCheck* const terrain = report_.find("board_terrain");
-        if (is_started && terrain != nullptr && terrain->holds) error = display_.terrain_fault();
+        if (is_started && terrain != nullptr && terrain->holds) error = host_.terrain_fault();
         add("board_display", error, is_started ? budgets().view() : std::string_view());
         return is_started;
     }
     [[nodiscard]] base::FixedString<127> budgets() {
-        const base::BudgetTable& table = display_.core().budget();
+        const base::BudgetTable& table = host_.display().planner().budget();
         const auto megabytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / kMegabyte; };
         char text[128];
         std::snprintf(text, sizeof text, "%u x %u, %.1f MB of the processor's and %.1f MB of the GPU's memory",
-                      display_.surface().width(), display_.surface().height(), megabytes(table.total(base::MemoryKind::cpu)),
+                      host_.surface().width(), host_.surface().height(), megabytes(table.total(base::MemoryKind::cpu)),
                       megabytes(table.total(base::MemoryKind::gpu)));
         return base::FixedString<127>(text);
     }
 
     /// Whose they are only a display can say.
     void check_costs(bool is_started) {
-        if (is_started) return add("board_costs", display_.hold_deadline(), "measured on this board");
+        if (is_started) return add("board_costs", hold_board_deadline(settings_, host_), "measured on this board");
         const auto text = read_file_text(settings_.costs.c_str());
         if (!text.ok()) return add("board_costs", text.error(), {});
         const auto read = effects::read_calibration(text.value().view(), settings_.costs.view());
@@ -114,9 +116,9 @@ private:
         const auto memory = platform::reserve_memory(2 * file.value().size() + kSlackBytes, platform::Residency::lazy);
         if (!memory.ok()) return fail("board_scene", {memory.error().message.view()});
         base::Arena own = memory.value().arena();
-        const auto scene = scene::Scene::load(file.value(), is_started ? display_.core().spare_scene_memory() : own);
+        const auto scene = scene::Scene::load(file.value(), is_started ? host_.display().planner().data().spare() : own);
         if (!scene.ok()) return fail("board_scene", {settings_.scene.view(), ": ", scene::describe(scene.error()).view()});
-        if (is_started && !display_.core().take_scene(scene.value()))
+        if (is_started && !host_.display().take_scene(scene.value()))
             return fail("board_scene",
                         {settings_.scene.view(), ": is not taken over; build it again with 'tedavis scene build'"});
         char found[96];
@@ -127,7 +129,7 @@ private:
 
     const BoardSettings& settings_;
     SelfTestReport& report_;
-    BoardDisplay display_;
+    platform::DisplayHost host_;
 };
 
 }  // namespace

@@ -68,7 +68,7 @@ struct Costs {
 
 Costs costs_of(const host_sim::FlightRun& run) {
     constexpr std::size_t kPictures = 20;
-    constexpr int kTurns = 5;
+    constexpr int kIterations = 5;
     host_sim::EvaluationSettings settings;
     settings.saliency_start_level = host_sim::kFlightStartLevel;
     host_sim::PictureMeter meter(settings);
@@ -77,7 +77,7 @@ Costs costs_of(const host_sim::FlightRun& run) {
     std::size_t count = 0;
     for (std::size_t n = 0; n < run.frames.size(); n += stride, ++count) {
         double read_s = 1e9, measured_s = 1e9;
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int iteration = 0; iteration < kIterations; ++iteration) {
             const base::Time start = platform::monotonic_now();
             const host_sim::RgbaPicture picture = host_sim::read_picture(run.frames[n].picture);
             read_s = std::min(read_s, seconds_since(start));

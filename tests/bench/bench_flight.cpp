@@ -32,7 +32,7 @@ struct Timing {
 /// Planned, drawn and finished; nothing is read back.
 double frame_ms(test_support::HeadlessDisplay& headless, const flight::FrameInput& instant, base::Time now) {
     const base::Time start = platform::monotonic_now();
-    headless.display().update(instant.state, instant.phase, now);
+    headless.display().plan({instant.state, instant.phase, now});
     headless.display().draw(headless.surface());
     headless.display().gl()->Finish();
     return (platform::monotonic_now() - start).to_seconds() * 1000;
@@ -80,10 +80,10 @@ void take_step(const char* given, Arguments& arguments) {
     char* end = nullptr;
     arguments.step_s = std::strtod(given, &end);
     if (end != given && *end == '\0' && arguments.step_s >= kMinStep_s && arguments.step_s <= kMaxStep_s) return;
-    char sentence[160];
-    std::snprintf(sentence, sizeof sentence, "--step '%.40s' is no number of seconds from %g to %g; give one, or leave it out",
+    char message[160];
+    std::snprintf(message, sizeof message, "--step '%.40s' is no number of seconds from %g to %g; give one, or leave it out",
                   given, kMinStep_s, kMaxStep_s);
-    arguments.fault = sentence;
+    arguments.fault = message;
 }
 
 Arguments arguments_of(int count, char** given) {

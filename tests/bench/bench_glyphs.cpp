@@ -31,7 +31,7 @@ using namespace tedavis;
 using bench::BenchResult;
 
 constexpr std::uint32_t kWidth = 1024, kHeight = 768, kSites = 100'000;
-constexpr int kTurns = 31;
+constexpr int kIterations = 31;
 constexpr double kTarget_ms = 12, kBuildStepTarget_ms = 4;
 constexpr int kCores = 2;
 constexpr std::uint32_t kSitesAStep = 2048;
@@ -63,7 +63,7 @@ design::DataScale speed_colors() {
     return scale;
 }
 
-struct Eye {
+struct Camera {
     const char* name;
     glm::dvec3 from, to;  ///< m, east, north and up of the middle
     bool sees_all;
@@ -71,10 +71,10 @@ struct Eye {
     bool linked;
 };
 constexpr int kColumns = 250, kRows = 200, kLevels = 2;
-const Eye kEyes[] = {{"whole", {0, -75'000, 50'000}, {0, 0, 0}, true, kSites, false},
-                     {"within", {-9'000, -14'000, 1500}, {4000, 9000, 600}, false, 1500, false},
-                     {"whole, linked", {0, -75'000, 50'000}, {0, 0, 0}, true, kSites, true},
-                     {"within, linked", {-9'000, -14'000, 1500}, {4000, 9000, 600}, false, 1500, true}};
+const Camera kCameras[] = {{"whole", {0, -75'000, 50'000}, {0, 0, 0}, true, kSites, false},
+                           {"within", {-9'000, -14'000, 1500}, {4000, 9000, 600}, false, 1500, false},
+                           {"whole, linked", {0, -75'000, 50'000}, {0, 0, 0}, true, kSites, true},
+                           {"within, linked", {-9'000, -14'000, 1500}, {4000, 9000, 600}, false, 1500, true}};
 
 class Bench {
 public:
@@ -106,7 +106,7 @@ public:
 
     void measure(std::vector<BenchResult>& lines) {
         build(lines);
-        for (const Eye& eye : kEyes) look(eye, lines);
+        for (const Camera& camera : kCameras) look(camera, lines);
     }
 
 private:
@@ -126,21 +126,21 @@ private:
                          longest_ms <= kBuildStepTarget_ms, kBuildStepTarget_ms});
     }
 
-    void look(const Eye& eye, std::vector<BenchResult>& lines) {
+    void look(const Camera& camera, std::vector<BenchResult>& lines) {
         constexpr std::uint32_t kParts = 1 + draw::kLinkParts;
         const auto room = static_cast<std::uint32_t>(instances_.size());
-        settings_.most_drawn = eye.linked ? std::min(eye.most_drawn, room / kParts) : eye.most_drawn;
-        style_.link_per_px = eye.linked ? 1.0 / 890 : 0;
-        const scene::GlyphView view = test_support::glyph_view(frame_, eye.from, eye.to, 890, kWidth, kHeight);
+        settings_.most_drawn = camera.linked ? std::min(camera.most_drawn, room / kParts) : camera.most_drawn;
+        style_.link_per_px = camera.linked ? 1.0 / 890 : 0;
+        const scene::GlyphView view = test_support::glyph_view(frame_, camera.from, camera.to, 890, kWidth, kHeight);
         draw::DataFrame frame;
         frame.view = terrain_view(view);
         frame.towards_light = frame_.axes[2];
         frame.haze_per_m = 1 / 60'000.0;
         frame.haze = {190, 200, 215};
         std::vector<double> floor, planned, whole, floor_work, whole_work;
-        for (std::vector<double>* times : {&floor, &planned, &whole, &floor_work, &whole_work}) times->reserve(kTurns);
+        for (std::vector<double>* times : {&floor, &planned, &whole, &floor_work, &whole_work}) times->reserve(kIterations);
         std::uint64_t allocations = 0;
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int iteration = 0; iteration < kIterations; ++iteration) {
             floor_work.push_back(processor_ms([&] { floor.push_back(spent_ms([&] { clear(true); })); }));
             host_sim::HeapTrap trap;
             whole_work.push_back(processor_ms([&] {
@@ -157,9 +157,9 @@ private:
         }
         const scene::GlyphCounts& counts = selection_.counts();
         const bool is_right = counts.drawn + counts.aggregated + counts.hidden == kSites &&
-                              (!eye.sees_all || counts.hidden == 0) && large_ones_are_drawn(view) &&
+                              (!camera.sees_all || counts.hidden == 0) && large_ones_are_drawn(view) &&
                               session_.gl.denied().total == 0;
-        const std::string name = name_ + ", " + eye.name;
+        const std::string name = name_ + ", " + camera.name;
         const double floor_ms = median(floor), added_ms = median(whole) - floor_ms;
         lines.push_back({name + ": added to a frame", added_ms, "ms", kTarget_ms, is_right && added_ms <= kTarget_ms, floor_ms});
         const double work_ms = (median(whole_work) - median(floor_work)) / kCores;

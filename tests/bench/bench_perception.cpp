@@ -34,7 +34,7 @@ using namespace tedavis;
 using namespace tedavis::perception;
 using bench::BenchResult;
 
-constexpr int kTurns = 20, kInARow = 6;
+constexpr int kIterations = 20, kInARow = 6;
 constexpr double kEdgesTarget_ms = 6, kSaliencyTarget_ms = 3, kGrowthTarget = 2.9, kDisagreementTarget = 0.005,
                  kDensityTarget = 0.004;
 constexpr double kNoTarget = std::numeric_limits<double>::max();
@@ -42,7 +42,7 @@ constexpr double kNoTarget = std::numeric_limits<double>::max();
 /// The least of turns that alternate, each of some in a row, as over the pictures of a flight.
 std::vector<double> least_ms(const std::vector<std::function<void()>>& works) {
     std::vector<double> least(works.size(), kNoTarget);
-    for (int turn = 0; turn < kTurns; ++turn)
+    for (int iteration = 0; iteration < kIterations; ++iteration)
         for (std::size_t n = 0; n < works.size(); ++n)
             for (int k = 0; k < kInARow; ++k) {
                 const base::Time start = platform::monotonic_now();

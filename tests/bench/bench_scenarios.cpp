@@ -24,6 +24,7 @@
 #include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/files/file_byte_source.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/counted_triangles.hpp"
 #include "tests/support/default_flight.hpp"
@@ -267,10 +268,10 @@ private:
     double frame(const host_sim::AircraftPose& pose, Measured& measured) {
         display::Display& display = headless_->display();
         const flight::AircraftState state = host_sim::posed_aircraft(pose, display);
-        display.settle(state, {}, pose.time);
+        display::settle(display, {state, {}, pose.time});
         test_support::CountedTriangles::count() = 0;
         const base::Time start = platform::monotonic_now();
-        display.update(state, {}, pose.time);
+        display.plan({state, {}, pose.time});
         display.draw(headless_->surface());
         display.gl()->Finish();
         const double ms = (platform::monotonic_now() - start).to_seconds() * 1000;

@@ -15,6 +15,7 @@
 #include "host_sim/scenario/posed_aircraft.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/files/file_byte_source.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/bare_triangles.hpp"
 #include "tests/support/default_flight.hpp"
@@ -26,7 +27,7 @@ namespace {
 using namespace tedavis;
 
 constexpr std::uint32_t kWidth = 1024, kHeight = 768;
-constexpr int kTurns = 21;
+constexpr int kIterations = 21;
 constexpr double kMaxPass = 1.15, kMaxFrame = 1.5;  // of the floor
 constexpr double kMinRate = 60;                     // frames/s
 constexpr std::uint32_t kMaxTriangles = 120'000;    // up to which the rate must hold
@@ -70,12 +71,12 @@ public:
         display::Display& display = display_.display();
         make_current();
         const flight::AircraftState aircraft = host_sim::posed_aircraft(pose, display);
-        display.settle(aircraft, {}, host_sim::kPosedTime);
-        display.update(aircraft, {}, host_sim::kPosedTime);
+        display::settle(display, {aircraft, {}, host_sim::kPosedTime});
+        display.plan({aircraft, {}, host_sim::kPosedTime});
         display.draw(display_.surface());
         release_current();
-        look_alone(display.view());
-        take_bare(display.view());
+        look_alone(display.planned().picture.camera.view);
+        take_bare(display.planned().picture.camera.view);
         Measured measured{bare_.triangles(), display.record().terrain.tau_reached_px, display.record().terrain.triangles};
         take_turns(aircraft, measured);
         return measured;
@@ -97,10 +98,10 @@ private:
         for (glm::dvec3& light : input.light_direction) light = glm::normalize(view.eye);
         input.warning_colors = true;
         input.aircraft_msl_m = 1e5;
-        display::Eye eye;
-        eye.view = view;
-        eye.haze_per_m = input.haze_per_m;
-        alone_.look(eye, input);
+        display::Camera camera;
+        camera.view = view;
+        camera.haze_per_m = input.haze_per_m;
+        alone_.look(camera, input);
     }
 
     /// What the display has selected, selected once more.
@@ -134,23 +135,28 @@ private:
 
     void take_turns(const flight::AircraftState& aircraft, Measured& measured) {
         display::Display& display = display_.display();
-        const double far_m = std::fmax(alone_.scene().farthest_depth_m(display.view()), 2 * display.view().near_m);
-        const terrain::View view = display.view();
+        const double far_m = std::fmax(alone_.scene().farthest_depth_m(display.planned().picture.camera.view),
+                                       2 * display.planned().picture.camera.view.near_m);
+        const terrain::View view = display.planned().picture.camera.view;
         std::vector<double> floor, pass, plan, scene, frame;
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int iteration = 0; iteration < kIterations; ++iteration) {
             bare_.make_current();
-            floor.push_back(spent_ms([&] { bare_.draw(display.view(), {display.view().near_m, far_m}); }));
+            floor.push_back(spent_ms([&] {
+                bare_.draw(display.planned().picture.camera.view, {display.planned().picture.camera.view.near_m, far_m});
+            }));
             bare_.release_current();
             alone_.make_current();
             pass.push_back(spent_ms([&] { alone_.draw(); }));
             alone_.release_current();
             make_current();
-            plan.push_back(spent_ms([&] { display.update(aircraft, {}, host_sim::kPosedTime); }));
+            plan.push_back(spent_ms([&] { display.plan({aircraft, {}, host_sim::kPosedTime}); }));
             frame.push_back(plan.back() + spent_ms([&] { draw_finished(); }));
-            display.set_free_view(view);
-            scene.push_back(spent_ms([&] { display.update(aircraft, {}, host_sim::kPosedTime); }) +
+            display.planner().set_free_view(view);
+            scene.push_back(spent_ms([&] {
+                                display.plan({aircraft, {}, host_sim::kPosedTime});
+                            }) +
                             spent_ms([&] { draw_finished(); }));
-            display.clear_free_view();
+            display.planner().clear_free_view();
             release_current();
         }
         measured.floor_ms = median(floor);

@@ -27,7 +27,7 @@ constexpr double kMaxMore = 1.25;  ///< of the reference's triangles
 constexpr std::size_t kIndexBytes = 64u << 20;
 
 struct Failure {
-    std::string sentence;
+    std::string message;
 };
 
 /// An opened database; chunks are read where they are asked for.
@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
     try {
         return bench::report(path.empty() ? compare_shipped() : compare_file(path), json);
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "bench_terrain_mesh: %s\n", failure.sentence.c_str());
+        std::fprintf(stderr, "bench_terrain_mesh: %s\n", failure.message.c_str());
         return 2;
     }
 }

@@ -76,8 +76,8 @@ double wrong_percent(const Measured& exact, const Measured& other) {
     int wrong = 0;
     for (std::size_t n = 0; n < exact.hits.size(); ++n) {
         const SurfaceHit &a = exact.hits[n], &b = other.hits[n];
-        const bool is_met = a.side != HitSide::none;
-        wrong += is_met != (b.side != HitSide::none) || (is_met && std::abs(a.t - b.t) > 1) ? 1 : 0;
+        const bool is_hit = a.side != HitSide::none;
+        wrong += is_hit != (b.side != HitSide::none) || (is_hit && std::abs(a.t - b.t) > 1) ? 1 : 0;
     }
     return 100.0 * wrong / static_cast<double>(exact.hits.size());
 }

@@ -15,6 +15,7 @@
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "platform/threads/thread_workers.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/default_flight.hpp"
 
@@ -23,7 +24,7 @@ namespace {
 using namespace tedavis;
 
 constexpr std::uint32_t kWidth = 1024, kHeight = 768, kThreads = 2;
-constexpr int kTurns = 15;
+constexpr int kIterations = 15;
 constexpr double kTurn_deg = 0.2;
 constexpr double kMinRate = 40;  // frames/s, by rays
 
@@ -70,34 +71,33 @@ public:
 
     [[nodiscard]] double start_ms(design::TerrainRenderer of) const { return start_ms_[static_cast<std::size_t>(of)]; }
     [[nodiscard]] terrain::FileHeader header() {
-        const terrain::TerrainDatabase* const database = displays_[0]->display().terrain_database();
+        const terrain::TerrainDatabase* const database = displays_[0]->display().planner().terrain_database();
         if (database == nullptr) throw std::runtime_error("the display has no terrain");
         return database->header();
     }
 
     Measured measure(host_sim::AircraftPose pose) {
         std::vector<double> ms[2];
-        for (int turn = 0; turn < kTurns; ++turn, pose.heading_deg += kTurn_deg)
+        for (int iteration = 0; iteration < kIterations; ++iteration, pose.heading_deg += kTurn_deg)
             for (std::size_t n = 0; n < 2; ++n) ms[n].push_back(frame_ms(*displays_[n], pose));
         display::Display& traced = displays_[1]->display();
         if (traced.record().terrain.renderer.view() != "trace")
             throw std::runtime_error("the terrain was not traced: " +
                                      std::string(traced.record().terrain.renderer_reason.view()));
-        return {median(ms[0]), median(ms[1]), traced.budget().find(effects::kTracedTerrain)->use.in_use};
+        return {median(ms[0]), median(ms[1]), traced.planner().budget().find(effects::kTracedTerrain)->use.in_use};
     }
 
 private:
     static void make_current(test_support::HeadlessDisplay& headless) {
-        if (!headless.surface().make_current()) throw std::runtime_error("the surface cannot be made current");
-        headless.display().gl().activate();
+        if (!headless.make_current()) throw std::runtime_error("the surface cannot be made current");
     }
     static double frame_ms(test_support::HeadlessDisplay& headless, const host_sim::AircraftPose& pose) {
         make_current(headless);
         display::Display& display = headless.display();
         const flight::AircraftState aircraft = host_sim::posed_aircraft(pose, display);
-        display.settle(aircraft, {}, host_sim::kPosedTime);
+        display::settle(display, {aircraft, {}, host_sim::kPosedTime});
         const double ms = spent_ms([&] {
-            display.update(aircraft, {}, host_sim::kPosedTime);
+            display.plan({aircraft, {}, host_sim::kPosedTime});
             display.draw(headless.surface());
             display.gl()->Finish();
         });

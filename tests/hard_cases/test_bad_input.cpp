@@ -166,11 +166,11 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// Where a sentence tells its reader what to do: a verb after the semicolon, or the limits of an option.
-bool says_what_to_do(const std::string& sentence) {
+bool says_what_to_do(const std::string& message) {
     static const std::regex remedy(
         "; (add|build|check|choose|correct|export|fetch|get|give|leave|make|mend|name|put|record|replay|see|use|write) "
         "|: must be |, such as ");
-    return std::regex_search(sentence, remedy);
+    return std::regex_search(message, remedy);
 }
 
 /// One sentence that says where and what to do, and the code of wrong input.

@@ -13,6 +13,7 @@
 #include "host_sim/flight_log/flight_log_writer.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/support/sent_traffic.hpp"
 #include "tests/support/synthetic_raster.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -64,7 +65,7 @@ public:
         sample[Signal::baro_altitude] = 2350;
         return sample;
     }
-    std::vector<HeardAircraft> traffic(base::Time time) const override {
+    std::vector<ReceivedAircraft> traffic(base::Time time) const override {
         const double second = (time - begin()).to_seconds();
         if (second >= kHeardUntil_s) return {};
         const Target there = target_at(second);
@@ -134,8 +135,8 @@ public:
     Picture at(double second) {
         const base::Time time = Hover().begin() + base::Duration::from_seconds(second);
         const flight::FrameInput instant = player_.at(time);
-        session_.display().settle(instant.state, instant.phase, time);
-        session_.display().update(instant.state, instant.phase, time, instant.trail);
+        display::settle(session_.display(), {instant.state, instant.phase, time});
+        session_.display().plan({instant.state, instant.phase, time, instant.trail});
         session_.draw();
         const RgbaView pixels = session_.pixels();
         return {{pixels.pixels, pixels.pixels + std::size_t{kWidth} * kHeight * 4}, session_.display().record()};

@@ -58,7 +58,7 @@ protected:
     }
 
     /// What gave way on the last run, with the reasons.
-    std::map<std::string, std::set<std::string>> gave_way() const {
+    std::map<std::string, std::set<std::string>> decluttered() const {
         std::map<std::string, std::set<std::string>> all;
         std::ifstream records(options_.output + "/frames.jsonl");
         for (std::string line; std::getline(records, line);) {
@@ -79,7 +79,7 @@ protected:
 TEST_F(RestrictedDevices, FlyTheDefaultFlightWithinTheirTables) {
     const auto on_desktop = fly("desktop");
     EXPECT_EQ(on_desktop.code, 0) << on_desktop.notes;
-    const auto kept = gave_way();
+    const auto kept = decluttered();
     for (const char* effect : {"aerial_perspective", "depth_of_field", "antialiasing", "silhouettes", "saliency"})
         for (const std::string& reason : kept.count(effect) != 0 ? kept.at(effect) : std::set<std::string>())
             EXPECT_THAT(reason, ::testing::Not(HasSubstr("the device"))) << effect;
@@ -88,7 +88,7 @@ TEST_F(RestrictedDevices, FlyTheDefaultFlightWithinTheirTables) {
         EXPECT_EQ(run.code, 0) << device << ": " << run.notes;
         EXPECT_EQ(run.json()["gl_calls_outside_device"], 0) << device;
         EXPECT_EQ(run.json()["heap_allocations_after_start"], 0) << device;
-        auto gave = gave_way();
+        auto gave = decluttered();
         EXPECT_THAT(gave["aerial_perspective"], ::testing::Contains(HasSubstr("> haze"))) << device;
         for (const char* effect : {"depth_of_field", "antialiasing"})
             EXPECT_THAT(gave[effect], ::testing::Contains(HasSubstr("the device has no"))) << device << ", " << effect;

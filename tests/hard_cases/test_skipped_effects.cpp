@@ -9,6 +9,7 @@
 
 #include "host_sim/replay/flight_player.hpp"
 #include "platform/files/file_byte_source.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/flown_circle.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -64,14 +65,15 @@ protected:
     };
     static std::vector<Frame> drawn(const Flight& flight, const design::DesignSettings& design, bool forced) {
         test_support::HeadlessDisplay headless("egl", "desktop", kWidth, kHeight, flight.terrain, design);
-        headless.display().force_effects(forced);
+        headless.display().planner().force_effects(forced);
         std::vector<Frame> frames;
         for (const Instant& at : flight.instants) {
             Frame frame;
-            headless.display().clear_free_view();
-            headless.display().settle(at.played.state, at.played.phase, at.now);
-            headless.display().set_free_view(headless.display().view());  // the same eye, without symbology
-            headless.display().update(at.played.state, at.played.phase, at.now);
+            headless.display().planner().clear_free_view();
+            display::settle(headless.display(), {at.played.state, at.played.phase, at.now});
+            headless.display().planner().set_free_view(
+                headless.display().planned().picture.camera.view);  // the same eye, without symbology
+            headless.display().plan({at.played.state, at.played.phase, at.now});
             frame.rgba = test_support::drawn_pixels(headless);
             frame.record = headless.display().record();
             frames.push_back(std::move(frame));

@@ -100,7 +100,7 @@ TEST_F(Flying, AnAllocationInTheBoardProgramIsCaught) {
         std::make_unique<target::LiveFlight>(*settings, port, nullptr, bus::LiveClocks{&still_time, &still_time}, silent);
     live->start(still_time());
     const auto run = [&](double seconds) {
-        static_cast<void>(live->at(still_time() + base::Duration::from_seconds(seconds), display_->display()));
+        static_cast<void>(live->at(still_time() + base::Duration::from_seconds(seconds), display_->display().planner()));
     };
     EXPECT_EQ(trapped("no_such_library", [&] { run(1); }), 0u);
     EXPECT_EQ(trapped("target", [&] { run(2); }), 1u);

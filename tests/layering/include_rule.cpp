@@ -126,9 +126,9 @@ std::string judge_own_header(const SourceFile& file, const std::string& name, co
 std::vector<std::string> include_findings(const SourceFile& file, const std::set<std::string>& known_paths) {
     std::vector<std::string> findings;
     for (const IncludeLine& include : includes_of(file)) {
-        const std::string sentence =
+        const std::string message =
             include.angled ? judge_system_header(file, include.name) : judge_own_header(file, include.name, known_paths);
-        if (!sentence.empty()) findings.push_back(finding(file, include.line, sentence));
+        if (!message.empty()) findings.push_back(finding(file, include.line, message));
     }
     return findings;
 }

@@ -1,5 +1,5 @@
-// Who may include whom, as CONTRIBUTING.md describes it: own headers by the table that CMake writes of what modules and folders
-// depend on, system headers by the table in include_rule.cpp.
+// Who may include whom, as CONTRIBUTING.md describes it: for own headers the table of dependencies that CMake writes, for system
+// headers the table in include_rule.cpp.
 #pragma once
 
 #include <set>
@@ -10,13 +10,12 @@
 
 namespace tedavis::tests::layering {
 
-/// Findings of one file: includes of a folder that its own does not depend on, of a folder that no CMakeLists.txt declares, of a
-/// system header that its folder may not know, of a
-/// header that no table knows, and includes not written from the root. `known_paths` are all files of the tree; includes
-/// of files that the build generates are judged by their folder alone.
+/// Returns the findings of one file: includes of a folder that its own does not depend on, of a folder that no CMakeLists.txt
+/// declares, of a system header that its folder may not include, of a header that no table has, and includes whose path does not
+/// start at the root. `known_paths` are all files of the tree; includes of generated files are judged by their folder alone.
 std::vector<std::string> include_findings(const SourceFile& file, const std::set<std::string>& known_paths);
 
-/// Folders that the table has below `root`, without it, in their order.
+/// Returns the folders below `root` in the order of the table; their paths are relative to `root`.
 std::vector<std::string> folders_below(const std::string& root);
 
 /// Findings of what makes a header stand alone: a source whose header includes another one before it, so that the compiler

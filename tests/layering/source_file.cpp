@@ -131,8 +131,8 @@ std::vector<Token> tokens_of(const SourceFile& file) {
 
 bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
 
-std::string finding(const SourceFile& file, int line, const std::string& sentence) {
-    return file.path + ":" + std::to_string(line) + ": " + sentence;
+std::string finding(const SourceFile& file, int line, const std::string& message) {
+    return file.path + ":" + std::to_string(line) + ": " + message;
 }
 
 }  // namespace tedavis::tests::layering

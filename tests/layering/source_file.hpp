@@ -38,6 +38,6 @@ std::vector<Token> tokens_of(const SourceFile& file);
 bool starts_with(std::string_view text, std::string_view prefix);
 
 /// "path:line: sentence", the form of every finding.
-std::string finding(const SourceFile& file, int line, const std::string& sentence);
+std::string finding(const SourceFile& file, int line, const std::string& message);
 
 }  // namespace tedavis::tests::layering

@@ -9,7 +9,7 @@ namespace tedavis::tests::layering {
 namespace {
 
 struct WordRule {
-    std::string sentence;
+    std::string message;
     std::vector<std::string> folders;
     std::set<std::string> words;                ///< wherever they stand as a name
     std::set<std::string> standard_words;       ///< only behind std::
@@ -73,7 +73,7 @@ void apply(const WordRule& rule, const SourceFile& file, const std::vector<Token
         const std::string& word = tokens[i].text;
         const bool named = rule.words.count(word) != 0 || (rule.standard_words.count(word) != 0 && behind_std(tokens, i));
         if (!named || is_placement(tokens, i) || in_preprocessor_include(tokens, i)) continue;
-        findings.push_back(finding(file, tokens[i].line, "\"" + word + "\": " + rule.sentence));
+        findings.push_back(finding(file, tokens[i].line, "\"" + word + "\": " + rule.message));
     }
 }
 

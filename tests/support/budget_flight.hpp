@@ -85,10 +85,10 @@ public:
         int slowest = 0;
         for (std::size_t n = 0; n < route_.size(); n += kFramesOfALeg) {
             std::vector<std::vector<std::uint8_t>> pictures;
-            headless_.display().set_free_view(route_[n].view);
+            headless_.display().planner().set_free_view(route_[n].view);
             const flight::AircraftState state = aircraft_at(route_[n].ship);
             for (int frame = 0; frame < kWatched; ++frame) {
-                headless_.display().update(state, {}, host_sim::kPosedTime);
+                headless_.display().plan({state, {}, host_sim::kPosedTime});
                 pictures.push_back(drawn_pixels(headless_));
             }
             const std::vector<std::uint8_t> last = settled_pixels(headless_, state, host_sim::kPosedTime);
@@ -134,8 +134,8 @@ private:
     void show(const Stop& stop, FlownBudget& flown) {
         display::Display& display = headless_.display();
         const double begin_ms = processor_ms();
-        display.set_free_view(stop.view);
-        display.update(aircraft_at(stop.ship), {}, host_sim::kPosedTime);
+        display.planner().set_free_view(stop.view);
+        display.plan({aircraft_at(stop.ship), {}, host_sim::kPosedTime});
         display.draw(headless_.surface());
         display.gl()->Finish();
         flown.milliseconds.push_back(processor_ms() - begin_ms);

@@ -10,8 +10,8 @@
 #include "host_sim/flight_log/flight_log_writer.hpp"
 #include "host_sim/scenario/scenario_flight.hpp"
 #include "host_sim/scenario/scenario_switches.hpp"
+#include "platform/runtime/display_host.hpp"
 #include "platform/surface_factory.hpp"
-#include "render_core/display/display.hpp"
 #include "tests/support/device_files.hpp"
 #include "tests/support/kept_reservation.hpp"
 #include "tests/support/memory_bytes.hpp"
@@ -92,44 +92,42 @@ public:
     HeadlessDisplay(const std::string& backend, const effects::DeviceSettings& device, std::uint32_t width, std::uint32_t height,
                     base::ByteSource* terrain, const design::DesignSettings& design, SurfaceWrapper wrap = as_it_is,
                     base::ByteSource* scene = nullptr, const design::PhaseDesigns* phases = nullptr,
-                    base::Workers* workers = nullptr) {
-        display::DisplaySettings settings;
-        settings.device = device;
-        settings.design = design;
-        settings.phases = phases;
-        settings.width_px = width;
-        settings.height_px = height;
-        settings.generated_flight = true;
-        const bool es2 = settings.device.capability.lane == effects::Lane::es2;
-        auto made =
-            platform::make_surface(backend, {width, height, es2 ? platform::ContextLane::es2 : platform::ContextLane::es3});
-        if (!made.ok()) throw std::runtime_error(made.error().message.c_str());
-        surface_ = wrap(std::move(made.value()));
-        if (!surface_->make_current()) throw std::runtime_error("the surface cannot be made current");
-        memory_ = std::make_unique<KeptReservation>(display::Display::bytes_needed(settings.device));
-        display::TerrainInput input;
-        if (terrain != nullptr) {
-            reader_ = std::make_unique<base::SynchronousReader>(*terrain, base::kMaxReadTickets);
-            input = {terrain, reader_.get(), terrain::ArrivalMode::exact, workers};
-        }
-        const base::Error error = display_.start(settings, memory_->arena(), *surface_, input, scene);
-        if (error) throw std::runtime_error(error.message.c_str());
+                    base::Workers* workers = nullptr)
+        : backend_(backend), wrap_(wrap), memory_(display::DisplayMemory::bytes_needed(device.budget)) {
+        platform::DisplayHostSettings settings;
+        settings.display.device = device;
+        settings.display.design = design;
+        settings.display.phases = phases;
+        settings.display.width_px = width;
+        settings.display.height_px = height;
+        settings.display.generated_flight = true;
+        settings.surface = {backend, &HeadlessDisplay::make_surface, this};
+        settings.terrain.bytes = terrain;
+        settings.scene.bytes = scene;
+        settings.workers = workers != nullptr ? workers : &serial_;
+        settings.memory = memory_.arena();
+        if (const platform::HostFault fault = host_.start(settings)) throw std::runtime_error(fault.error.message.c_str());
     }
-    ~HeadlessDisplay() {
-        display_.stop();
-        surface_->release_current();
-    }
-    HeadlessDisplay(const HeadlessDisplay&) = delete;
-    HeadlessDisplay& operator=(const HeadlessDisplay&) = delete;
 
-    [[nodiscard]] display::Display& display() { return display_; }
-    [[nodiscard]] base::Surface& surface() { return *surface_; }
+    [[nodiscard]] display::Display& display() { return host_.display(); }
+    [[nodiscard]] base::Surface& surface() { return host_.surface(); }
+    /// Displays of one thread draw in turn.
+    [[nodiscard]] bool make_current() { return host_.make_current(); }
 
 private:
-    std::unique_ptr<base::Surface> surface_;
-    std::unique_ptr<KeptReservation> memory_;
-    std::unique_ptr<base::AsyncReader> reader_;
-    display::Display display_;
+    static base::Result<std::unique_ptr<base::Surface>, base::Error> make_surface(const void* self,
+                                                                                  const platform::SurfaceSettings& settings) {
+        const auto& display = *static_cast<const HeadlessDisplay*>(self);
+        auto made = platform::make_surface(display.backend_, settings);
+        if (!made.ok()) return base::fail(made.error());
+        return display.wrap_(std::move(made.value()));
+    }
+
+    std::string backend_;
+    SurfaceWrapper wrap_;
+    KeptReservation memory_;
+    base::SerialWorkers serial_;
+    platform::DisplayHost host_;
 };
 
 }  // namespace tedavis::test_support

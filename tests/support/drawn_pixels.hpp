@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render_core/display/preroll.hpp"
 #include "render_core/gl/readback.hpp"
 #include "tests/support/default_flight.hpp"
 
@@ -23,8 +24,8 @@ inline std::vector<std::uint8_t> drawn_pixels(HeadlessDisplay& headless) {
 /// With all terrain arrived.
 inline std::vector<std::uint8_t> settled_pixels(HeadlessDisplay& headless, const flight::AircraftState& state, base::Time now,
                                                 const flight::PhaseStatus& phase = {}) {
-    headless.display().settle(state, phase, now);
-    headless.display().update(state, phase, now);
+    display::settle(headless.display(), {state, phase, now});
+    headless.display().plan({state, phase, now});
     return drawn_pixels(headless);
 }
 

@@ -35,8 +35,8 @@ public:
     bool fly_to(double seconds, base::Duration frame_step) {
         const base::Time end = first_ + base::Duration::from_seconds(seconds);
         while (tracker_.next_step() <= end) {
-            const flight::FrameInput input = tracker_.advance_to(tracker_.next_step(), display_.display());
-            note_source(input.phase.source);
+            const flight::FrameInput input = tracker_.advance_to(tracker_.next_step(), display_.display().planner());
+            record_source(input.phase.source);
             if (next_frame_ > input.time) continue;
             draw(input);
             next_frame_ = next_frame_ + frame_step;
@@ -56,14 +56,14 @@ private:
     void receive(base::Span<const bus::CanFrame> frames) override {
         for (const bus::CanFrame& frame : frames) answers_ += bus::answer_identification(frame, bus::NodeSettings()).due ? 1 : 0;
     }
-    void note_source(flight::PhaseSource source) {
+    void record_source(flight::PhaseSource source) {
         seen_.by_switch = seen_.by_switch || source == flight::PhaseSource::switches;
         seen_.by_can = seen_.by_can || source == flight::PhaseSource::can;
         seen_.by_motion = seen_.by_motion || source == flight::PhaseSource::motion;
     }
     void draw(const flight::FrameInput& input) {
         display::Display& display = display_.display();
-        display.update(input.state, input.phase, input.time, input.trail);
+        display.plan(input);
         display.draw(display_.surface());
         seen_.good += display_.surface().present() == base::SurfaceState::ready ? 1 : 0;
         ++seen_.frames;

@@ -12,8 +12,8 @@
 namespace tedavis::test_support {
 namespace {
 
-[[noreturn]] void stop(const char* sentence) {
-    std::fprintf(stderr, "%s\n", sentence);
+[[noreturn]] void stop(const char* message) {
+    std::fprintf(stderr, "%s\n", message);
     std::abort();
 }
 

@@ -23,7 +23,7 @@ bool expect_bits_of_single_rays(int lanes, raytrace::CellSurface surface) {
     if (kernel == nullptr) return false;
     base::SerialWorkers workers;
     std::mt19937 random(31);
-    std::size_t met[3] = {};
+    std::size_t hit_count[3] = {};
     for (const bool has_holes : {false, true}) {
         const ViewedHills<Height> hills(271, 190, has_holes);
         const auto field = hills.field(surface);
@@ -34,10 +34,10 @@ bool expect_bits_of_single_rays(int lanes, raytrace::CellSurface surface) {
             const TracedPicture singly = traced_singly(field, camera, width, height);
             EXPECT_EQ(traced_by(*kernel, field, camera, width, height, workers).differences(singly), 0u)
                 << kernel->name << ", camera " << round;
-            for (const raytrace::HitSide side : singly.side) ++met[static_cast<std::size_t>(side)];
+            for (const raytrace::HitSide side : singly.side) ++hit_count[static_cast<std::size_t>(side)];
         }
     }
-    for (const std::size_t count : met) EXPECT_GT(count, 1000u) << "misses, meetings from above and from below";
+    for (const std::size_t count : hit_count) EXPECT_GT(count, 1000u) << "misses, hits from above and from below";
     return true;
 }
 

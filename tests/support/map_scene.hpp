@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "render_core/base/units.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/support/hills_display.hpp"
 
 namespace tedavis::test_support {
@@ -86,8 +87,8 @@ struct MapScene {
 
     /// With all terrain arrived.
     HillsPicture picture(const flight::AircraftState& state, base::Time now = kHillsNow) {
-        display().settle(state, {}, now);
-        display().update(state, {}, now);
+        display::settle(display(), {state, {}, now});
+        display().plan({state, {}, now});
         return drawn();
     }
     HillsPicture drawn() { return {drawn_pixels(headless), headless.surface().width(), headless.surface().height()}; }

@@ -18,7 +18,7 @@ void expect_paged_bits(std::uint32_t lanes) {
     }
     base::SerialWorkers workers;
     std::mt19937 random(77);
-    std::size_t met[3] = {};
+    std::size_t hit_count[3] = {};
     for (const bool has_holes : {false, true}) {
         const ViewedHills<Height> hills(271, 190, has_holes);
         for (const raytrace::CellSurface surface : {raytrace::CellSurface::two_triangles, raytrace::CellSurface::bilinear}) {
@@ -36,12 +36,12 @@ void expect_paged_bits(std::uint32_t lanes) {
                     const TracedPicture singly = traced_singly(field, camera, width, height);
                     const TracedPicture paged = pages.trace(camera, width, height, 270, surface, *kernel, workers);
                     EXPECT_EQ(paged.differences(singly), 0u) << kernel->name << ", camera " << round << ", slots " << slots;
-                    for (const raytrace::HitSide side : singly.side) ++met[static_cast<std::size_t>(side)];
+                    for (const raytrace::HitSide side : singly.side) ++hit_count[static_cast<std::size_t>(side)];
                 }
             }
         }
     }
-    for (const std::size_t count : met) EXPECT_GT(count, 1000u) << "misses, meetings from above and from below";
+    for (const std::size_t count : hit_count) EXPECT_GT(count, 1000u) << "misses, hits from above and from below";
 }
 
 }  // namespace tedavis::test_support

@@ -191,16 +191,16 @@ private:
             constexpr double kRounding_px = 1e-6;
             ++proof.frames;
             ++proof.reasons[terrain::to_string(stated.reason)];
-            const bool is_met = stated.reason == terrain::LodStop::met;
+            const bool meets_tau = stated.reason == terrain::LodStop::met;
             // A frame that says why it has not reached tau has not, and one that has reached it says nothing else.
-            if (is_met != (stated.worst_error_px <= frame.tau_px) || !stated.within_budget) ++proof.contradictions;
-            const double most_px = is_met ? std::min(frame.stated_px, frame.tau_px) : frame.stated_px;
+            if (meets_tau != (stated.worst_error_px <= frame.tau_px) || !stated.within_budget) ++proof.contradictions;
+            const double most_px = meets_tau ? std::min(frame.stated_px, frame.tau_px) : frame.stated_px;
             const double excess_px = frame.found_px - most_px;
             if (excess_px > kRounding_px && proof.excesses++ == 0) proof.first_excess = frame;
             proof.worst_excess_px = std::max(proof.worst_excess_px, excess_px);
             if (PoseProof::ratio_to_stated(frame) > PoseProof::ratio_to_stated(proof.closest_to_stated))
                 proof.closest_to_stated = frame;
-            if (!is_met) return;
+            if (!meets_tau) return;
             ++proof.met;
             if (PoseProof::ratio_to_tau(frame) > PoseProof::ratio_to_tau(proof.closest_to_tau)) proof.closest_to_tau = frame;
         }

@@ -159,7 +159,7 @@ private:
         EXPECT_TRUE(file.ok()) << "no database was built";
         MemoryBytes terrain(DataSite::ground().built.image);
         HeadlessDisplay headless("egl", device_, width, height, &terrain, design, as_it_is, &file.value());
-        if (view != nullptr) headless.display().set_free_view(*view);
+        if (view != nullptr) headless.display().planner().set_free_view(*view);
         const flight::AircraftState state = aircraft_on_map({latitude_deg, DataSite::kLongitude_deg}, 0, 0, 2000);
         DataPicture drawn{{settled_pixels(headless, state, kHillsNow), width, height}, {}};
         drawn.record = headless.display().record();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "render_core/display/preroll.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/raster_ray_caster.hpp"
 #include "tests/support/terrain_picture.hpp"
@@ -16,9 +17,9 @@ public:
     SkylinePicture(HeadlessDisplay& headless, const flight::AircraftState& state, base::Time now)
         : width_(headless.surface().width()), height_(headless.surface().height()) {
         display::Display& display = headless.display();
-        display.clear_free_view();
-        display.preroll(state, {}, now);
-        display.set_free_view(display.view());
+        display.planner().clear_free_view();
+        display::preroll(display, {state, {}, now});
+        display.planner().set_free_view(display.planned().picture.camera.view);
         rgba_ = settled_pixels(headless, state, now);
         record_ = display.record();
     }

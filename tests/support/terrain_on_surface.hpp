@@ -39,12 +39,12 @@ public:
     TerrainOnSurface& operator=(const TerrainOnSurface&) = delete;
 
     /// Plans until everything has arrived, and uploads it.
-    void look(const display::Eye& eye, const draw::TerrainDrawInput& input) {
+    void look(const display::Camera& camera, const draw::TerrainDrawInput& input) {
         make_current();
         input_ = input;
         constexpr int kMaxTimes = 64;
         for (int n = 0; n < kMaxTimes; ++n)
-            if (scene_.plan(eye, design_).pending == 0) break;
+            if (scene_.plan(camera, design_).pending == 0) break;
         if (!painter_.prepare(session_.gl, scene_.seen_from(input_.view), input_))
             throw std::runtime_error("the terrain cannot be uploaded");
         session_.surface->release_current();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "render_core/display/preroll.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/placed_aircraft.hpp"
 
@@ -39,9 +40,9 @@ public:
         EXPECT_TRUE(view.width == headless.surface().width() && view.height == headless.surface().height());
         display::Display& display = headless.display();
         const flight::AircraftState state = aircraft_at(ship);
-        display.set_free_view(view);
-        if (settled) display.settle(state, {}, host_sim::kPosedTime);
-        display.update(state, {}, host_sim::kPosedTime);
+        display.planner().set_free_view(view);
+        if (settled) display::settle(display, {state, {}, host_sim::kPosedTime});
+        display.plan({state, {}, host_sim::kPosedTime});
         rgba_ = drawn_pixels(headless);
         record_ = display.record();
     }

@@ -21,14 +21,14 @@ struct TraceAgreement {
     std::uint64_t misplaced = 0;    ///< both meet it, far from another answer, and t differs by more than twice what floats err
     std::vector<float> relative_t;  ///< differences of t over t, where both meet it
 
-    void add(const ReferenceHit& expected, bool is_met, float t) {
-        const bool is_close = expected.margin <= kFloatMargin, should_meet = expected.side != raytrace::HitSide::none;
+    void add(const ReferenceHit& expected, bool is_hit, float t) {
+        const bool is_close = expected.margin <= kFloatMargin, should_hit = expected.side != raytrace::HitSide::none;
         ++rays;
         close += is_close;
-        hits += should_meet;
-        different += should_meet != is_met;
-        unexplained += should_meet != is_met && !is_close;
-        if (!should_meet || !is_met) return;
+        hits += should_hit;
+        different += should_hit != is_hit;
+        unexplained += should_hit != is_hit && !is_close;
+        if (!should_hit || !is_hit) return;
         const long double apart = std::abs(t - expected.t), relative = expected.t > 0 ? apart / expected.t : apart;
         misplaced += !is_close && apart > 2 * kFloatMargin * (expected.t_scale + expected.t);
         relative_t.push_back(static_cast<float>(relative));

@@ -1,31 +1,25 @@
-/// A file of costs, as `tedavis calibrate` writes it, in which every cost is the same.
+/// Costs for the display of a board.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "render_core/effects/effect_table.hpp"
+#include "render_core/display/calibration_subject.hpp"
 #include "target/board_display.hpp"
+#include "tests/support/even_costs.hpp"
 
 namespace tedavis::target {
 
 inline std::string costs_of(const BoardSettings& settings, const std::string& renderer) {
-    std::string text = "device = '" + std::string(settings.device.name.view()) + "'\nrenderer = '" + renderer +
-                       "'\nwidth_px = " + std::to_string(settings.width_px) +
-                       "\nheight_px = " + std::to_string(settings.height_px) + "\n";
-    const auto line = [&](std::string_view name) {
-        text += "[cost." + std::string(name) + "]\nfixed_ms = 9\nms_per_megapixel = 0\nms_per_thousand = 0\n";
-    };
-    for (std::size_t n = 0; n < effects::kEffectCount; ++n) line(effects::row_of(static_cast<effects::Effect>(n)).name);
-    for (const std::string_view name : effects::kOverheadNames) line(name);
-    return text;
+    return test_support::even_costs(
+        {settings.device.name, base::FixedString<127>(renderer), settings.width_px, settings.height_px});
 }
 
 inline std::string costs_of_this_board(const BoardSettings& settings) {
-    BoardDisplay board(settings);
-    EXPECT_TRUE(board.open_surface().message.empty() && !board.start());
-    return costs_of(settings, std::string(board.core().calibration_subject().renderer.view()));
+    platform::DisplayHost host;
+    EXPECT_FALSE(start_board_display(settings, host));
+    return test_support::even_costs(display::calibration_subject(host.display()));
 }
 
 }  // namespace tedavis::target

@@ -90,10 +90,10 @@ class BoardFault : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(BoardFault, IsNamedWithFileAndLine) {
     Board board;
-    const std::string sentence = board.load_with(GetParam().rest);
-    EXPECT_THAT(sentence, StartsWith(board.path + ":" + std::to_string(GetParam().line) + ": "));
-    EXPECT_THAT(sentence, HasSubstr(GetParam().says));
-    EXPECT_EQ(sentence.find('\n'), std::string::npos) << "one sentence";
+    const std::string message = board.load_with(GetParam().rest);
+    EXPECT_THAT(message, StartsWith(board.path + ":" + std::to_string(GetParam().line) + ": "));
+    EXPECT_THAT(message, HasSubstr(GetParam().says));
+    EXPECT_EQ(message.find('\n'), std::string::npos) << "one sentence";
 }
 
 INSTANTIATE_TEST_SUITE_P(

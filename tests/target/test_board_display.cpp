@@ -13,10 +13,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string start(BoardDisplay& board) {
-    base::Error error = board.open_surface();
-    if (!error) error = board.start();
-    if (!error) error = board.hold_deadline();
+std::string start(const BoardSettings& settings, platform::DisplayHost& host) {
+    const platform::HostFault fault = start_board_display(settings, host);
+    const base::Error error = fault ? fault.error : hold_board_deadline(settings, host);
     return std::string(error.message.view());
 }
 
@@ -25,19 +24,19 @@ bool has_flag(const display::FrameRecord& record, std::string_view name) {
 }
 
 /// Draws a frame and gives its record.
-const display::FrameRecord& drawn(BoardDisplay& board) {
-    board.core().update({}, {}, base::Time{1});
-    board.core().draw(board.surface());
+const display::FrameRecord& drawn(platform::DisplayHost& board) {
+    board.display().plan({{}, {}, base::Time{1}});
+    board.display().draw(board.surface());
     EXPECT_EQ(board.surface().present(), base::SurfaceState::ready);
-    return board.core().record();
+    return board.display().record();
 }
 
 TEST(BoardDisplay, StartsWithItsTerrain) {
     const BoardSettings settings = board_settings();
-    BoardDisplay board(settings);
-    ASSERT_EQ(start(board), "");
+    platform::DisplayHost board;
+    ASSERT_EQ(start(settings, board), "");
     EXPECT_EQ(board.terrain_fault().message.view(), "");
-    EXPECT_NE(board.core().terrain_database(), nullptr);
+    EXPECT_NE(board.display().planner().terrain_database(), nullptr);
     EXPECT_FALSE(has_flag(drawn(board), "terrain.failed"));
 }
 
@@ -56,30 +55,30 @@ TEST(BoardDisplay, WithoutTerrainThatThereShouldBeItSaysTerrainFail) {
                             Case{folder.write("damaged.tdb", damaged), "damaged.tdb: has a damaged header"}}) {
         BoardSettings settings = board_settings();
         settings.terrain = Path(bad.file);
-        BoardDisplay board(settings);
-        EXPECT_EQ(start(board), "") << bad.file;
+        platform::DisplayHost board;
+        EXPECT_EQ(start(settings, board), "") << bad.file;
         EXPECT_THAT(std::string(board.terrain_fault().message.view()), HasSubstr(bad.says));
         const display::FrameRecord& record = drawn(board);
         EXPECT_TRUE(has_flag(record, "terrain.failed")) << bad.file;
         EXPECT_FALSE(has_flag(record, "terrain.missing")) << "which would say that nobody wanted any";
-        EXPECT_EQ(board.core().gl().denied().total, 0u);
+        EXPECT_EQ(board.display().gl().denied().total, 0u);
     }
     BoardSettings settings = board_settings();
     settings.terrain = Path();
-    BoardDisplay board(settings);
-    EXPECT_EQ(start(board), "");
+    platform::DisplayHost board;
+    EXPECT_EQ(start(settings, board), "");
     EXPECT_TRUE(has_flag(drawn(board), "terrain.missing")) << "control: none is asked for";
 }
 
 TEST(BoardDisplay, AnImpossibleDeviceIsRefused) {
     BoardSettings settings = board_settings();
     settings.device.budget.find(effects::kLodScratch)->bytes = 8;
-    BoardDisplay board(settings);
-    EXPECT_THAT(start(board), HasSubstr("the budget line 'lod_scratch' is too small"));
+    platform::DisplayHost board;
+    EXPECT_THAT(start(settings, board), HasSubstr("the budget line 'lod_scratch' is too small"));
     settings = board_settings();
     settings.surface = base::FixedString<15>("kms");
-    BoardDisplay other(settings);
-    EXPECT_THAT(start(other), HasSubstr("[surface]: the surface 'kms' is not known"));
+    platform::DisplayHost other;
+    EXPECT_THAT(start(settings, other), HasSubstr("[surface]: the surface 'kms' is not known"));
 }
 
 }  // namespace

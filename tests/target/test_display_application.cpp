@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "host_sim/heap_trap/heap_trap.hpp"
+#include "render_core/display/calibration_subject.hpp"
 #include "render_core/gl/readback.hpp"
 #include "tests/support/scene_drafts.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -114,7 +115,7 @@ TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {
     settings.device.deadline_ms = 5;
     (void)start().run(3, stop);
     EXPECT_EQ(application->display().record().governor.why.view(), "the cost is not known: calibrate this device");
-    const std::string renderer(application->display().calibration_subject().renderer.view());
+    const std::string renderer(display::calibration_subject(application->display()).renderer.view());
     application.reset();
     settings.costs = Path(folder.write("costs.toml", costs_of(settings, renderer)));
     (void)start().run(3, stop);
@@ -219,7 +220,7 @@ TEST_F(DisplayApplicationTest, WithoutTerrainItRuns) {
     settings.terrain = Path();
     const RunReport report = start().run(2, stop);
     EXPECT_EQ(report.frames, 2u);
-    EXPECT_EQ(application->display().terrain_database(), nullptr);
+    EXPECT_EQ(application->display().planner().terrain_database(), nullptr);
 }
 
 }  // namespace

@@ -22,12 +22,10 @@ TEST(FileText, HoldsTheWholeFileAndOutlivesTheMove) {
 
 TEST(FileText, RefusesWhatIsNoConfiguration) {
     const test_support::TemporaryFolder folder;
-    const auto sentence = [](const std::string& path) {
-        return std::string(read_file_text(path.c_str()).error().message.view());
-    };
-    EXPECT_THAT(sentence(folder.file("absent")), HasSubstr(folder.file("absent")));
-    EXPECT_THAT(sentence(folder.path()), HasSubstr(folder.path())) << "a folder";
-    EXPECT_THAT(sentence(folder.write("big", std::string(kMaxFileTextBytes + 1, ' '))), HasSubstr("larger than 1 MiB"));
+    const auto message = [](const std::string& path) { return std::string(read_file_text(path.c_str()).error().message.view()); };
+    EXPECT_THAT(message(folder.file("absent")), HasSubstr(folder.file("absent")));
+    EXPECT_THAT(message(folder.path()), HasSubstr(folder.path())) << "a folder";
+    EXPECT_THAT(message(folder.write("big", std::string(kMaxFileTextBytes + 1, ' '))), HasSubstr("larger than 1 MiB"));
     EXPECT_TRUE(read_file_text(folder.write("full", std::string(kMaxFileTextBytes, ' ')).c_str()).ok());
 }
 

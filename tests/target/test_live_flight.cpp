@@ -74,7 +74,7 @@ struct LiveFlightTest : testing::Test {
     }
     flight::FrameInput step(std::int64_t ms = 33) {
         FakeClock::now_ns += ms * kMs;
-        return flight->at(FakeClock::monotonic(), display);
+        return flight->at(FakeClock::monotonic(), display.planner());
     }
     BoardSettings settings;
     PairPort port;

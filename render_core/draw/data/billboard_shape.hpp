@@ -40,7 +40,7 @@ struct BillboardShape {
     float text_px = 16;
 
     [[nodiscard]] float line_px() const;
-    /// Without a stem.
+    /// Returns the box without a stem, at the feature's position.
     [[nodiscard]] SignBox on_the_spot() const;
     /// Sets the box's size for these lines.
     void set_lines(const SignText& lines);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/planned_way.hpp"
+#include "render_core/draw/data/planned_track.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
@@ -72,9 +72,9 @@ FoundPlace named(const FocusFrame& frame, std::string_view name, scene::LayerRol
     return {};
 }
 
-PlannedWay way_of(const FocusFrame& frame) {
+PlannedTrack way_of(const FocusFrame& frame) {
     if (frame.scene == nullptr || !is_shown(state_of(frame.own_ship))) return {};
-    return planned_way(*frame.scene, frame.own_ship.position, frame.time.utc.ns, frame.time.is_date, kFarthestWay_m);
+    return planned_track(*frame.scene, frame.own_ship.position, frame.time.utc.ns, frame.time.is_date, kFarthestTrack_m);
 }
 
 FoundPlace nearest_runway(const FocusFrame& frame, const earth::Geodetic& to) {
@@ -106,7 +106,7 @@ FoundPlace destination(const FocusSettings& focus, const FocusFrame& frame) {
     const FocusState own = state_of(frame.own_ship);
     none.state = own;
     if (!is_shown(own)) return none;
-    const PlannedWay way = way_of(frame);
+    const PlannedTrack way = way_of(frame);
     if (way.layer == nullptr) return nearest_runway(frame, frame.own_ship.position);
     const scene::ScenePoint& last = way.layer->points[way.run.first + way.run.count - 1];
     return nearest_runway(frame, {last.latitude_rad, last.longitude_rad, {0}});
@@ -156,7 +156,7 @@ double distance_to_leg(const glm::dvec2& place, const glm::dvec2& from, const gl
 
 /// A part of the way: corners from `first` to `end`, between its two ends.
 struct Ahead {
-    const PlannedWay& way;
+    const PlannedTrack& way;
     std::uint32_t first = 0, end = 0;
     scene::ScenePoint last{};
 };
@@ -167,7 +167,7 @@ double length_m(const scene::ScenePoint& from, const scene::ScenePoint& to) {
 }
 
 /// By the times of the way's points, else by the speed.
-Ahead ahead_of(const PlannedWay& way, const FocusSettings& focus, const FocusFrame& frame) {
+Ahead ahead_of(const PlannedTrack& way, const FocusSettings& focus, const FocusFrame& frame) {
     const scene::ScenePoint here = point_on(way, way.leg, way.part);
     const bool by_time = here.time_ns != scene::kNoTime;
     const double speed_mps = std::hypot(frame.own_ship.velocity_east_mps, frame.own_ship.velocity_north_mps);
@@ -224,7 +224,7 @@ FocusPlace path_ahead(const FocusSettings& focus, const FocusFrame& frame) {
     const earth::Geodetic& own = frame.own_ship.position;
     FocusRegion region = region_of(focus, own.latitude_rad, own.longitude_rad);
     region.kind = scene::FocusPoints::path;
-    const PlannedWay way = way_of(frame);
+    const PlannedTrack way = way_of(frame);
     if (way.layer != nullptr) {
         keep_corners(ahead_of(way, focus, frame), point_on(way, way.leg, way.part), region);
     } else {

@@ -10,7 +10,7 @@
 ///                 the middle of their points
 ///   position      as stated
 ///
-/// The planned way is the trajectory of the scene that passes nearest to the own ship, within kFarthestWay_m. Where it has more
+/// The planned way is the trajectory of the scene that passes nearest to the own ship, within kFarthestTrack_m. Where it has more
 /// corners than a region has points, those that are farthest from the way between the others are kept.
 ///
 /// A focus that depends on the own ship's position is empty while that is unknown, with a reason. Pure, apart from queries to
@@ -25,7 +25,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kFarthestWay_m = 5000;
+inline constexpr double kFarthestTrack_m = 5000;
 inline constexpr double kMinSpeed_mps = 1;  ///< below this speed the direction is unknown
 
 enum class FocusState : std::uint8_t {

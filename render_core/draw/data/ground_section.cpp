@@ -18,7 +18,7 @@ glm::dvec2 metres_per_rad(double latitude_rad) {
 
 }  // namespace
 
-glm::dvec2 flat_way(const scene::ScenePoint& from, const scene::ScenePoint& to) {
+glm::dvec2 flat_offset(const scene::ScenePoint& from, const scene::ScenePoint& to) {
     const glm::dvec2 metres = metres_per_rad(from.latitude_rad);
     return {std::remainder(to.longitude_rad - from.longitude_rad, 2 * base::kPi) * metres.x,
             (to.latitude_rad - from.latitude_rad) * metres.y};
@@ -33,7 +33,7 @@ scene::ScenePoint moved(const scene::ScenePoint& from, const glm::dvec2& by_m) {
 }
 
 scene::ScenePoint between(const scene::ScenePoint& from, const scene::ScenePoint& to, double share) {
-    scene::ScenePoint result = moved(from, flat_way(from, to) * share);
+    scene::ScenePoint result = moved(from, flat_offset(from, to) * share);
     result.height_m = from.height_m + (to.height_m - from.height_m) * static_cast<float>(share);
     return result;
 }

@@ -15,7 +15,7 @@ inline constexpr double kStripLift_m = 1.0;
 inline constexpr float kStripRaised_px = 2.5f;  ///< the drawn ground deviates from the true one by about a pixel
 
 /// Metres east and north from one point to another; the point at such an offset; and a point between two.
-[[nodiscard]] glm::dvec2 flat_way(const scene::ScenePoint& from, const scene::ScenePoint& to);
+[[nodiscard]] glm::dvec2 flat_offset(const scene::ScenePoint& from, const scene::ScenePoint& to);
 [[nodiscard]] scene::ScenePoint moved(const scene::ScenePoint& from, const glm::dvec2& by_m);
 [[nodiscard]] scene::ScenePoint between(const scene::ScenePoint& from, const scene::ScenePoint& to, double share);
 /// The right end of a section of unit half width, for a direction east and north; 0 for no direction.

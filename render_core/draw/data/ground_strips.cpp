@@ -47,7 +47,7 @@ public:
         if (run_.count < 2) return false;
         first_ = input_.layer.points[run_.first];
         last_ = input_.layer.points[run_.first + run_.count - 1];
-        const glm::dvec2 way = flat_way(first_, last_);
+        const glm::dvec2 way = flat_offset(first_, last_);
         length_m_ = glm::length(way);
         if (!(length_m_ > 4 * kStripes_m) || length_m_ > kLongest_m) return false;
         half_ = right_of(way) * (0.5 * width_of(input_, feature_));
@@ -169,7 +169,7 @@ private:
     };
 
     [[nodiscard]] const scene::ScenePoint& point(std::uint32_t n) const { return input_.layer.points[run_.first + n]; }
-    [[nodiscard]] glm::dvec2 way(const Leg& leg) const { return flat_way(point(leg.from), point(leg.to)); }
+    [[nodiscard]] glm::dvec2 way(const Leg& leg) const { return flat_offset(point(leg.from), point(leg.to)); }
     [[nodiscard]] std::uint32_t vertices() const { return has_begun_ ? mesh_.vertex_count() : 0; }
 
     /// The farthest point to which the way may be straight; the last one from itself.
@@ -184,7 +184,7 @@ private:
     [[nodiscard]] bool is_straight(const Leg& leg, double most_m) const {
         const PolylineVertex begin{}, end{glm::dvec3(way(leg), 0)};
         for (std::uint32_t n = leg.from + 1; n < leg.to; ++n)
-            if (distance_from_way({glm::dvec3(way({leg.from, n}), 0)}, begin, end) > most_m) return false;
+            if (distance_from_segment({glm::dvec3(way({leg.from, n}), 0)}, begin, end) > most_m) return false;
         return true;
     }
 

@@ -35,7 +35,7 @@ enum class Icon : std::uint8_t {
 
 /// Draws an icon over a dark rim of the same opacity. `half_px` is from its middle to its edge.
 bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color);
-/// Draws a dashed circle, `share` of which is drawn, for certain to unknown values.
+/// Draws a dashed circle whose dashes cover `share` of it; the share stands for the certainty of a value.
 bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color, float share);
 
 }  // namespace tedavis::draw

@@ -33,7 +33,7 @@ void LabelPlanner::rest() {
     gone_ = 0;
 }
 
-void LabelPlanner::begin(const LabelHistory& interval, const design::LabelSettings& settings) {
+void LabelPlanner::begin(const LabelInterval& interval, const design::LabelSettings& settings) {
     const std::int64_t elapsed = interval.number - interval_.number;
     is_first_ = !has_memory_ || was_skipped_ || elapsed < 1 || elapsed > kMaxGap;
     elapsed_ = static_cast<std::uint8_t>(is_first_ ? 1 : elapsed);
@@ -230,6 +230,19 @@ Label LabelPlanner::decide(const Candidate& candidate, const LabelShape& shape, 
     }
     changes_left_ = std::max(changes_left_ - 1, -kMaxDebt_s * settings_.most_changes);
     return next;
+}
+
+void LabelMemory::keep_looks(const LabelMemory& shown) {
+    for (Label& label : labels) label.look = 0;
+    gone = shown.gone;
+    for (const Label& before : shown.labels) {
+        const auto stays =
+            std::find_if(labels.begin(), labels.end(), [&](const Label& label) { return label.key == before.key; });
+        if (stays != labels.end())
+            stays->look = before.look;
+        else if (before.look != 0)
+            ++gone;
+    }
 }
 
 void LabelPlanner::keep(LabelMemory& memory) const {

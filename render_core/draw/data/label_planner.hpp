@@ -9,7 +9,7 @@
 /// that motion between two intervals seldom makes labels overlap. Markers of protected features neither wait nor are removed.
 ///
 /// The result is a function of the offered features, in any order, and of the previous labels; a replay therefore restores
-/// these (keep(), restore()) or starts at the begin of the flight. Work is bounded by kMax; offered features beyond the best
+/// these (keep(), restore()) or starts at the beginning of the flight. Work is bounded by kMax; offered features beyond the best
 /// kMax are only counted.
 ///
 /// Memory  from an arena, once. Thread  one. No clock: an interval is a number that grows with the source's time.
@@ -76,7 +76,7 @@ protected:
     LabelShapes& operator=(const LabelShapes&) = default;
 };
 
-struct LabelHistory {
+struct LabelInterval {
     std::int64_t number = 0;
     Rect screen;  ///< bounds of all boxes
     float text_px = 16;
@@ -105,7 +105,7 @@ public:
     /// An interval without labels; the next one places all at once.
     void skip(std::int64_t interval);
     /// Begins an interval. Previous labels are dropped where it is not one of the next kMaxGap intervals.
-    void begin(const LabelHistory& interval, const design::LabelSettings& settings);
+    void begin(const LabelInterval& interval, const design::LabelSettings& settings);
     /// Adds a group, in order; groups beyond kMaxLabelGroups are refused.
     [[nodiscard]] bool add_group(const LabelGroup& group);
     /// Offers a feature. `interest` 0..1 decides on marker and name, `rank` 0..1 on the order; NaN is left out.
@@ -144,7 +144,7 @@ private:
     [[nodiscard]] Label before_now(const Label& asked, const Label* before) const;
     void count_gone();
 
-    LabelHistory interval_;
+    LabelInterval interval_;
     design::LabelSettings settings_;
     base::FixedVector<LabelGroup, kMaxLabelGroups> groups_;
     std::array<std::uint32_t, kMaxLabelGroups> offered_{}, visited_{}, shown_{}, suppressed_{};
@@ -165,6 +165,9 @@ struct LabelMemory {
     bool has_memory = false, was_skipped = false;
     std::uint32_t gone = 0;  ///< disappeared labels that have not been counted yet
     base::FixedVector<Label, LabelPlanner::kMax> labels;
+
+    /// Takes the looks of these labels from those that a frame showed, and counts what it showed and is not among them.
+    void keep_looks(const LabelMemory& shown);
 };
 
 }  // namespace tedavis::draw

@@ -22,9 +22,9 @@ public:
 
 private:
     static constexpr std::size_t kParts = 16;
-    using Set = std::array<std::uint64_t, 4>;  ///< a bit a box
+    using Set = std::array<std::uint64_t, 4>;  ///< one bit per box
 
-    /// Of the screen: from the first to the last part, both within 0 .. kParts - 1.
+    /// A range of parts of the screen, first and last included, both within 0 .. kParts - 1.
     struct Parts {
         std::size_t left, top, right, bottom;
     };

@@ -32,14 +32,14 @@ public:
     struct Place {
         double latitude_rad, longitude_rad;
     };
-    /// Of a grid's post.
+    /// Returns the position of a grid's post.
     [[nodiscard]] Place post(std::size_t n) const;
     [[nodiscard]] bool is_grid() const { return is_grid_; }
-    /// A value a point, of layers that are no grid; else a value a feature.
+    /// True where a layer that is not a grid has one value per point, false for one per feature.
     [[nodiscard]] bool is_of_points() const { return is_of_points_; }
 
 private:
-    /// Of the time before and the one after.
+    /// The values at the time before and at the time after.
     struct Times {
         const float *first = nullptr, *second = nullptr;
     };

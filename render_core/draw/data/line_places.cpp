@@ -19,7 +19,7 @@ double gone_share(const design::ElementCues& cues, std::int64_t time_ns) {
 
 }  // namespace
 
-void WayMeasure::add_leg(double length_m, const glm::dvec3& from, const glm::dvec3& to) {
+void PolylineMeasure::add_leg(double length_m, const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dvec3 way = to - from;
     const double square = glm::dot(way, way);
     const double share = square > 0 ? std::clamp(-glm::dot(from, way) / square, 0.0, 1.0) : 0;
@@ -31,7 +31,7 @@ void WayMeasure::add_leg(double length_m, const glm::dvec3& from, const glm::dve
     length_m_ += length_m;
 }
 
-LinePlaces::LinePlaces(const design::ElementCues& cues, const WayMeasure& way, bool from_end, std::int64_t time_ns)
+LinePlaces::LinePlaces(const design::ElementCues& cues, const PolylineMeasure& way, bool from_end, std::int64_t time_ns)
     : spacing_m_(cues.line_spacing_m) {
     const double still_m = from_end ? std::fmod(way.length_m(), spacing_m_) : 0;
     const double gone_m = spacing_m_ * gone_share(cues, time_ns);

@@ -11,7 +11,7 @@
 namespace tedavis::draw {
 
 /// Measures a path's length, and the distance along it to the point nearest to the eye point.
-class WayMeasure {
+class PolylineMeasure {
 public:
     /// `from` and `to` are relative to the eye point, m.
     void add_leg(double length_m, const glm::dvec3& from, const glm::dvec3& to);
@@ -26,7 +26,7 @@ private:
 class LinePlaces {
 public:
     /// `from_end`: fixed lines are counted from the path's end backwards.
-    LinePlaces(const design::ElementCues& cues, const WayMeasure& way, bool from_end, std::int64_t time_ns);
+    LinePlaces(const design::ElementCues& cues, const PolylineMeasure& way, bool from_end, std::int64_t time_ns);
 
     /// Calls with the distance along the way of each line from `begin_m` to before `end_m`; of the last leg its end too.
     template <class Visitor>

@@ -16,7 +16,7 @@ struct Farthest {
 Farthest farthest_of(base::Span<const PolylineVertex> points, const PolylineStretch& stretch) {
     Farthest found;
     for (std::uint32_t n = stretch.first + 1; n < stretch.last; ++n) {
-        const double distance_m = distance_from_way(points[n], points[stretch.first], points[stretch.last]);
+        const double distance_m = distance_from_segment(points[n], points[stretch.first], points[stretch.last]);
         if (distance_m > found.distance_m) found = {n, distance_m};
     }
     return found;
@@ -24,7 +24,7 @@ Farthest farthest_of(base::Span<const PolylineVertex> points, const PolylineStre
 
 }  // namespace
 
-double distance_from_way(const PolylineVertex& point, const PolylineVertex& from, const PolylineVertex& to) noexcept {
+double distance_from_segment(const PolylineVertex& point, const PolylineVertex& from, const PolylineVertex& to) noexcept {
     const glm::dvec3 way = to.place - from.place, gone = point.place - from.place;
     const double squared = glm::dot(way, way);
     const double share = squared > 0 ? std::clamp(glm::dot(gone, way) / squared, 0.0, 1.0) : 0;

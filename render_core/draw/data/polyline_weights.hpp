@@ -33,7 +33,7 @@ void weigh_vertices(base::Span<const PolylineVertex> points, base::Span<float> w
                     base::Span<PolylineStretch> waiting) noexcept;
 
 /// Distance of a point from the segment between two others, or of its values from the interpolated ones, whichever is larger.
-[[nodiscard]] double distance_from_way(const PolylineVertex& point, const PolylineVertex& from,
-                                       const PolylineVertex& to) noexcept;
+[[nodiscard]] double distance_from_segment(const PolylineVertex& point, const PolylineVertex& from,
+                                           const PolylineVertex& to) noexcept;
 
 }  // namespace tedavis::draw

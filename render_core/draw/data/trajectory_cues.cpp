@@ -45,7 +45,7 @@ struct Station {
 };
 
 /// One end's two vertices of a stretch.
-struct Rung {
+struct CrossSection {
     glm::dvec3 left{0}, right{0}, left_normal{0}, right_normal{0};
     TubeColor color;
 };
@@ -73,7 +73,7 @@ public:
     }
 
     /// Points of a line, all of which have a place.
-    void add_way(std::uint32_t feature, base::Span<const scene::TubePoint> points, base::Span<const std::uint32_t> numbers) {
+    void add_polyline(std::uint32_t feature, base::Span<const scene::TubePoint> points, base::Span<const std::uint32_t> numbers) {
         feature_ = feature;
         points_ = points;
         numbers_ = numbers;
@@ -114,7 +114,7 @@ private:
 
     void add_lines() {
         const design::ElementCues& cues = input_.element.cues;
-        WayMeasure way;
+        PolylineMeasure way;
         for (std::size_t leg = 0; leg + 1 < points_.size(); ++leg)
             way.add_leg(length_m(leg), points_[leg].position - input_.eye, points_[leg + 1].position - input_.eye);
         const bool grows = input_.element.own != design::OwnData::none || input_.layer.entry->role == scene::LayerRole::traffic;
@@ -169,14 +169,14 @@ private:
 
     void add_stretches() {
         Station from = station(0, 0);
-        Rung begin = rung(from, tangent(0, true));
+        CrossSection begin = cross_section(from, tangent(0, true));
         goes_on_ = false;
         for (std::size_t leg = 0; leg + 1 < points_.size(); ++leg) {
             const double steps = std::clamp(std::ceil(length_m(leg) / kLongestStep_m), 1.0, kMaxSteps);
             for (double step = 1; step <= steps; ++step) {
                 const bool is_end = step == steps;
                 const Station to = station(leg, step / steps);
-                const Rung end = rung(to, tangent(is_end ? leg + 1 : leg, is_end));
+                const CrossSection end = cross_section(to, tangent(is_end ? leg + 1 : leg, is_end));
                 add_stretch(from, begin, to, end);
                 from = to;
                 begin = end;
@@ -196,7 +196,7 @@ private:
         return is_point && point > 0 ? way(point - 1) + way(point) : way(point);
     }
 
-    [[nodiscard]] Rung rung(const Station& at, const glm::dvec3& along) const {
+    [[nodiscard]] CrossSection cross_section(const Station& at, const glm::dvec3& along) const {
         TubeColor shown = color_at(at);
         if (!std::isfinite(at.ground_m)) return {};
         if (cue_ == Cue::curtain) {
@@ -226,7 +226,7 @@ private:
         return right * (at.radius_m + off_m);
     }
 
-    void add_stretch(const Station& from, const Rung& begin, const Station& to, const Rung& end) {
+    void add_stretch(const Station& from, const CrossSection& begin, const Station& to, const CrossSection& end) {
         if (!(from.floats() || to.floats()) || !std::isfinite(from.ground_m + to.ground_m)) {
             goes_on_ = false;
             return;
@@ -236,8 +236,8 @@ private:
             return;
         }
         if (begin_part(begin.left, 4)) goes_on_ = false;
-        if (!goes_on_) last_ = add_rung(begin);
-        const Edges next = add_rung(end);
+        if (!goes_on_) last_ = add_cross_section(begin);
+        const Edges next = add_cross_section(end);
         mesh_.triangle(last_.left, last_.right, next.right);
         mesh_.triangle(last_.left, next.right, next.left);
         last_ = next;
@@ -248,7 +248,7 @@ private:
     struct Edges {
         std::uint16_t left = 0, right = 0;
     };
-    [[nodiscard]] Edges add_rung(const Rung& at) {
+    [[nodiscard]] Edges add_cross_section(const CrossSection& at) {
         mesh_.set_color(at.color.color, at.color.uncertainty);
         return {mesh_.vertex(at.left, at.left_normal), mesh_.vertex(at.right, at.right_normal)};
     }
@@ -310,7 +310,7 @@ CueCount TrajectoryCues::add(SolidBatch& batch, SolidMesh& mesh, const ElementIn
         const auto points = line_.points();
         for (std::size_t first = 0, end = 0; first < points.size(); first = end + 1) {
             for (end = first; end < points.size() && std::isfinite(points[end].position.x);) ++end;
-            builder.add_way(feature, points.subspan(first, end - first), line_.numbers().subspan(first, end - first));
+            builder.add_polyline(feature, points.subspan(first, end - first), line_.numbers().subspan(first, end - first));
         }
     }
     return builder.count();

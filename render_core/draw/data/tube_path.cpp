@@ -11,7 +11,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr std::uint64_t kWayPadding_bytes = 64;
+constexpr std::uint64_t kPathPadding_bytes = 64;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHour_ns = 3.6e12;
 constexpr std::uint32_t kReferencePlaces = 256;  // below the lines, where the ground is asked
@@ -27,7 +27,7 @@ std::array<double, kTolerances> tolerances_from(double finest_m) {
 }  // namespace
 
 std::uint64_t TubeLine::bytes_needed(std::uint32_t points) {
-    return std::uint64_t{points} * (sizeof(scene::TubePoint) + sizeof(std::uint32_t)) + kWayPadding_bytes;
+    return std::uint64_t{points} * (sizeof(scene::TubePoint) + sizeof(std::uint32_t)) + kPathPadding_bytes;
 }
 
 bool TubePlace::is_known() const { return std::isfinite(place.x); }
@@ -49,7 +49,7 @@ bool TubeLine::add(const scene::TubePoint& point, std::uint32_t number) {
 bool TubeLine::ends_in_gap() const { return count_ > 0 && std::isnan(points_[count_ - 1].position.x); }
 
 std::uint64_t TubePath::bytes_needed() {
-    return kTubeWindow * (sizeof(PolylineVertex) + sizeof(float) + sizeof(PolylineStretch)) + kWayPadding_bytes;
+    return kTubeWindow * (sizeof(PolylineVertex) + sizeof(float) + sizeof(PolylineStretch)) + kPathPadding_bytes;
 }
 
 bool TubePath::start(base::Arena& arena) {

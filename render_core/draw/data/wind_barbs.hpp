@@ -12,7 +12,7 @@
 
 namespace tedavis::draw {
 
-/// Of the text's size: a staff; and the least distance of two barbs.
+/// Length of a staff and least distance of two barbs, in text sizes.
 inline constexpr float kStaff = 2.2f, kBarbSpacing = 4.4f;
 [[nodiscard]] inline double barb_spacing_px(const BillboardSheet& sheet) {
     return static_cast<double>(kBarbSpacing * sheet.text_px());

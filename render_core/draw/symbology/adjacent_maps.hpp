@@ -4,9 +4,9 @@
 /// cell's centre (GridField::at); edges lie between pixels, so that colours do not mix. Cells without a colour have a sign on a
 /// dark background: a dot for missing values and outside the grid, a stroke for unknown uncertainty. Interpolated values have a
 /// gap round them.
-/// Frames   cells are as wide as high, or a little wider: their lattice changes with an eighth of a degree of latitude, not with
-/// less. Memory   none but the batch's: kAdjacentCells quads for all cells of all maps. Pure: no GL, no clock, no heap. Thread
-/// any.
+/// Frames   cells are as wide as high, or slightly wider: their width in longitude is computed again for each eighth of a degree
+///          of latitude.
+/// Memory   only the batch's: kAdjacentCells quads for all cells of all maps. Pure: no GL, no clock, no heap. Thread  any.
 #pragma once
 
 #include <type_traits>
@@ -17,10 +17,10 @@
 
 namespace tedavis::draw {
 
-/// Of all maps together; a map has one more across and down than cells fit in, for those that are cut at its edges.
+/// Number of cells of all maps together. A map has one more cell across and down than fit, for those cut at its edges.
 inline constexpr std::uint32_t kAdjacentCells = 676;
 
-/// What the maps show. Layer and attribute must stay until the picture is built.
+/// What the maps show. Layer and attribute must stay valid until the picture is built.
 struct AdjacentInput {
     const scene::Layer* layer = nullptr;  ///< null: there are no maps
     const scene::Attribute* attribute = nullptr;

@@ -10,7 +10,7 @@ namespace tedavis::draw {
 /// The requested maps; sides are in text sizes.
 struct AdjacentNeed {
     std::uint32_t maps = 0;  ///< 0: no panel
-    float size = 0;          ///< of a map, at most
+    float size = 0;          ///< largest side of a map
 };
 
 inline constexpr std::uint32_t kMaxMapsAcross = 3;

@@ -16,7 +16,7 @@
 
 namespace tedavis::draw {
 
-/// How a sample is filled; all but `plain` as the shaders draw it.
+/// How a sample is filled; all except `plain` look as the shaders draw them.
 enum class SampleLook : std::uint8_t {
     plain,
     cut_stripes,  ///< unknown uncertainty
@@ -61,7 +61,8 @@ struct DataLegend {
     double offset = 0;  ///< written number of the scale's 0
     /// Nominal and ordinal: class n has the scale's colour at value n. Empty: numbers.
     base::FixedVector<base::FixedString<23>, design::kMaxClasses> class_names;
-    /// How sure and unsure data and those of unknown uncertainty look, in this order; empty: uncertainty is not shown.
+    /// Samples of certain data, of uncertain data and of data with unknown uncertainty, in this order; empty: uncertainty is not
+    /// shown.
     base::FixedVector<LegendSample, kUncertaintySamples> uncertainty;
     base::FixedVector<LegendSample, kMaxLegendSamples> signs;  ///< missing, interpolated, and whatever else
     bool has_time = false, has_age = false, is_stale = false;
@@ -74,7 +75,7 @@ inline constexpr std::size_t kMaxDataLegends = 5;
 using DataLegends = base::FixedVector<DataLegend, kMaxDataLegends>;
 static_assert(std::is_trivially_copyable_v<DataLegends>);
 
-/// From everything to the least; the scale is never left out.
+/// Levels of detail of a legend, from the most to the least; the scale is never left out.
 enum class LegendDetail : std::uint8_t {
     whole,             ///< the scale upright
     flat,              ///< the scale lying
@@ -89,7 +90,7 @@ inline constexpr std::size_t kLegendDetails = 8;
 
 /// In texts, with the gap to the next one; 0 of what has no place at this detail.
 [[nodiscard]] float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept;
-/// Of all together, for the layout.
+/// Returns the room that all entries need together, for the layout.
 [[nodiscard]] DataLegendNeed data_legend_need(const DataLegends& legends) noexcept;
 
 /// The placement of the first `shown` entries.

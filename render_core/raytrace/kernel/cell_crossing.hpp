@@ -14,7 +14,7 @@ namespace tedavis::raytrace {
 
 template <class V>
 struct CellHit {
-    typename V::Mask is_met;
+    typename V::Mask is_hit;
     typename V::Mask is_beyond;  ///< at its entry the ray is on the other side by more than a continuous surface allows
     typename V::Float t;
 };
@@ -153,34 +153,34 @@ TEDAVIS_LANES_INLINE typename V::Float gap_of(typename V::Float height, typename
 /// Which of the `asked` rays with a hit at their entry are on the other side by more than the seam tolerance.
 template <class V>
 TEDAVIS_LANES_INLINE typename V::Mask is_beyond(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Float height_in,
-                                                typename V::Float in, typename V::Mask is_met_in, typename V::Mask asked) {
-    if (!V::any(is_met_in & asked)) return V::mask(0);  // rare
+                                                typename V::Float in, typename V::Mask is_hit_in, typename V::Mask asked) {
+    if (!V::any(is_hit_in & asked)) return V::mask(0);  // rare
     return in < typename V::Float(0) - seam_tolerance<V>(ray, p, height_in);
 }
 
 template <class V, HitSide side>
-TEDAVIS_LANES_INLINE CellHit<V> meet_triangles(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE CellHit<V> intersect_triangles(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
     using Lanes = RayLanes<V>;
     const Float height_in = Lanes::height_at(ray, p.t_in);
     const Float in = gap_of<V, side>(height_in, p.surface_in);
     const Float middle = gap_of<V, side>(Lanes::height_at(ray, p.t_middle), p.surface_middle);
     const Float out = gap_of<V, side>(Lanes::height_at(ray, p.t_out), p.surface_out);
-    const typename V::Mask is_met_in = in <= Float(0), is_met_before = p.crosses & (middle <= Float(0));
+    const typename V::Mask is_hit_in = in <= Float(0), is_hit_before = p.crosses & (middle <= Float(0));
     CellHit<V> m;
-    m.is_met = is_met_in | is_met_before | (out <= Float(0));
-    m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
+    m.is_hit = is_hit_in | is_hit_before | (out <= Float(0));
+    m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_hit_in, asked);
     // Linear interpolation between the last point on this side and the first on the other.
-    const auto is_after = V::without(p.crosses, is_met_before);
+    const auto is_after = V::without(p.crosses, is_hit_before);
     const Float since = V::select(is_after, p.t_middle, p.t_in), gap_since = V::select(is_after, middle, in);
-    const Float until = V::select(is_met_before, p.t_middle, p.t_out), gap_until = V::select(is_met_before, middle, out);
-    m.t = V::select(is_met_in, p.t_in, since + (until - since) * (gap_since / (gap_since - gap_until)));
+    const Float until = V::select(is_hit_before, p.t_middle, p.t_out), gap_until = V::select(is_hit_before, middle, out);
+    m.t = V::select(is_hit_in, p.t_in, since + (until - since) * (gap_since / (gap_since - gap_until)));
     return m;
 }
 
 /// The gap of a ray over a bilinear patch is quadratic; the ray may dip below the surface between two points above it.
 template <class V, HitSide side>
-TEDAVIS_LANES_INLINE CellHit<V> meet_patch(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE CellHit<V> intersect_patch(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     using Float = typename V::Float;
     using Lanes = RayLanes<V>;
     const Float height_in = Lanes::height_at(ray, p.t_in);
@@ -199,20 +199,20 @@ TEDAVIS_LANES_INLINE CellHit<V> meet_patch(const RayLanes<V>& ray, const CellPro
     const Float height = Lanes::height_at(ray, between);
     const auto is_possible = side == HitSide::below ? height >= p.lowest : height <= p.highest;
     const auto dips = (root >= Float(0)) & falls & (share < Float(1)) & is_possible;
-    const auto is_met_in = in <= Float(0);
+    const auto is_hit_in = in <= Float(0);
     CellHit<V> m;
-    m.is_met = is_met_in | dips | (out <= Float(0));
-    m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_met_in, asked);
-    m.t = V::select(is_met_in, p.t_in, V::min(V::max(between, p.t_in), p.t_out));
+    m.is_hit = is_hit_in | dips | (out <= Float(0));
+    m.is_beyond = is_beyond<V>(ray, p, height_in, in, is_hit_in, asked);
+    m.t = V::select(is_hit_in, p.t_in, V::min(V::max(between, p.t_in), p.t_out));
     return m;
 }
 
 template <class V, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE CellHit<V> meet_surface(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
+TEDAVIS_LANES_INLINE CellHit<V> intersect_surface(const RayLanes<V>& ray, const CellProfile<V>& p, typename V::Mask asked) {
     if constexpr (surface == CellSurface::two_triangles)
-        return meet_triangles<V, side>(ray, p, asked);
+        return intersect_triangles<V, side>(ray, p, asked);
     else
-        return meet_patch<V, side>(ray, p, asked);
+        return intersect_patch<V, side>(ray, p, asked);
 }
 
 }  // namespace tedavis::raytrace

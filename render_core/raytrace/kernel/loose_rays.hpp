@@ -50,7 +50,7 @@ TEDAVIS_LANES_INLINE void march_nodes_together(const TracedNodes<Height>& field,
     while (V::any(m.runs)) {
         const auto steps = V::without(m.runs, m.asks);
         if (!V::any(steps) || __builtin_popcount(V::bits(m.asks)) >= kEnough) {
-            meet_cells<V, Height, surface, HitSide::above>(field, ray, m);
+            intersect_cells<V, Height, surface, HitSide::above>(field, ray, m);
             continue;
         }
         step_node<V, Height, HitSide::above>(field, ray, m, steps);
@@ -68,19 +68,19 @@ void keep_scattered(const TileWork<V, Height>& tile, const RayLanes<V>& ray, con
     const auto done = V::mask(lanes);
     const Int column = V::floor_to_int(V::load(x)), row = V::floor_to_int(V::load(y));
     const Int to = row * Int(static_cast<std::int32_t>(tile.job.width)) + column;
-    const Int cell = V::select(m.is_met, m.met_row * Int(tile.nodes.columns) + m.met_column, Int(HitPicture::kNoCell));
-    V::scatter(picture.t.data(), to, V::select(m.is_met, m.met_t, Float(__builtin_inff())), done);
+    const Int cell = V::select(m.is_hit, m.hit_row * Int(tile.nodes.columns) + m.hit_column, Int(HitPicture::kNoCell));
+    V::scatter(picture.t.data(), to, V::select(m.is_hit, m.hit_t, Float(__builtin_inff())), done);
     if (!picture.cell.empty()) V::scatter(picture.cell.data(), to, cell, done);
     if (!picture.u.empty()) {
-        V::scatter(picture.u.data(), to, RayAxis<V>::place_in(ray.x, m.met_column, m.met_t), done);
-        V::scatter(picture.v.data(), to, RayAxis<V>::place_in(ray.y, m.met_row, m.met_t), done);
+        V::scatter(picture.u.data(), to, RayAxis<V>::place_in(ray.x, m.hit_column, m.hit_t), done);
+        V::scatter(picture.v.data(), to, RayAxis<V>::place_in(ray.y, m.hit_row, m.hit_t), done);
     }
-    const std::uint32_t met = V::bits(m.is_met), beyond = V::bits(m.is_beyond);
+    const std::uint32_t hit = V::bits(m.is_hit), beyond = V::bits(m.is_beyond);
     for (; lanes != 0; lanes &= lanes - 1) {
         const int n = __builtin_ctz(lanes);
         const auto pixel_x = static_cast<std::uint32_t>(x[n]), pixel_y = static_cast<std::uint32_t>(y[n]);
         if (!picture.side.empty())
-            picture.side[std::size_t{pixel_y} * tile.job.width + pixel_x] = (met >> n & 1) != 0 ? HitSide::above : HitSide::none;
+            picture.side[std::size_t{pixel_y} * tile.job.width + pixel_x] = (hit >> n & 1) != 0 ? HitSide::above : HitSide::none;
         if ((beyond >> n & 1) != 0) trace_pixel(tile.job, pixel_x, pixel_y);
     }
 }

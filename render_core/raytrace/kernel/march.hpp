@@ -20,9 +20,9 @@ struct TraversalState {
     Float leaves;     ///< time at which they leave the grid or end
     Int column, row;  ///< cell at t, in mirrored coordinates
     Int level;
-    Mask is_met, is_beyond;
-    Float met_t;
-    Int met_column, met_row;  ///< in the grid
+    Mask is_hit, is_beyond;
+    Float hit_t;
+    Int hit_column, hit_row;  ///< in the grid
 
     Mask asks;    ///< have reached a cell that they may hit
     Mask passes;  ///< have no hit in their cell
@@ -53,13 +53,13 @@ TEDAVIS_LANES_INLINE TraversalState<V> enter_times(const TracedNodes<Height>& fi
     m.t = V::select(m.runs, in, Float(0));
     m.column = m.row = Int(0);
     m.level = level;
-    m.is_met = m.is_beyond = m.asks = m.passes = V::mask(0);
-    m.met_t = Float(0);
-    m.met_column = m.met_row = Int(0);
+    m.is_hit = m.is_beyond = m.asks = m.passes = V::mask(0);
+    m.hit_t = Float(0);
+    m.hit_column = m.hit_row = Int(0);
     return m;
 }
 
-/// In which cells they do.
+/// Computes the cells in which they enter the grid.
 template <class V, class Height>
 TEDAVIS_LANES_INLINE void enter_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     using Int = typename V::Int;
@@ -79,7 +79,7 @@ TEDAVIS_LANES_INLINE TraversalState<V> enter(const TracedNodes<Height>& field, c
     return m;
 }
 
-/// Whether rays stay on their side of all that a node bounds, until they leave it.
+/// Returns which rays stay on their side of the node's bound until they leave the node.
 template <class V, class Height, HitSide side>
 TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& field, const RayLanes<V>& ray,
                                                   const TraversalState<V>& m, typename V::Float t_out, typename V::Int node,
@@ -99,24 +99,24 @@ TEDAVIS_LANES_INLINE typename V::Mask stays_clear(const TracedNodes<Height>& fie
 
 /// Returns which of the `asked` rays hit the surface of their cell.
 template <class V, class Height, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE typename V::Mask meet(const RayLanes<V>& ray, const CellPosts<V, Height>& posts, typename V::Int column,
-                                           typename V::Int row, typename V::Float t_in, typename V::Float t_out,
-                                           typename V::Mask asked, TraversalState<V>& m) {
+TEDAVIS_LANES_INLINE typename V::Mask intersect(const RayLanes<V>& ray, const CellPosts<V, Height>& posts, typename V::Int column,
+                                                typename V::Int row, typename V::Float t_in, typename V::Float t_out,
+                                                typename V::Mask asked, TraversalState<V>& m) {
     const auto profile = profile_of<V, Height, surface>(ray, posts, t_in, t_out);
-    const CellHit<V> meeting = meet_surface<V, surface, side>(ray, profile, asked);
-    const auto met = asked & meeting.is_met;
-    m.is_met = m.is_met | met;
-    m.is_beyond = m.is_beyond | (met & meeting.is_beyond);
-    m.met_t = V::select(met, meeting.t, m.met_t);
-    m.met_column = V::select(met, column, m.met_column);
-    m.met_row = V::select(met, row, m.met_row);
-    m.runs = V::without(m.runs, met);
-    return met;
+    const CellHit<V> cell_hit = intersect_surface<V, surface, side>(ray, profile, asked);
+    const auto hit = asked & cell_hit.is_hit;
+    m.is_hit = m.is_hit | hit;
+    m.is_beyond = m.is_beyond | (hit & cell_hit.is_beyond);
+    m.hit_t = V::select(hit, cell_hit.t, m.hit_t);
+    m.hit_column = V::select(hit, column, m.hit_column);
+    m.hit_row = V::select(hit, row, m.hit_row);
+    m.runs = V::without(m.runs, hit);
+    return hit;
 }
 
 /// Tests the cells of the rays that have reached one.
 template <class V, class Height, CellSurface surface, HitSide side>
-TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
+TEDAVIS_LANES_INLINE void intersect_cells(const TracedNodes<Height>& field, const RayLanes<V>& ray, TraversalState<V>& m) {
     using Int = typename V::Int;
     using Float = typename V::Float;
     using Axis = RayAxis<V>;
@@ -124,8 +124,8 @@ TEDAVIS_LANES_INLINE void meet_cells(const TracedNodes<Height>& field, const Ray
     const auto posts = CellPosts<V, Height>::gather(field, ray, column, row, m.asks);
     const Float t_in = V::max(V::max(Axis::crossing(ray.x, m.column), Axis::crossing(ray.y, m.row)), ray.from);
     const Float t_out = V::min(V::min(Axis::crossing(ray.x, m.column + one), Axis::crossing(ray.y, m.row + one)), ray.to);
-    const auto met = meet<V, Height, surface, side>(ray, posts, column, row, t_in, t_out, m.asks, m);
-    m.passes = V::without(m.asks, met);
+    const auto hit = intersect<V, Height, surface, side>(ray, posts, column, row, t_in, t_out, m.asks, m);
+    m.passes = V::without(m.asks, hit);
     m.asks = V::mask(0);
 }
 
@@ -145,7 +145,7 @@ TEDAVIS_LANES_INLINE void march_cells(const TracedNodes<Height>& field, const Ra
         const Mask steps = V::without(m.runs, m.asks);
         if (!V::any(steps) || most-- <= 0) {
             if (!V::any(m.asks)) return;
-            meet_cells<V, Height, surface, side>(field, ray, m);
+            intersect_cells<V, Height, surface, side>(field, ray, m);
             continue;
         }
         const Float t_out = V::min(t_x, t_y);
@@ -205,7 +205,7 @@ TEDAVIS_LANES_INLINE void march_nodes(const TracedNodes<Height>& field, const Ra
             step_node<V, Height, side>(field, ray, m, steps);
         } else {
             if (!V::any(m.asks)) return;
-            meet_cells<V, Height, surface, side>(field, ray, m);
+            intersect_cells<V, Height, surface, side>(field, ray, m);
         }
     }
 }

@@ -33,11 +33,11 @@ void cross_chunk(const TracedNodes<Height>& nodes, std::int32_t column, std::int
     const RayLanes<V> ray = packet_rays<V>(p, column, row);
     TraversalState<V> m = enter<V, Height>(nodes, ray, ray.from, V::mask(asked), Int(nodes.layout->top));
     march_nodes<V, Height, surface, side>(nodes, ray, m);
-    p.met |= V::bits(m.is_met) & asked;
+    p.hit |= V::bits(m.is_hit) & asked;
     p.beyond |= V::bits(m.is_beyond) & asked;
-    V::store(p.met_t, V::select(m.is_met, m.met_t, V::load(p.met_t)));
-    V::store(p.met_column, V::select(m.is_met, m.met_column + Int(column), V::load(p.met_column)));
-    V::store(p.met_row, V::select(m.is_met, m.met_row + Int(row), V::load(p.met_row)));
+    V::store(p.hit_t, V::select(m.is_hit, m.hit_t, V::load(p.hit_t)));
+    V::store(p.hit_column, V::select(m.is_hit, m.hit_column + Int(column), V::load(p.hit_column)));
+    V::store(p.hit_row, V::select(m.is_hit, m.hit_row + Int(row), V::load(p.hit_row)));
 }
 
 template <class V, class Height, HitSide side>

@@ -50,8 +50,8 @@ TEDAVIS_LANES_INLINE void try_cell(const TracedNodes<Height>& field, const RayLa
     const auto asks = V::without(m.runs & (t_in < t_out), V::min(z_in, z_out) > bound);
     if (!V::any(asks)) return;
     const auto posts = CellPosts<V, Height>::of(field, ray, column, row);
-    (void)meet<V, Height, surface, HitSide::above>(ray, posts, typename V::Int(column), typename V::Int(row), t_in, t_out, asks,
-                                                   m);
+    (void)intersect<V, Height, surface, HitSide::above>(ray, posts, typename V::Int(column), typename V::Int(row), t_in, t_out,
+                                                        asks, m);
 }
 
 /// Follows rays from slab to slab. Returns the first slab that was not tested; rays that are still active have no hit before

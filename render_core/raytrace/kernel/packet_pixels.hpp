@@ -84,16 +84,16 @@ void keep_packet(const ViewJob<Height>& job, std::int32_t columns, const RayLane
     float number[V::kCount];
     std::int32_t cell[V::kCount];
     HitSide side[V::kCount];
-    V::store(number, V::select(m.is_met, m.met_t, Float(__builtin_inff())));
+    V::store(number, V::select(m.is_hit, m.hit_t, Float(__builtin_inff())));
     keep_asked<V>(number, picture.t.data() + to, job.width, asked);
-    V::store(cell, V::select(m.is_met, m.met_row * Int(columns) + m.met_column, Int(HitPicture::kNoCell)));
+    V::store(cell, V::select(m.is_hit, m.hit_row * Int(columns) + m.hit_column, Int(HitPicture::kNoCell)));
     if (!picture.cell.empty()) keep_asked<V>(cell, picture.cell.data() + to, job.width, asked);
     for (std::uint32_t n = 0; n < V::kCount; ++n) side[n] = cell[n] < 0 ? HitSide::none : HitSide::above;
     if (!picture.side.empty()) keep_asked<V>(side, picture.side.data() + to, job.width, asked);
     if (!picture.u.empty()) {
-        V::store(number, RayAxis<V>::place_in(ray.x, m.met_column, m.met_t));
+        V::store(number, RayAxis<V>::place_in(ray.x, m.hit_column, m.hit_t));
         keep_asked<V>(number, picture.u.data() + to, job.width, asked);
-        V::store(number, RayAxis<V>::place_in(ray.y, m.met_row, m.met_t));
+        V::store(number, RayAxis<V>::place_in(ray.y, m.hit_row, m.hit_t));
         keep_asked<V>(number, picture.v.data() + to, job.width, asked);
     }
     for (std::uint32_t beyond = V::bits(m.is_beyond) & asked; beyond != 0; beyond &= beyond - 1) {

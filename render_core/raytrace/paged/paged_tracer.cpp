@@ -16,7 +16,7 @@ std::uint32_t most_tasks(std::uint32_t slots, std::uint32_t rays, std::uint32_t 
 }
 
 /// Where a ray looks for the surface after so many turns.
-HitSide side_of(std::uint32_t turns) { return turns % 2 == 0 ? HitSide::above : HitSide::below; }
+HitSide side_of(std::uint32_t side_changes) { return side_changes % 2 == 0 ? HitSide::above : HitSide::below; }
 
 void set_origin(RayPacket& p, std::uint32_t lane, const glm::dvec3& origin) {
     const double column = std::floor(origin.x), row = std::floor(origin.y), z = std::floor(origin.z);
@@ -54,7 +54,7 @@ std::uint64_t PagedTracer<Height>::bytes_needed(std::uint32_t columns, std::uint
     const std::uint64_t tasks = most_tasks(settings.slots, settings.most_rays, kTaskRays);
     return ChunkBounds<Height>::bytes_needed(columns, rows) +
            ChunkSlots<Height>::bytes_needed(settings.slots, chunks_of(columns, rows)) +
-           rays * (sizeof(Way) + sizeof(std::uint32_t)) + (chunks + std::min(chunks, rays)) * sizeof(std::uint32_t) +
+           rays * (sizeof(RayState) + sizeof(std::uint32_t)) + (chunks + std::min(chunks, rays)) * sizeof(std::uint32_t) +
            tasks * sizeof(Task) + settings.slots * sizeof(Load) + 256;
 }
 
@@ -65,19 +65,19 @@ typename PagedTracer<Height>::Started PagedTracer<Height>::start(ChunkHeights<He
     heights_ = &heights;
     chunk_columns_ = heights.chunk_columns();
     desks_ = settings.desks;
-    most_turns_ = 2 * (heights.columns() + heights.rows());
+    max_side_changes_ = 2 * (heights.columns() + heights.rows());
     const std::uint32_t chunks = chunk_columns_ * heights.chunk_rows();
     using BoundsStarted = typename ChunkBounds<Height>::Started;
     const BoundsStarted bounds = bounds_.start(heights, arena);
     if (bounds == BoundsStarted::unreadable) return Started::unreadable;
     if (bounds == BoundsStarted::no_room || !slots_.start(settings.slots, chunks, arena)) return Started::no_room;
-    ways_ = arena.allocate_array<Way>(settings.most_rays);
+    states_ = arena.allocate_array<RayState>(settings.most_rays);
     order_ = arena.allocate_array<std::uint32_t>(settings.most_rays);
     waiting_ = arena.allocate_array<std::uint32_t>(chunks);
     asked_ = arena.allocate_array<std::uint32_t>(std::min(chunks, settings.most_rays));
     tasks_ = arena.allocate_array<Task>(most_tasks(settings.slots, settings.most_rays, kTaskRays));
     loads_ = arena.allocate_array<Load>(settings.slots);
-    if (ways_.empty() || order_.empty() || waiting_.empty() || asked_.empty() || tasks_.empty() || loads_.empty())
+    if (states_.empty() || order_.empty() || waiting_.empty() || asked_.empty() || tasks_.empty() || loads_.empty())
         return Started::no_room;
     std::fill(waiting_.begin(), waiting_.end(), kNone);
     return Started::yes;
@@ -89,7 +89,7 @@ std::uint32_t PagedTracer<Height>::order_rays(const PagedRays& rays, base::Span<
     constexpr std::uint32_t kAcross = 8, kDown = 4;
     std::uint32_t count = 0;
     const auto add = [&](std::uint32_t n, const Ray& ray) {
-        ways_[n] = {ray.from, 0, 0, 0, 0, kNone};
+        states_[n] = {ray.from, 0, 0, 0, 0, kNone};
         if (is_in_reach(ray.origin)) order_[count++] = n;
     };
     if (rays.cameras.empty()) {
@@ -141,7 +141,7 @@ void PagedTracer<Height>::advance(const Job& job, const Task& task) {
         const std::uint32_t* const rays = order_.data() + first;
         const std::uint32_t inside = count == 32 ? ~0u : (1u << count) - 1;
         load_packet(job, rays, count, packet);
-        packet.begin = packet.pass = packet.ask = packet.met = packet.beyond = 0;
+        packet.begin = packet.pass = packet.ask = packet.hit = packet.beyond = 0;
         if (task.slot == kNone)
             packet.begin = inside;
         else
@@ -153,14 +153,14 @@ void PagedTracer<Height>::advance(const Job& job, const Task& task) {
 template <class Height>
 void PagedTracer<Height>::load_packet(const Job& job, const std::uint32_t* rays, std::uint32_t count, RayPacket& packet) const {
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-        const Way& way = ways_[rays[lane]];
+        const RayState& state = states_[rays[lane]];
         const Ray ray = job.rays->at(rays[lane]);
         if (!job.rays->have_one_origin()) set_origin(packet, lane, ray.origin);
         set_direction(packet, lane, ray);
-        packet.from[lane] = way.from;
-        packet.t[lane] = way.t;
-        packet.at_column[lane] = way.column;
-        packet.at_row[lane] = way.row;
+        packet.from[lane] = state.from;
+        packet.t[lane] = state.t;
+        packet.at_column[lane] = state.column;
+        packet.at_row[lane] = state.row;
     }
 }
 
@@ -181,49 +181,51 @@ void PagedTracer<Height>::cross(const Job& job, const Task& task, const std::uin
     const auto column = static_cast<std::int32_t>(task.chunk % chunk_columns_ * ChunkHeights<Height>::kCells);
     const auto row = static_cast<std::int32_t>(task.chunk / chunk_columns_ * ChunkHeights<Height>::kCells);
     std::uint32_t below = 0;
-    for (std::uint32_t left = inside, lane = 0; left != 0; left >>= 1, ++lane) below |= (ways_[rays[lane]].turns & 1) << lane;
+    for (std::uint32_t left = inside, lane = 0; left != 0; left >>= 1, ++lane)
+        below |= (states_[rays[lane]].side_changes & 1) << lane;
     if (const std::uint32_t above = inside & ~below; above != 0)
         job.kernel->cross(nodes_of(slots_.maxima(task.slot), column, row), job.surface, HitSide::above, column, row, above,
                           packet);
     if (below != 0)
         job.kernel->cross(nodes_of(slots_.minima(task.slot), column, row), job.surface, HitSide::below, column, row, below,
                           packet);
-    packet.pass = inside & ~packet.met;
+    packet.pass = inside & ~packet.hit;
     for (std::uint32_t lane = 0; lane < RayPacket::kMaxLanes; ++lane)
-        if ((packet.met >> lane & 1) != 0) keep_meeting(job, rays[lane], lane, packet);
+        if ((packet.hit >> lane & 1) != 0) keep_hit(job, rays[lane], lane, packet);
 }
 
 /// A ray that is beyond the surface turns and begins again there, as trace_ray() has it.
 template <class Height>
-void PagedTracer<Height>::keep_meeting(const Job& job, std::uint32_t ray, std::uint32_t lane, RayPacket& packet) {
-    Way& way = ways_[ray];
+void PagedTracer<Height>::keep_hit(const Job& job, std::uint32_t ray, std::uint32_t lane, RayPacket& packet) {
+    RayState& state = states_[ray];
     if ((packet.beyond >> lane & 1) != 0) {
-        if (!job.from_below || ++way.turns >= most_turns_) return;
-        way.from = packet.from[lane] = packet.met_t[lane];
+        if (!job.from_below || ++state.side_changes >= max_side_changes_) return;
+        state.from = packet.from[lane] = packet.hit_t[lane];
         packet.begin |= 1u << lane;
         return;
     }
-    job.hits[ray] = {side_of(way.turns), packet.met_t[lane], static_cast<std::uint32_t>(packet.met_column[lane]),
-                     static_cast<std::uint32_t>(packet.met_row[lane])};
+    job.hits[ray] = {side_of(state.side_changes), packet.hit_t[lane], static_cast<std::uint32_t>(packet.hit_column[lane]),
+                     static_cast<std::uint32_t>(packet.hit_row[lane])};
 }
 
 /// To the next chunk; those that end without one have met nothing.
 template <class Height>
 void PagedTracer<Height>::seek(const Job& job, const std::uint32_t* rays, std::uint32_t inside, RayPacket& packet) {
     std::uint32_t below = 0;
-    for (std::uint32_t left = inside, lane = 0; left != 0; left >>= 1, ++lane) below |= (ways_[rays[lane]].turns & 1) << lane;
+    for (std::uint32_t left = inside, lane = 0; left != 0; left >>= 1, ++lane)
+        below |= (states_[rays[lane]].side_changes & 1) << lane;
     const std::uint32_t go_on = packet.begin | packet.pass;
     if ((go_on & ~below) != 0) job.kernel->seek(job.highest, HitSide::above, go_on & ~below, packet);
     if ((go_on & below) != 0) job.kernel->seek(job.lowest, HitSide::below, go_on & below, packet);
     for (std::uint32_t left = inside, lane = 0; left != 0; left >>= 1, ++lane) {
-        Way& way = ways_[rays[lane]];
-        way.link = kNone;
+        RayState& state = states_[rays[lane]];
+        state.link = kNone;
         if ((packet.ask >> lane & 1) == 0) continue;
-        way.t = packet.t[lane];
-        way.column = packet.at_column[lane];
-        way.row = packet.at_row[lane];
-        way.link = static_cast<std::uint32_t>(packet.chunk_row[lane]) * chunk_columns_ +
-                   static_cast<std::uint32_t>(packet.chunk_column[lane]);
+        state.t = packet.t[lane];
+        state.column = packet.at_column[lane];
+        state.row = packet.at_row[lane];
+        state.link = static_cast<std::uint32_t>(packet.chunk_row[lane]) * chunk_columns_ +
+                     static_cast<std::uint32_t>(packet.chunk_column[lane]);
     }
 }
 
@@ -231,11 +233,11 @@ void PagedTracer<Height>::seek(const Job& job, const std::uint32_t* rays, std::u
 template <class Height>
 void PagedTracer<Height>::queue_rays(std::uint32_t count) {
     for (std::uint32_t n = count; n-- > 0;) {
-        Way& way = ways_[order_[n]];
-        const std::uint32_t chunk = way.link;
+        RayState& state = states_[order_[n]];
+        const std::uint32_t chunk = state.link;
         if (chunk == kNone) continue;
         if (waiting_[chunk] == kNone) asked_[asked_count_++] = chunk;
-        way.link = waiting_[chunk];
+        state.link = waiting_[chunk];
         waiting_[chunk] = order_[n];
     }
 }
@@ -262,7 +264,7 @@ std::uint32_t PagedTracer<Height>::take_pass(const Job& job, PagedWork& work, ba
         const auto place = slots_.take(chunk);
         if (place.must_be_filled) loads_[load_count_++] = {place.slot, true};
         const std::uint32_t first = count;
-        for (std::uint32_t ray = waiting_[chunk]; ray != kNone; ray = ways_[ray].link) order_[count++] = ray;
+        for (std::uint32_t ray = waiting_[chunk]; ray != kNone; ray = states_[ray].link) order_[count++] = ray;
         waiting_[chunk] = kNone;
         add_tasks(chunk, place.slot, first, count);
     }
@@ -291,7 +293,7 @@ template <class Height>
 PagedWork PagedTracer<Height>::trace(const PagedRays& rays, CellSurface surface, bool from_below,
                                      const PacketKernel<Height>& kernel, base::Workers& workers, base::Span<Hit> hits) {
     constexpr std::uint32_t kCells = ChunkHeights<Height>::kCells, kPosts = ChunkHeights<Height>::kPosts;
-    TEDAVIS_CHECK(rays.count() <= ways_.size() && hits.size() == rays.count());
+    TEDAVIS_CHECK(rays.count() <= states_.size() && hits.size() == rays.count());
     TEDAVIS_CHECK(rays.cameras.size() <= 1 || rays.cameras.size() == ViewTiles(rays.width, rays.height).count());
     PagedWork work;
     if (!rays.goes_on) std::fill(hits.begin(), hits.end(), Hit{});

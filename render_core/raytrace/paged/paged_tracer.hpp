@@ -49,11 +49,11 @@ private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu, kTaskRays = 256;
 
     /// State of a ray that is not finished.
-    struct Way {
+    struct RayState {
         float from, t;
-        std::int32_t column, row;  ///< mirrored
-        std::uint32_t turns;       ///< changes of side: it searches the surface from above, then from below, and so on
-        std::uint32_t link;        ///< the chunk that it waits for, then the next ray in that chunk's list
+        std::int32_t column, row;    ///< mirrored
+        std::uint32_t side_changes;  ///< changes of side: it searches the surface from above, then from below, and so on
+        std::uint32_t link;          ///< the chunk that it waits for, then the next ray in that chunk's list
     };
     struct Task {
         std::uint32_t chunk, slot, first, end;  ///< in order_
@@ -71,7 +71,7 @@ private:
     void load_packet(const Job& job, const std::uint32_t* rays, std::uint32_t count, RayPacket& packet) const;
     void cross(const Job& job, const Task& task, const std::uint32_t* rays, std::uint32_t inside, RayPacket& packet);
     [[nodiscard]] TracedNodes<Height> nodes_of(const HeightMipmap<Height>& bounds, std::int32_t column, std::int32_t row) const;
-    void keep_meeting(const Job& job, std::uint32_t ray, std::uint32_t lane, RayPacket& packet);
+    void keep_hit(const Job& job, std::uint32_t ray, std::uint32_t lane, RayPacket& packet);
     void seek(const Job& job, const std::uint32_t* rays, std::uint32_t inside, RayPacket& packet);
     void queue_rays(std::uint32_t count);
     std::uint32_t take_pass(const Job& job, PagedWork& work, base::Workers& workers);
@@ -79,10 +79,10 @@ private:
     void load_chunks(PagedWork& work, base::Workers& workers);
 
     ChunkHeights<Height>* heights_ = nullptr;
-    std::uint32_t chunk_columns_ = 0, desks_ = 1, most_turns_ = 0;
+    std::uint32_t chunk_columns_ = 0, desks_ = 1, max_side_changes_ = 0;
     ChunkBounds<Height> bounds_;
     ChunkSlots<Height> slots_;
-    base::Span<Way> ways_;
+    base::Span<RayState> states_;
     base::Span<std::uint32_t> order_;    ///< rays of a pass
     base::Span<std::uint32_t> waiting_;  ///< by chunk: the first waiting ray, or kNone
     base::Span<std::uint32_t> asked_;    ///< chunks that rays wait for

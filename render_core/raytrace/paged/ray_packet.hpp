@@ -25,9 +25,9 @@ struct RayPacket {
     std::uint32_t ask = 0;         ///< output: rays that wait for a chunk
     Ints chunk_column, chunk_row;  ///< output: their chunks
 
-    std::uint32_t met = 0, beyond = 0;  ///< out
-    Floats met_t;
-    Ints met_column, met_row;  ///< cell of the hit in the grid
+    std::uint32_t hit = 0, beyond = 0;  ///< out
+    Floats hit_t;
+    Ints hit_column, hit_row;  ///< cell of the hit in the grid
 };
 
 template <class Height>

@@ -32,7 +32,7 @@ TEDAVIS_WIDE_LOOPS void find_places(const std::int32_t* __restrict cell, std::in
                                     SpanSurface& __restrict out, SpanCells& __restrict found) {
     const double cells_part = 1.0 / across;
     const std::uint32_t count = out.count;
-    for (std::uint32_t n = 0; n < count; ++n) out.is_met[n] = cell[n] >= 0;
+    for (std::uint32_t n = 0; n < count; ++n) out.is_hit[n] = cell[n] >= 0;
     for (std::uint32_t n = 0; n < count; ++n) {
         const std::int32_t place = std::max(cell[n], 0);
         const auto row = static_cast<std::int32_t>((place + 0.5) * cells_part);
@@ -166,20 +166,20 @@ typename KernelTerrain<Height>::PlacedHit KernelTerrain<Height>::first_hit(const
 }
 
 template <class Height>
-RayHit KernelTerrain<Height>::meet(const Ray& ray) const {
+RayHit KernelTerrain<Height>::intersect(const Ray& ray) const {
     const PlacedHit hit = first_hit(ray);
-    RayHit met;
-    met.is_met = hit.side != HitSide::none;
-    if (!met.is_met) return met;
+    RayHit ray_hit;
+    ray_hit.is_hit = hit.side != HitSide::none;
+    if (!ray_hit.is_hit) return ray_hit;
     SurfaceSettings settings;
     settings.kind = field_.surface == CellSurface::bilinear ? SurfaceKind::bilinear : SurfaceKind::two_triangles;
-    met.point = cell_patch(field_.grid(), settings, hit.column, hit.row).at(hit.u, hit.v);
-    met.point.slope_x *= parts_;
-    met.point.slope_y *= parts_;
-    met.t = hit.t;
-    met.x = (hit.column + hit.u) / parts_;
-    met.y = (hit.row + hit.v) / parts_;
-    return met;
+    ray_hit.point = cell_patch(field_.grid(), settings, hit.column, hit.row).at(hit.u, hit.v);
+    ray_hit.point.slope_x *= parts_;
+    ray_hit.point.slope_y *= parts_;
+    ray_hit.t = hit.t;
+    ray_hit.x = (hit.column + hit.u) / parts_;
+    ray_hit.y = (hit.row + hit.v) / parts_;
+    return ray_hit;
 }
 
 template <class Height>

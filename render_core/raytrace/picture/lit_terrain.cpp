@@ -14,16 +14,16 @@ Ray ray_in_grid(const GridScale& scale, const glm::dvec3& origin_m, const glm::d
 
 LitPlace lit_place(const void* asked, const glm::dvec3& origin, const glm::dvec3& direction) {
     const LitTerrain& lit = *static_cast<const LitTerrain*>(asked);
-    const RayHit met = lit.terrain->meet(ray_in_grid(lit.scale, origin, direction));
+    const RayHit hit = lit.terrain->intersect(ray_in_grid(lit.scale, origin, direction));
     LitPlace place;
-    place.is_met = met.is_met;
-    if (!met.is_met) return place;
-    place.normal = normal_of(met.point, lit.scale);
-    const glm::dvec3 start = ray_from_surface(met.x, met.y, met.point, {0, 0, 1}, {}).origin;
+    place.is_hit = hit.is_hit;
+    if (!hit.is_hit) return place;
+    place.normal = normal_of(hit.point, lit.scale);
+    const glm::dvec3 start = ray_from_surface(hit.x, hit.y, hit.point, {0, 0, 1}, {}).origin;
     place.point = {start.x * lit.scale.column_m, start.y * lit.scale.row_m, start.z * lit.scale.height_m};
     SpanSurface surface;
     surface.count = 1;
-    surface.height[0] = static_cast<float>(met.point.height);
+    surface.height[0] = static_cast<float>(hit.point.height);
     float colour[3][PixelSpan::kMax];
     find_colors(surface, *lit.look, colour);
     place.material = lit.look->material;
@@ -41,7 +41,7 @@ bool is_light_hidden(const void* asked, const glm::dvec3& origin, const glm::dve
 
 LitScene LitTerrain::scene() const {
     LitScene made;
-    made.meet = lit_place;
+    made.intersect = lit_place;
     made.is_hidden = is_light_hidden;
     made.context = this;
     made.sun = look->sun;

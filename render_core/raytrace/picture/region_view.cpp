@@ -10,7 +10,7 @@ constexpr float kNearness[kRegionKinds] = {0, 0.25f, 0.6f, 1};
 constexpr float kDarkest = 0.1f;  // what is dark still counts for so much
 
 struct RegionSums {
-    std::uint32_t pixels = 0, met = 0;
+    std::uint32_t pixels = 0, hit_count = 0;
     float nearest = std::numeric_limits<float>::infinity();
     float light = 0;
 };
@@ -20,11 +20,11 @@ float luminance(const glm::vec3& light) { return 0.2126f * light.x + 0.7152f * l
 
 RegionView view_of(const RegionSums& sums, double pixel_width_posts) {
     RegionView view;
-    if (sums.met == 0) return {RegionKind::sky, 0};
+    if (sums.hit_count == 0) return {RegionKind::sky, 0};
     const double covered = double{sums.nearest} * pixel_width_posts;
     view.kind = covered < kNearPosts ? RegionKind::near : (covered < kMiddlePosts ? RegionKind::middle : RegionKind::far);
-    const float lit = std::clamp(2 * sums.light / static_cast<float>(sums.met), kDarkest, 1.0f);
-    const float area = static_cast<float>(sums.met) / static_cast<float>(sums.pixels);
+    const float lit = std::clamp(2 * sums.light / static_cast<float>(sums.hit_count), kDarkest, 1.0f);
+    const float area = static_cast<float>(sums.hit_count) / static_cast<float>(sums.pixels);
     view.weight = area * kNearness[static_cast<std::size_t>(view.kind)] * lit;
     return view;
 }
@@ -45,7 +45,7 @@ void view_regions(const HitPicture& hits, base::Span<const glm::vec3> light, std
                 const std::size_t at = std::size_t{y} * width + x;
                 ++sums.pixels;
                 if (hits.cell.data()[at] < 0) continue;
-                ++sums.met;
+                ++sums.hit_count;
                 sums.nearest = std::min(sums.nearest, hits.t.data()[at]);
                 sums.light += luminance(light.data()[at]);
             }

@@ -48,11 +48,11 @@ void SmoothTerrain<Height>::trace(const PixelRect& rect, const HitPicture& hits)
         for (std::uint32_t x = rect.x; x < rect.x + rect.width; ++x) {
             const SurfaceHit hit = first_hit(sight_.camera.ray(x, y));
             const std::size_t at = std::size_t{y} * width_ + x;
-            const bool is_met = hit.side != HitSide::none;
+            const bool is_hit = hit.side != HitSide::none;
             hits.t.data()[at] = static_cast<float>(hit.t);
             hits.side.data()[at] = hit.side;
             hits.cell.data()[at] =
-                is_met ? static_cast<std::int32_t>(hit.place.row * cells + hit.place.column) : HitPicture::kNoCell;
+                is_hit ? static_cast<std::int32_t>(hit.place.row * cells + hit.place.column) : HitPicture::kNoCell;
             hits.u.data()[at] = static_cast<float>(hit.place.u);
             hits.v.data()[at] = static_cast<float>(hit.place.v);
         }
@@ -65,7 +65,7 @@ void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
     surface.count = span.count;
     for (std::uint32_t n = 0; n < span.count; ++n) {
         const std::int32_t cell = hits.cell.data()[span.first + n];
-        surface.is_met[n] = cell >= 0;
+        surface.is_hit[n] = cell >= 0;
         surface.x[n] = surface.y[n] = 0;
         surface.t[n] = surface.height[n] = surface.slope_x[n] = surface.slope_y[n] = 0;
         if (cell < 0) continue;
@@ -86,16 +86,16 @@ void SmoothTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
 }
 
 template <class Height>
-RayHit SmoothTerrain<Height>::meet(const Ray& ray) const {
+RayHit SmoothTerrain<Height>::intersect(const Ray& ray) const {
     const SurfaceHit hit = first_hit(ray);
-    RayHit met;
-    met.is_met = hit.side != HitSide::none;
-    if (!met.is_met) return met;
-    met.t = static_cast<float>(hit.t);
-    met.x = hit.place.column + hit.place.u;
-    met.y = hit.place.row + hit.place.v;
-    met.point = {hit.height, hit.slopes.x, hit.slopes.y};
-    return met;
+    RayHit ray_hit;
+    ray_hit.is_hit = hit.side != HitSide::none;
+    if (!ray_hit.is_hit) return ray_hit;
+    ray_hit.t = static_cast<float>(hit.t);
+    ray_hit.x = hit.place.column + hit.place.u;
+    ray_hit.y = hit.place.row + hit.place.v;
+    ray_hit.point = {hit.height, hit.slopes.x, hit.slopes.y};
+    return ray_hit;
 }
 
 template <class Height>

@@ -18,7 +18,7 @@ public:
 
     void trace(const PixelRect& rect, const HitPicture& hits) const override;
     void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const override;
-    [[nodiscard]] RayHit meet(const Ray& ray) const override;
+    [[nodiscard]] RayHit intersect(const Ray& ray) const override;
     [[nodiscard]] bool is_hidden(const Ray& ray) const override;
 
 private:

@@ -35,7 +35,7 @@ void SpanShader<Height>::average_slopes(SpanSurface& surface) const {
     for (std::uint32_t n = 0; n < surface.count; ++n) {
         const double covered = footprint(surface.t[n]);
         SurfacePoint point;
-        if (!surface.is_met[n] || covered < 1 || !maps.averages->find_surface(surface.x[n], surface.y[n], covered, point))
+        if (!surface.is_hit[n] || covered < 1 || !maps.averages->find_surface(surface.x[n], surface.y[n], covered, point))
             continue;
         surface.slope_x[n] = static_cast<float>(point.slope_x);
         surface.slope_y[n] = static_cast<float>(point.slope_y);
@@ -45,7 +45,7 @@ void SpanShader<Height>::average_slopes(SpanSurface& surface) const {
 template <class Height>
 void SpanShader<Height>::cover_with_data(const SpanSurface& surface, SpanLight& light) const {
     for (std::uint32_t n = 0; n < surface.count; ++n) {
-        if (!surface.is_met[n]) continue;
+        if (!surface.is_hit[n]) continue;
         const DataColor data = data_color(look->values, look->uncertainties, look->legend, surface.x[n], surface.y[n]);
         for (int c = 0; c < 3; ++c) light.colour[c][n] += data.cover * (data.colour[c] - light.colour[c][n]);
     }
@@ -56,7 +56,7 @@ void SpanShader<Height>::cast_shadows(const SpanSurface& surface, SpanLight& lig
     const OcclusionTest test = {
         [](const void* asked, const Ray& ray) { return static_cast<const TracedTerrain*>(asked)->is_hidden(ray); }, terrain};
     for (std::uint32_t n = 0; n < surface.count; ++n) {
-        if (!surface.is_met[n] || light.sun_seen[n] <= 0) continue;
+        if (!surface.is_hit[n] || light.sun_seen[n] <= 0) continue;
         const bool is_dark =
             is_in_shadow(surface.x[n], surface.y[n], point_of(surface, n), look->sun.towards, maps.scale, test, {});
         if (is_dark) light.sun_seen[n] = 0;
@@ -69,12 +69,12 @@ void SpanShader<Height>::draw_capsules(const SpanRays& rays, const SpanSurface& 
         const Ray ray = rays.ray(n);
         const glm::dvec3 origin = in_metres(ray.origin, maps.scale), direction = in_metres(ray.direction, maps.scale);
         CapsuleHit nearest;
-        nearest.t = surface.is_met[n] ? double{surface.t[n]} : std::numeric_limits<double>::infinity();
+        nearest.t = surface.is_hit[n] ? double{surface.t[n]} : std::numeric_limits<double>::infinity();
         for (const Capsule& capsule : look->capsules) {
             const CapsuleHit hit = ray_capsule(origin, direction, 0, capsule);
-            if (hit.is_met && hit.t < nearest.t) nearest = hit;
+            if (hit.is_hit && hit.t < nearest.t) nearest = hit;
         }
-        if (!nearest.is_met) continue;
+        if (!nearest.is_hit) continue;
         Material material;
         material.colour = look->capsule_color;
         light[n] = local_light(material, nearest.normal, -glm::normalize(direction), look->sun, 1, look->sky, 1);
@@ -87,7 +87,7 @@ void SpanShader<Height>::follow_paths(const SpanRays& rays, const std::uint32_t*
     const LitTerrain lit = {terrain, look, maps.scale};
     const TracedLight bounced = {settings->bounces, settings->paths};
     for (std::uint32_t n = 0; n < surface.count; ++n) {
-        if (!surface.is_met[n]) continue;
+        if (!surface.is_hit[n]) continue;
         const Ray ray = rays.ray(n);
         light[n] =
             traced_light(lit.scene(), in_metres(ray.origin, maps.scale), in_metres(ray.direction, maps.scale), bounced, seeds[n]);
@@ -96,7 +96,7 @@ void SpanShader<Height>::follow_paths(const SpanRays& rays, const std::uint32_t*
 
 template <class Height>
 void SpanShader<Height>::shade(const SpanRays& rays, const std::uint32_t* seeds, SpanSurface& surface, glm::vec3* light) const {
-    if (std::none_of(surface.is_met, surface.is_met + surface.count, [](bool is_met) { return is_met; })) {
+    if (std::none_of(surface.is_hit, surface.is_hit + surface.count, [](bool is_hit) { return is_hit; })) {
         std::fill_n(light, surface.count, look->background);
         if (settings->has_capsules) draw_capsules(rays, surface, light);
         return;
@@ -116,14 +116,14 @@ void SpanShader<Height>::shade(const SpanRays& rays, const std::uint32_t* seeds,
         find_eyes(rays.direction[0], rays.direction[1], rays.direction[2], surface.count, maps.scale, all.eye);
     add_up_light(settings->shading, *look, surface.count, all);
     for (std::uint32_t n = 0; n < surface.count; ++n)
-        light[n] = surface.is_met[n] ? glm::vec3(all.light[0][n], all.light[1][n], all.light[2][n]) : look->background;
+        light[n] = surface.is_hit[n] ? glm::vec3(all.light[0][n], all.light[1][n], all.light[2][n]) : look->background;
     if (settings->paths > 0) follow_paths(rays, seeds, surface, light);
     if (settings->has_capsules) draw_capsules(rays, surface, light);
 }
 
 template <class Height>
 float SpanShader<Height>::mirror_of(const SpanSurface& surface, std::uint32_t n) const {
-    return surface.is_met[n] && surface.height[n] <= look->mirror_below ? look->material.mirror : 0;
+    return surface.is_hit[n] && surface.height[n] <= look->mirror_below ? look->material.mirror : 0;
 }
 
 template <class Height>

@@ -29,14 +29,14 @@ TEDAVIS_WIDE_LOOPS void set_directions(const GridCamera& camera, std::uint32_t x
     }
 }
 
-void set_meeting(const RayHit& met, SpanSurface& surface, std::uint32_t n) {
-    surface.is_met[n] = met.is_met;
-    surface.x[n] = met.x;
-    surface.y[n] = met.y;
-    surface.t[n] = met.t;
-    surface.height[n] = static_cast<float>(met.point.height);
-    surface.slope_x[n] = static_cast<float>(met.point.slope_x);
-    surface.slope_y[n] = static_cast<float>(met.point.slope_y);
+void set_hit(const RayHit& hit, SpanSurface& surface, std::uint32_t n) {
+    surface.is_hit[n] = hit.is_hit;
+    surface.x[n] = hit.x;
+    surface.y[n] = hit.y;
+    surface.t[n] = hit.t;
+    surface.height[n] = static_cast<float>(hit.point.height);
+    surface.slope_x[n] = static_cast<float>(hit.point.slope_x);
+    surface.slope_y[n] = static_cast<float>(hit.point.slope_y);
 }
 
 }  // namespace
@@ -156,7 +156,7 @@ void TraceStages<Height>::shade_span(const PixelSpan& span, SpanRemainder& rest)
     shader.shade(rays, seeds, surface, light);
     if (settings.antialiasing == Antialiasing::supersampling)
         for (std::uint32_t n = 0; n < span.count; ++n) {
-            if (!surface.is_met[n] || rays_along_pixel(shader.footprint(surface.t[n]), settings.rays_along) == 1) continue;
+            if (!surface.is_hit[n] || rays_along_pixel(shader.footprint(surface.t[n]), settings.rays_along) == 1) continue;
             rest.pixel[rest.resampled++] = span.first + n;
             light[n] = kNotDone;
         }
@@ -186,7 +186,7 @@ std::uint32_t TraceStages<Height>::follow(const MirroredRay* rays, std::uint32_t
         for (int axis = 0; axis < 3; ++axis) one.direction[axis][0] = sent.direction[axis];
         SpanSurface surface;
         surface.count = 1;
-        set_meeting(shader.terrain->meet(one.ray(0)), surface, 0);
+        set_hit(shader.terrain->intersect(one.ray(0)), surface, 0);
         glm::vec3 seen(0);
         SpanShader<Height> plain = shader;
         plain.pixel_width_m = 0;  // what a mirrored pixel covers is not known
@@ -221,7 +221,7 @@ void TraceStages<Height>::resample(std::uint32_t pixel) const {
         const std::uint32_t line = n / along, column = n - line * along;
         const float right = (static_cast<float>(column) + 0.5f) * part, down = (static_cast<float>(line) + 0.5f) * part;
         set_direction(camera_, static_cast<float>(x) + right, static_cast<float>(y) + down, rays, n);
-        set_meeting(shader.terrain->meet(rays.ray(n)), surface, n);
+        set_hit(shader.terrain->intersect(rays.ray(n)), surface, n);
         seeds[n] = pixel * (TraceSettings::kMaxRaysAlong * TraceSettings::kMaxRaysAlong) + n;
     }
     glm::vec3 light[PixelSpan::kMax], sum(0);

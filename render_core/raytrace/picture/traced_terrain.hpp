@@ -25,7 +25,7 @@ struct PixelSpan {
 struct SpanSurface {
     static constexpr std::uint32_t kMax = PixelSpan::kMax;
     std::uint32_t count = 0;
-    bool is_met[kMax];
+    bool is_hit[kMax];
     double x[kMax], y[kMax];
     float height[kMax], slope_x[kMax], slope_y[kMax];
     float t[kMax];
@@ -33,7 +33,7 @@ struct SpanSurface {
 
 /// The hit of a single ray.
 struct RayHit {
-    bool is_met = false;
+    bool is_hit = false;
     float t = 0;
     double x = 0, y = 0;
     SurfacePoint point;
@@ -49,7 +49,7 @@ public:
     /// Computes the surface of pixels that have been traced.
     virtual void find_surface(const PixelSpan& span, const HitPicture& hits, SpanSurface& surface) const = 0;
     /// Traces a ray in the scene's grid space.
-    [[nodiscard]] virtual RayHit meet(const Ray& ray) const = 0;
+    [[nodiscard]] virtual RayHit intersect(const Ray& ray) const = 0;
     [[nodiscard]] virtual bool is_hidden(const Ray& ray) const = 0;
 };
 

@@ -37,7 +37,7 @@ Crossing triangles_crossing(const CellPatch& patch, const CellRay& ray, double s
     const double u = middle.place.u;
     const double at_middle = sign * (middle.z - ((1 - u) * patch.corner[1][0] + u * patch.corner[0][1]));
     Crossing found = linear_crossing(g0, at_middle);
-    if (found.is_met) {
+    if (found.is_hit) {
         found.s *= s;
         return found;
     }
@@ -74,7 +74,7 @@ Crossing approximation_crossing(const CellPatch& patch, const CellRay& ray, doub
             point->place.v = std::clamp(point->place.v * parts - j, 0.0, 1.0);
         }
         Crossing found = bilinear_crossing(corner, from, to, sign);
-        if (found.is_met) {
+        if (found.is_hit) {
             found.s = s + found.s * (end - s);
             return found;
         }
@@ -102,7 +102,7 @@ Crossing crossing_between(const CellPatch& patch, const CellRay& ray, double sig
 Crossing first_root(double g0, double g1, double a) {
     Crossing found;
     if (g0 <= 0) {
-        found.is_met = true;
+        found.is_hit = true;
         return found;
     }
     const double b = (g1 - g0) - a;
@@ -111,7 +111,7 @@ Crossing first_root(double g0, double g1, double a) {
         const bool turns = a > 0 && b < 0 && -b < 2 * a;
         if (!turns || g0 - b * b / (4 * a) > 0) return found;
     }
-    found.is_met = true;
+    found.is_hit = true;
     const double root = std::sqrt(std::max(b * b - 4 * a * g0, 0.0));
     const double s = b <= 0 ? 2 * g0 / (-b + root) : -(b + root) / (2 * a);
     found.s = s > 0 ? std::min(s, 1.0) : (s <= 0 ? 0.0 : 1.0);  // what is no number: at the end
@@ -124,7 +124,7 @@ Crossing first_crossing(const CellPatch& patch, const MicroStructure& micro, con
     const bool is_below = g0 < 0;
     Crossing found = g0 == 0 ? Crossing{true, false, 0} : crossing_between(patch, ray, is_below ? -1 : 1);
     // The ends decide, whatever rounding makes of the way between them.
-    if (!found.is_met && (is_below ? g1 >= 0 : g1 <= 0)) found = {true, false, 1};
+    if (!found.is_hit && (is_below ? g1 >= 0 : g1 <= 0)) found = {true, false, 1};
     found.is_from_below = is_below;
     return found;
 }

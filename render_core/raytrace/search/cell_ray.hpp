@@ -30,7 +30,7 @@ struct CellRay {
 };
 
 struct Crossing {
-    bool is_met = false;
+    bool is_hit = false;
     bool is_from_below = false;
     double s = 0;  ///< position on the segment, 0..1
 };

@@ -33,7 +33,7 @@ struct RowStart {
 }
 
 /// How far a ray got over the ground, in posts.
-[[nodiscard]] inline double way_over_ground(const Ray& ray, double t) {
+[[nodiscard]] inline double distance_over_ground(const Ray& ray, double t) {
     return t * std::hypot(double{ray.direction.x}, double{ray.direction.y});
 }
 

@@ -20,7 +20,7 @@ SurfaceHit search_cell(const HeightMipmap<Height>& maxima, const SurfaceSettings
         return point.z - surface_on(patch, settings.micro, point.place).height;
     };
     SearchedPlace found = search_uniformly(gap, 0, 1, search);
-    if (!found.is_met) return {};
+    if (!found.is_hit) return {};
     const RayPoint point = ray.at(found.t);
     found.t = point.t;
     return searched_hit(found, point.place, surface_on(patch, settings.micro, point.place));
@@ -53,7 +53,7 @@ SurfaceHit search_ray(const HeightGrid<Height>& grid, const SurfaceSettings& set
     CellPlace cell;
     SurfacePoint point;
     const glm::dvec3 place = place_at(found.t);
-    if (!found.is_met || !find_cell(grid, place.x, place.y, cell) || !find_surface(grid, settings, place.x, place.y, point))
+    if (!found.is_hit || !find_cell(grid, place.x, place.y, cell) || !find_surface(grid, settings, place.x, place.y, point))
         return {};
     return searched_hit(found, cell, point);
 }

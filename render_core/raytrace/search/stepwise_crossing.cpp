@@ -52,7 +52,7 @@ Crossing stepwise_crossing(const CellPatch& patch, const MicroStructure& micro, 
         gap = s < 1 ? sign * gap_at(s) : sign * end;
     }
     found.s = s;
-    found.is_met = s < 1 ? true : gap <= 0;
+    found.is_hit = s < 1 ? true : gap <= 0;
     return found;
 }
 

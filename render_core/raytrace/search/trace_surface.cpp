@@ -37,7 +37,7 @@ SurfaceHit hit_in_cell(const HeightMipmap<Height>& maxima, const SurfaceSettings
     range = {range.lowest - beyond, range.highest + beyond};
     const CellRay ray = within_heights(walk.in_cell(), range);
     const Crossing crossing = first_crossing(patch, settings.micro, ray);
-    if (!crossing.is_met) return hit;
+    if (!crossing.is_hit) return hit;
     const RayPoint point = crossing.s <= 0 ? ray.from : (crossing.s >= 1 ? ray.to : ray.at(crossing.s));
     const SurfacePoint surface = surface_on(patch, settings.micro, point.place);
     hit.side = crossing.is_from_below ? HitSide::below : HitSide::above;

@@ -23,7 +23,7 @@ struct UniformSearch {
 };
 
 struct SearchedPlace {
-    bool is_met = false;
+    bool is_hit = false;
     bool is_from_below = false;
     double t = 0;
 };

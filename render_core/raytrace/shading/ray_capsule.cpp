@@ -69,7 +69,7 @@ CapsuleHit ray_capsule(const glm::dvec3& origin, const glm::dvec3& direction, do
     CapsuleHit hit;
     const double start = from_t * length;
     if (span.enters > span.leaves || span.leaves < start) return hit;
-    hit.is_met = true;
+    hit.is_hit = true;
     hit.is_from_inside = span.enters < start;
     const double s = hit.is_from_inside ? span.leaves : span.enters;
     hit.t = s / length;

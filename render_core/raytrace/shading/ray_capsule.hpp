@@ -16,7 +16,7 @@ struct Capsule {
 };
 
 struct CapsuleHit {
-    bool is_met = false;
+    bool is_hit = false;
     bool is_from_inside = false;
     double t = 0;
     glm::dvec3 normal{0, 0, 1};  ///< unit vector, outwards

@@ -48,8 +48,8 @@ glm::vec3 path_light(const LitScene& scene, glm::dvec3 origin, glm::dvec3 direct
     glm::vec3 light(0), kept(1);
     bool is_seen_by_mirror = true;  // the eye's own ray sees the highlight as a mirror does
     for (std::uint32_t bounce = 0;; ++bounce) {
-        const LitPlace place = scene.meet(scene.context, origin, direction);
-        if (!place.is_met) return light + kept * scene.sky;
+        const LitPlace place = scene.intersect(scene.context, origin, direction);
+        if (!place.is_hit) return light + kept * scene.sky;
         const Material& material = place.material;
         const bool is_lit =
             glm::dot(place.normal, scene.sun.towards) > 0 && !scene.is_hidden(scene.context, place.point, scene.sun.towards);

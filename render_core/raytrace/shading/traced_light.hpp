@@ -20,7 +20,7 @@ namespace tedavis::raytrace {
 
 /// The hit of a ray; directions in metres.
 struct LitPlace {
-    bool is_met = false;
+    bool is_hit = false;
     glm::dvec3 point{0};  ///< start of the next ray, lifted off the surface (cast_shadow.hpp)
     glm::dvec3 normal{0, 0, 1};
     Material material;
@@ -28,7 +28,7 @@ struct LitPlace {
 
 /// The caller's scene. Points and directions are in one frame in metres.
 struct LitScene {
-    LitPlace (*meet)(const void* context, const glm::dvec3& origin, const glm::dvec3& direction) = nullptr;
+    LitPlace (*intersect)(const void* context, const glm::dvec3& origin, const glm::dvec3& direction) = nullptr;
     bool (*is_hidden)(const void* context, const glm::dvec3& origin, const glm::dvec3& direction) = nullptr;
     const void* context = nullptr;
     DirectedLight sun;

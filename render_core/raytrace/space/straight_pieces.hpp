@@ -59,18 +59,18 @@ auto trace_bent(const GroundSpace& space, const Ray& ray, double highest, const 
     const double from_m = static_cast<double>(ray.from) * world.metres_of_t,
                  to_m = static_cast<double>(ray.to) * world.metres_of_t;
     const PieceEnds ends = cut_rays(world.origin, kSingleOff_rad, 1, to_m < kFar_m ? to_m : kFar_m);
-    auto met = decltype(trace(ray)){};
+    auto hit = decltype(trace(ray)){};
     for (int n = 0; n < ends.count; ++n) {
         if (ends.end[n + 1] <= from_m) continue;
         Ray piece = ray_of(space, world.origin, world.direction, ends, n);
         if (ends.end[n] < from_m) piece.from = static_cast<float>(from_m);
         const double height = piece.origin.z + static_cast<double>(piece.direction.z) * static_cast<double>(piece.from);
         if (height > highest && static_cast<double>(piece.direction.z) * space.step_m() > kSurelyRises) break;
-        met = trace(piece);
-        if (met.side != HitSide::none) break;
+        hit = trace(piece);
+        if (hit.side != HitSide::none) break;
     }
-    met.t = static_cast<decltype(met.t)>(static_cast<double>(met.t) / world.metres_of_t);
-    return met;
+    hit.t = static_cast<decltype(hit.t)>(static_cast<double>(hit.t) / world.metres_of_t);
+    return hit;
 }
 
 }  // namespace tedavis::raytrace

@@ -41,12 +41,12 @@ struct PieceBox {
     }
 };
 
-bool is_all_met(const HitPicture& picture, std::uint32_t width, const PixelTile& tile) {
+bool is_all_hit(const HitPicture& picture, std::uint32_t width, const PixelTile& tile) {
     for (std::uint32_t y = tile.top; y < tile.bottom; ++y) {
         const float* const row = picture.t.data() + std::size_t{y} * width;
-        bool is_met = true;
-        for (std::uint32_t x = tile.left; x < tile.right; ++x) is_met &= row[x] <= std::numeric_limits<float>::max();
-        if (!is_met) return false;
+        bool is_hit = true;
+        for (std::uint32_t x = tile.left; x < tile.right; ++x) is_hit &= row[x] <= std::numeric_limits<float>::max();
+        if (!is_hit) return false;
     }
     return true;
 }
@@ -142,7 +142,7 @@ void trace_ground_tile(const GroundView<Height>& ground, std::uint32_t left, std
         const RaySpan span{static_cast<float>(from), static_cast<float>(to), static_cast<float>(gap)};
         const ViewJob<Height> job{ground.field, &camera, view.width, view.height, picture, span, true};
         ground.kernel->trace_tile(job, tile.left, tile.top);
-        if (is_all_met(picture, view.width, tile)) return;
+        if (is_all_hit(picture, view.width, tile)) return;
     }
 }
 

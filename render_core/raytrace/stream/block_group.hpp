@@ -29,7 +29,7 @@ struct BlockGroup {
     /// Allocate.
     bool first_runs = false;
     std::uint32_t own_growth = 0;  ///< of the first call, if it runs
-    bool leads = false;            ///< no call of earlier groups may lengthen the stream, except first calls
+    bool leads = false;            ///< no complete call before this group's further calls may lengthen the stream
     std::uint64_t growth_before = 0;
     std::uint32_t borrowed = 0;  ///< words of the first call that lie in earlier groups
     std::uint32_t lender = 0, lender_offset = 0;

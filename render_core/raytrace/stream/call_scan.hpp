@@ -9,7 +9,7 @@ namespace tedavis::raytrace {
 struct FoundCall {
     std::uint32_t call = 0;
     std::uint32_t place = 0;   ///< words of the group before the call
-    std::uint32_t before = 0;  ///< literals between the previous call, or the group's begin, and this one
+    std::uint32_t before = 0;  ///< literals between the previous call, or the group's beginning, and this one
     bool is_first = false;
 };
 

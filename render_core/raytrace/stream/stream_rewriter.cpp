@@ -54,14 +54,14 @@ struct StreamRewriter::Run {
     bool is_over = false;
     std::uint32_t alone = 0, most_alone = 1;  ///< rounds since a worker was lost, and how many until it is called back
 
-    static void lead(void* context, ThreadTeam& crew) {
+    static void lead(void* context, ThreadTeam& team) {
         Run& run = *static_cast<Run*>(context);
-        do run.rewriter.run_round(run, crew);
-        while (!run.is_over && !run.calls_back(crew));
+        do run.rewriter.run_round(run, team);
+        while (!run.is_over && !run.calls_back(team));
     }
     /// Not at once, and more seldom each time: where there are fewer processors than workers they are lost again and again.
-    bool calls_back(const ThreadTeam& crew) {
-        if (!crew.has_lost() || rewriter.group_count_ < 2 || ++alone < most_alone) return false;
+    bool calls_back(const ThreadTeam& team) {
+        if (!team.has_lost() || rewriter.group_count_ < 2 || ++alone < most_alone) return false;
         alone = 0;
         most_alone = std::min(2 * most_alone, kMaxRoundsAlone);
         return true;
@@ -136,7 +136,7 @@ void StreamRewriter::link_groups() {
     stream_->set_list(first, last, words);
 }
 
-void StreamRewriter::rewrite_once(Run& run, ThreadTeam& crew) {
+void StreamRewriter::rewrite_once(Run& run, ThreadTeam& team) {
     const StreamSettings& settings = stream_->settings();
     const std::uint64_t left = settings.capacity_words - stream_->words();
     const RoundRoom room = {left > settings.reserve_words ? left - settings.reserve_words : 0, left};
@@ -144,13 +144,13 @@ void StreamRewriter::rewrite_once(Run& run, ThreadTeam& crew) {
     if (stream_->words() < kWordsToShare)
         for (std::uint32_t n = 0; n < group_count_; ++n) Pass::decode(&pass, n, 0);
     else
-        crew.share(group_count_, &Pass::decode, &pass);
+        team.share(group_count_, &Pass::decode, &pass);
     if (!allocate_round(groups(), run.network, room)) {
         ++run.report.waits;
         stream_->count_refusal();
     }
     give_blocks(groups(), room, {run.lanes > 1 ? kEarlyEndsOfWorker * run.lanes : 0, most_group_calls_}, stream_->pool());
-    crew.share(group_count_, &Pass::execute, &pass);
+    team.share(group_count_, &Pass::execute, &pass);
     link_groups();
     for (const BlockGroup& group : groups()) {
         run.report.counts.calls += group.counts.calls;
@@ -159,13 +159,13 @@ void StreamRewriter::rewrite_once(Run& run, ThreadTeam& crew) {
     }
 }
 
-void StreamRewriter::run_round(Run& run, ThreadTeam& crew) {
+void StreamRewriter::run_round(Run& run, ThreadTeam& team) {
     form_groups(run.lanes);
     run.report.is_finished = call_count_ == 0;
     run.is_over = run.report.is_finished || run.report.rounds == run.most_rounds;
     if (run.is_over) return;
     const std::uint64_t batches = run.report.counts.batches;
-    rewrite_once(run, crew);
+    rewrite_once(run, team);
     ++run.report.rounds;
     run.report.most_groups = std::max(run.report.most_groups, group_count_);
     run.fault = task_fault();

@@ -42,8 +42,8 @@ private:
     struct Run;
 
     void form_groups(std::uint32_t lanes);
-    void run_round(Run& run, ThreadTeam& crew);
-    void rewrite_once(Run& run, ThreadTeam& crew);
+    void run_round(Run& run, ThreadTeam& team);
+    void rewrite_once(Run& run, ThreadTeam& team);
     void link_groups();
     [[nodiscard]] base::Span<BlockGroup> groups() const { return groups_.subspan(0, group_count_); }
     [[nodiscard]] base::FaultText task_fault() const;

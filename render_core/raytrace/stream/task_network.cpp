@@ -11,11 +11,11 @@ namespace {
 constexpr std::uint32_t kMaxCallsOfNothing = 4096;  ///< of a task that takes and gives nothing
 
 base::FaultText task_fault(std::string_view name, std::string_view what) {
-    base::FaultText sentence("task '");
-    sentence.append(name);
-    sentence.append("' ");
-    sentence.append(what);
-    return sentence;
+    base::FaultText message("task '");
+    message.append(name);
+    message.append("' ");
+    message.append(what);
+    return message;
 }
 
 std::uint32_t most_calls(const Task& task) {

@@ -17,9 +17,9 @@ void rest_shortly() {
 }  // namespace
 
 void ThreadTeam::run(base::Workers& workers, std::uint32_t lanes, Lead lead, void* context) {
-    ThreadTeam crew(lead, context, lanes);
-    if (lanes < 2) return lead(context, crew);
-    workers.parallel_for(lanes, &ThreadTeam::enter, &crew);
+    ThreadTeam team(lead, context, lanes);
+    if (lanes < 2) return lead(context, team);
+    workers.parallel_for(lanes, &ThreadTeam::enter, &team);
 }
 
 void ThreadTeam::serve() {

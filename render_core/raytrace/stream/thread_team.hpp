@@ -14,7 +14,7 @@ namespace tedavis::raytrace {
 
 class ThreadTeam {
 public:
-    using Lead = void (*)(void* context, ThreadTeam& crew);
+    using Lead = void (*)(void* context, ThreadTeam& team);
     /// `lane` is below `lanes` of run() and differs between threads that work at the same time.
     using Work = void (*)(void* context, std::uint32_t index, std::uint32_t lane);
 
@@ -29,7 +29,7 @@ public:
 private:
     ThreadTeam(Lead lead, void* context, std::uint32_t lanes) : lead_(lead), lead_context_(context), lanes_(lanes) {}
 
-    static void enter(void* crew, std::uint32_t) { static_cast<ThreadTeam*>(crew)->serve(); }
+    static void enter(void* team, std::uint32_t) { static_cast<ThreadTeam*>(team)->serve(); }
     void serve();
     [[nodiscard]] bool take_one(std::uint32_t lane);
 

@@ -153,7 +153,7 @@ TEST(StateAssembler, CountersAndClock) {
     const CanFrame frames[] = {frame_of("137#0102002A40A00000"), frame_of("7FF#00"), frame_of("20000040#0000000000000000"),
                                frame_of("4B0#090F00060D2B1600"), frame_of("4B6#090F00070C061357")};
     bus.assembler.feed({frames, 5});
-    bus.assembler.note_dropped(12);
+    bus.assembler.record_dropped(12);
     const BusSnapshot snapshot = bus.assembler.snapshot({});
     EXPECT_EQ(snapshot.counters.frames, 5u);
     EXPECT_EQ(snapshot.counters.decoded, 3u);

@@ -10,7 +10,7 @@
 namespace tedavis::bus::test_switch_config {
 namespace {
 
-std::string sentence_of(const std::string& text) {
+std::string message_of(const std::string& text) {
     const auto loaded = load_switch_config(text, "t.toml");
     return loaded.ok() ? std::string() : std::string(loaded.error().message.view());
 }
@@ -48,30 +48,30 @@ TEST(SwitchConfig, defaults_are_30_and_200_ms) {
 }
 
 TEST(SwitchConfig, faults_are_one_sentence_with_the_line) {
-    EXPECT_EQ(sentence_of(kLine + "[[pattern]]\nphase='climbing'\nhigh=['A']\n"),
+    EXPECT_EQ(message_of(kLine + "[[pattern]]\nphase='climbing'\nhigh=['A']\n"),
               "t.toml:5: 'climbing' is no flight phase; write for instance \"takeoff.first_climb\"");
-    EXPECT_EQ(sentence_of(kLine + "[[pattern]]\nphase='ground'\nhigh=['B']\n"), "t.toml:6: 'B' is none of the lines; correct it");
-    EXPECT_EQ(sentence_of(kLine + "[[pattern]]\nphase='ground'\nhigh=['A', 'A']\n"), "t.toml:6: 'A' is listed twice; remove one");
-    EXPECT_EQ(sentence_of(kLine + "[[pattern]]\nphase='ground'\n"),
+    EXPECT_EQ(message_of(kLine + "[[pattern]]\nphase='ground'\nhigh=['B']\n"), "t.toml:6: 'B' is none of the lines; correct it");
+    EXPECT_EQ(message_of(kLine + "[[pattern]]\nphase='ground'\nhigh=['A', 'A']\n"), "t.toml:6: 'A' is listed twice; remove one");
+    EXPECT_EQ(message_of(kLine + "[[pattern]]\nphase='ground'\n"),
               "t.toml:5: this pattern has no 'high'; list the active lines, [] for none");
-    EXPECT_EQ(sentence_of(kLine + kPattern + kPattern), "t.toml:9: another pattern has the same lines high; make them differ");
-    EXPECT_EQ(sentence_of(kLine + kLine + kPattern), "t.toml:6: line 'p.A' is listed twice; remove one");
-    EXPECT_EQ(sentence_of(kPattern), "t.toml:3: 'A' is none of the lines; correct it");
-    EXPECT_EQ(sentence_of(kLine), "t.toml: no pattern is listed; add at least one [[pattern]]");
-    EXPECT_EQ(sentence_of(""), "t.toml: no line is listed; add at least one [[line]]");
-    EXPECT_EQ(sentence_of("debounce_ms=5000\n" + kLine + kPattern),
+    EXPECT_EQ(message_of(kLine + kPattern + kPattern), "t.toml:9: another pattern has the same lines high; make them differ");
+    EXPECT_EQ(message_of(kLine + kLine + kPattern), "t.toml:6: line 'p.A' is listed twice; remove one");
+    EXPECT_EQ(message_of(kPattern), "t.toml:3: 'A' is none of the lines; correct it");
+    EXPECT_EQ(message_of(kLine), "t.toml: no pattern is listed; add at least one [[pattern]]");
+    EXPECT_EQ(message_of(""), "t.toml: no line is listed; add at least one [[line]]");
+    EXPECT_EQ(message_of("debounce_ms=5000\n" + kLine + kPattern),
               "t.toml:1: 'debounce_ms' must be a whole number from 0 to 1000");
-    EXPECT_EQ(sentence_of("debounce_ms=nan\n" + kLine + kPattern),
+    EXPECT_EQ(message_of("debounce_ms=nan\n" + kLine + kPattern),
               "t.toml:1: 'debounce_ms' must be a whole number from 0 to 1000");
-    EXPECT_EQ(sentence_of("[[line]]\nchip='p'\nname='A B'\n" + kPattern),
+    EXPECT_EQ(message_of("[[line]]\nchip='p'\nname='A B'\n" + kPattern),
               "t.toml:3: 'name' must be 1 to 63 characters without blanks or '#'");
-    EXPECT_EQ(sentence_of(kLine + "pul='up'\n" + kPattern), "t.toml:4: unknown key 'line.pul'; correct or remove it");
-    EXPECT_EQ(sentence_of(kLine + "pull='sideways'\n" + kPattern), "t.toml:4: 'pull' must be one of: none, off, up, down");
+    EXPECT_EQ(message_of(kLine + "pul='up'\n" + kPattern), "t.toml:4: unknown key 'line.pul'; correct or remove it");
+    EXPECT_EQ(message_of(kLine + "pull='sideways'\n" + kPattern), "t.toml:4: 'pull' must be one of: none, off, up, down");
 }
 
 TEST(SwitchConfig, a_name_on_two_chips_must_be_written_with_its_chip) {
     const std::string two = kLine + "[[line]]\nchip='q'\nname='A'\n";
-    EXPECT_EQ(sentence_of(two + "[[pattern]]\nphase='ground'\nhigh=['A']\n"),
+    EXPECT_EQ(message_of(two + "[[pattern]]\nphase='ground'\nhigh=['A']\n"),
               "t.toml:9: 'A' names several lines; write \"chip.name\"");
     EXPECT_EQ(config_from(two + "[[pattern]]\nphase='ground'\nhigh=['q.A']\n").patterns[0].high, 0b10u);
 }
@@ -79,7 +79,7 @@ TEST(SwitchConfig, a_name_on_two_chips_must_be_written_with_its_chip) {
 TEST(SwitchConfig, the_code_is_checked_for_every_pattern) {
     const std::string lines = "[[line]]\nchip='p'\nname='A'\n[[line]]\nchip='p'\nname='B'\n";
     const auto with = [&](const char* code, const char* high) {
-        return sentence_of(std::string("code='") + code + "'\n" + lines + "[[pattern]]\nphase='ground'\nhigh=" + high + "\n");
+        return message_of(std::string("code='") + code + "'\n" + lines + "[[pattern]]\nphase='ground'\nhigh=" + high + "\n");
     };
     for (const char* high : {"[]", "['A']", "['A','B']"}) {
         const int ones = high[1] == ']' ? 0 : high[4] == ']' ? 1 : 2;
@@ -94,7 +94,7 @@ TEST(SwitchConfig, the_code_is_checked_for_every_pattern) {
 TEST(SwitchConfig, more_lines_or_patterns_than_fit_are_refused) {
     std::string lines, patterns;
     for (int i = 0; i < 17; ++i) lines += "[[line]]\nchip='p'\nname='L" + std::to_string(i) + "'\n";
-    EXPECT_NE(sentence_of(lines + "[[pattern]]\nphase='ground'\nhigh=['L0']\n").find("more than 16 lines"), std::string::npos);
+    EXPECT_NE(message_of(lines + "[[pattern]]\nphase='ground'\nhigh=['L0']\n").find("more than 16 lines"), std::string::npos);
     const std::string six = lines.substr(0, lines.find("[[line]]\nchip='p'\nname='L6'"));
     for (int i = 0; i < 33; ++i) {
         patterns += "[[pattern]]\nphase='ground'\nhigh=[";
@@ -102,7 +102,7 @@ TEST(SwitchConfig, more_lines_or_patterns_than_fit_are_refused) {
             if ((i >> bit & 1) != 0) patterns += "'L" + std::to_string(bit) + "',";
         patterns += "]\n";
     }
-    EXPECT_NE(sentence_of(six + patterns).find("more than 32 patterns"), std::string::npos);
+    EXPECT_NE(message_of(six + patterns).find("more than 32 patterns"), std::string::npos);
 }
 
 TEST(SwitchConfig, shipped_files_load_and_reach_the_scenarios) {

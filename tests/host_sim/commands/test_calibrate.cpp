@@ -48,7 +48,7 @@ TEST(Calibrate, WritesCostsThatThisDisplayTakesAndNoOther) {
     PictureOptions picture = options.picture;
     picture.costs = options.output;
     picture.deadline_ms = 20;
-    { EXPECT_TRUE(DisplaySession(picture, false).display().frame_budget().is_held()); }
+    { EXPECT_TRUE(DisplaySession(picture, false).display().memory().budget.is_held()); }
     picture.size = PictureSize{128, 64};
     const auto open = [&] { DisplaySession(picture, false); };
     expect_user_error(open, "another size");

@@ -104,8 +104,8 @@ public:
     base::Time begin() const override { return alone_.begin(); }
     base::Time end() const override { return alone_.end(); }
     std::optional<SignalSample> at(base::Time time) const override { return alone_.at(time); }
-    std::vector<HeardAircraft> traffic(base::Time time) const override {
-        HeardAircraft first{2, test_support::traffic_report(0x111111, time)},
+    std::vector<ReceivedAircraft> traffic(base::Time time) const override {
+        ReceivedAircraft first{2, test_support::traffic_report(0x111111, time)},
             second{31, test_support::traffic_report(0x222222, time)};
         if (time - begin() > base::Duration::seconds(5)) second.report.ground_speed_mps = 5000;
         return {first, second};

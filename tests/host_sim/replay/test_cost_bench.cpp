@@ -4,7 +4,7 @@
 
 #include "host_sim/replay/load_design.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "render_core/effects/quality_ladder.hpp"
+#include "render_core/effects/quality_level.hpp"
 
 namespace tedavis::host_sim::test_cost_bench {
 namespace {

@@ -22,7 +22,7 @@ PictureOptions picture() { return files().options("unused").picture; }
 
 std::uint64_t hash_without_signals(const PictureOptions& options, bool generated = false) {
     DisplaySession session(options, generated);
-    session.display().update({}, {}, base::Time{0});
+    session.display().plan({{}, {}, base::Time{0}});
     session.draw();
     session.present();
     return session.frame_hash();

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "render_core/display/preroll.hpp"
 #include "tests/support/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_effect_ledger {
@@ -26,8 +27,8 @@ EffectLedger flown(const std::string& device, const std::string& design) {
     for (std::uint64_t n = 0; n < 2; ++n) {
         const base::Time time = player.first() + base::Duration::seconds(3 + static_cast<int>(n));
         const flight::FrameInput instant = player.at(time);
-        session.display().settle(instant.state, instant.phase, time);
-        session.display().update(instant.state, instant.phase, time, instant.trail);
+        display::settle(session.display(), {instant.state, instant.phase, time});
+        session.display().plan({instant.state, instant.phase, time, instant.trail});
         session.draw();
         ledger.note(session.display().record());
         ledger.take({n, time, instant.state, instant.phase, *instant.trail, upright(session.pixels())});

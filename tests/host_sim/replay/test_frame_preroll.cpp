@@ -41,10 +41,10 @@ struct Frame {
     double tau_px = 0;
     display::LabelRecord labels{};
     double terrain_weight = 1;
-    bool gives_way = false;  ///< for the budget of clutter
+    bool is_decluttered = false;  ///< for the budget of clutter
     bool operator==(const Frame& o) const {
-        return terrain_weight == o.terrain_weight && gives_way == o.gives_way && hash == o.hash && pending == o.pending &&
-               triangles == o.triangles && tau_px == o.tau_px && labels.placed == o.labels.placed &&
+        return terrain_weight == o.terrain_weight && is_decluttered == o.is_decluttered && hash == o.hash &&
+               pending == o.pending && triangles == o.triangles && tau_px == o.tau_px && labels.placed == o.labels.placed &&
                labels.suppressed == o.labels.suppressed && labels.changed == o.labels.changed;
     }
 };
@@ -59,7 +59,7 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool has_preroll) 
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (has_preroll) preroll.preroll(times.at(n));
         const flight::FrameInput instant = player.at(times.at(n));
-        session.display().update(instant.state, instant.phase, times.at(n));
+        session.display().plan({instant.state, instant.phase, times.at(n)});
         session.draw();
         const display::TerrainRecord& terrain = session.display().record().terrain;
         frames[times.at(n).ns] = {session.frame_hash(),
@@ -131,37 +131,38 @@ effects::CostTable costs_of_triangles() {
     return costs;
 }
 
-std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_preroll, std::size_t* most_rungs = nullptr) {
+std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_preroll, std::size_t* most_quality_levels = nullptr) {
     DisplaySession session(asked.picture, false);
     effects::GovernorSettings settings;
     settings.dwell = base::Duration::milliseconds(200);
-    session.display().frame_budget().hold(kScarce_ms, costs_of_triangles(), settings);
+    session.display().memory().budget.hold(kScarce_ms, costs_of_triangles(), settings);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
     std::map<std::int64_t, Frame> frames;
-    std::set<std::uint32_t> rungs;
+    std::set<std::uint32_t> quality_levels;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
         if (has_preroll) preroll.preroll(times.at(n));
         const flight::FrameInput instant = player.at(times.at(n));
-        session.display().update(instant.state, instant.phase, times.at(n));
+        session.display().plan({instant.state, instant.phase, times.at(n)});
         session.draw();
         const display::FrameRecord& record = session.display().record();
-        frames[times.at(n).ns] = {session.frame_hash(),
-                                  record.terrain.pending,
-                                  record.terrain.triangles,
-                                  record.terrain.tau_px + 100.0 * record.governor.rung + (record.governor.changed ? 1000 : 0),
-                                  {}};
-        rungs.insert(record.governor.rung);
+        frames[times.at(n).ns] = {
+            session.frame_hash(),
+            record.terrain.pending,
+            record.terrain.triangles,
+            record.terrain.tau_px + 100.0 * record.governor.quality_level + (record.governor.changed ? 1000 : 0),
+            {}};
+        quality_levels.insert(record.governor.quality_level);
     }
-    if (most_rungs != nullptr) *most_rungs = rungs.size();
+    if (most_quality_levels != nullptr) *most_quality_levels = quality_levels.size();
     return frames;
 }
 
 TEST(FramePreroll, WhatTheGovernorDecidesIsTheSameHoweverAFrameIsReached) {
-    std::size_t rungs = 0;
-    const auto all = governed(options(0, 4, kStep_s), true, &rungs);
-    ASSERT_GT(rungs, 1u) << "it has something to decide";
+    std::size_t quality_levels = 0;
+    const auto all = governed(options(0, 4, kStep_s), true, &quality_levels);
+    ASSERT_GT(quality_levels, 1u) << "it has something to decide";
     for (const double frames : {1.0, 9.0, 33.0, 70.0, 110.0})
         EXPECT_EQ(differences(all, governed(options(frames * kStep_s, 4, kStep_s), true)), 0u) << "from frame " << frames;
     for (const double frames : {7.0, -15.0, -1.0})
@@ -337,13 +338,13 @@ ReplayOptions budgeted(double from_s, double step_s, const char* device) {
 TEST(FramePreroll, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
     for (const char* const device : {"es3-mid", "es2-small"}) {
         const auto all = run(budgeted(0, kStep_s, device), true);
-        std::size_t giving_way = 0;
+        std::size_t decluttering = 0;
         std::uint32_t lowered = 0;
         for (const auto& [time, frame] : all) {
-            giving_way += frame.gives_way ? 1 : 0;
+            decluttering += frame.is_decluttered ? 1 : 0;
             lowered = std::max(lowered, frame.labels.lowered);
         }
-        ASSERT_GT(giving_way, all.size() / 3) << device;
+        ASSERT_GT(decluttering, all.size() / 3) << device;
         ASSERT_GT(lowered, 1u) << device;
         for (const double frames : {16.0, 49.0, 60.0, 90.0})
             EXPECT_EQ(differences(all, run(budgeted(frames * kStep_s, kStep_s, device), true)), 0u) << "from frame " << frames;

@@ -92,7 +92,7 @@ const std::vector<Shown>& flown() {
             const base::Time time = player.first() + base::Duration::from_seconds(s);
             preroll.preroll(time);
             const flight::FrameInput instant = player.at(time);
-            session.display().update(instant.state, instant.phase, time, instant.trail);
+            session.display().plan({instant.state, instant.phase, time, instant.trail});
             session.draw();
             shown.push_back({s, session.display().record()});
         }

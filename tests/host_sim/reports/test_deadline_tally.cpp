@@ -7,9 +7,9 @@
 namespace tedavis::host_sim::test_deadline_tally {
 namespace {
 
-FrameResult frame(double time_s, double predicted_ms, double measured_ms, std::uint32_t rung = 0, bool changed = false) {
+FrameResult frame(double time_s, double predicted_ms, double measured_ms, std::uint32_t quality_level = 0, bool changed = false) {
     FrameResult result = test_support::frame_result(0, time_s);
-    result.record.governor = {33, predicted_ms, rung, changed, "x"};
+    result.record.governor = {33, predicted_ms, quality_level, changed, "x"};
     result.timing.total_ms = measured_ms;
     return result;
 }
@@ -27,7 +27,7 @@ TEST(DeadlineTally, CountsWhatWasWithinAndWhatChanged) {
     EXPECT_EQ(s.within_measured, 2u);
     EXPECT_EQ(s.changes, 3u);
     EXPECT_DOUBLE_EQ(s.least_s_between_changes.value(), 2.5);
-    EXPECT_EQ(s.frames_on_rung[2], 2u);
+    EXPECT_EQ(s.frames_at_quality_level[2], 2u);
     EXPECT_EQ(deadline_text(s),
               "; deadline 33 ms: 50.00 % of frames within by the model, 50.00 % as measured, 3 changes at least 2.5 s apart");
 }

@@ -11,23 +11,23 @@ using test_support::BuildGround;
 
 TEST(BorderLines, KeepCrossingsAsHighAsBothLines) {
     const BuildGround ground(test_support::make_rough_raster(300, 200));
-    const LineGrid &rows = ground.lines.lines(LineWay::row), &columns = ground.lines.lines(LineWay::column);
+    const LineGrid &rows = ground.lines.lines(LineDirection::row), &columns = ground.lines.lines(LineDirection::column);
     for (std::uint32_t r = 0; r < rows.count(); ++r)
         for (std::uint32_t c = 0; c < columns.count(); ++c) {
             const std::uint32_t j = rows.post_of(r), i = columns.post_of(c);
             const std::uint32_t both = std::min(rows.top_level(j), columns.top_level(i));
-            EXPECT_GE(ground.lines.along(LineWay::row, j, i, 1)[0], both);
-            EXPECT_GE(ground.lines.along(LineWay::column, i, j, 1)[0], both);
+            EXPECT_GE(ground.lines.along(LineDirection::row, j, i, 1)[0], both);
+            EXPECT_GE(ground.lines.along(LineDirection::column, i, j, 1)[0], both);
         }
 }
 
 TEST(BorderLines, NoPostStaysAboveItsLine) {
     const BuildGround ground(test_support::make_rough_raster(300, 200));
-    const LineGrid& rows = ground.lines.lines(LineWay::row);
+    const LineGrid& rows = ground.lines.lines(LineDirection::row);
     for (std::uint32_t r = 0; r < rows.count(); ++r) {
         const std::uint32_t j = rows.post_of(r);
         std::uint32_t inner = 0;
-        for (const std::uint8_t level : ground.lines.along(LineWay::row, j, 0, 300)) {
+        for (const std::uint8_t level : ground.lines.along(LineDirection::row, j, 0, 300)) {
             EXPECT_LE(level, rows.top_level(j));
             inner += level;
         }
@@ -38,17 +38,17 @@ TEST(BorderLines, NoPostStaysAboveItsLine) {
 TEST(BorderLines, BothMeridiansOfTheSeamAreOneLine) {
     const BuildGround ground(test_support::make_earth_raster(2.5));
     const std::uint32_t rows = ground.plan.header.rows;
-    EXPECT_EQ(ground.lines.along(LineWay::column, 0, 0, rows), ground.lines.along(LineWay::column, 144, 0, rows));
+    EXPECT_EQ(ground.lines.along(LineDirection::column, 0, 0, rows), ground.lines.along(LineDirection::column, 144, 0, rows));
 }
 
 TEST(BorderLines, PiecesAgreeWhereTheyMeet) {
     // More posts than a piece has: the post where pieces meet is written by both.
     const BuildGround ground(test_support::make_raster(16400, 34, [](auto i, auto j) { return 10.0f * ((i * 7 + j) % 31); }));
-    const std::vector<std::uint8_t> before = ground.lines.along(LineWay::row, 32, 16380, 20);
+    const std::vector<std::uint8_t> before = ground.lines.along(LineDirection::row, 32, 16380, 20);
     BorderLines again(ground.plan, ground.folder.path());
     for (std::uint32_t piece = again.piece_count(); piece-- > 0;) again.build_piece(ground.posts, piece);
-    EXPECT_EQ(again.along(LineWay::row, 32, 16380, 20), before);
-    EXPECT_EQ(ground.lines.along(LineWay::row, 0, 16384, 1)[0], ground.plan.levels() - 1);
+    EXPECT_EQ(again.along(LineDirection::row, 32, 16380, 20), before);
+    EXPECT_EQ(ground.lines.along(LineDirection::row, 0, 16384, 1)[0], ground.plan.levels() - 1);
 }
 
 }  // namespace

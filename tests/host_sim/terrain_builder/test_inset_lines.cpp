@@ -42,8 +42,8 @@ TEST(InsetLines, CoarseBordersAreThoseOfTheCoarsePosts) {
     const PostRange& region = made.posts.region();
     for (std::uint32_t j = region.j0; j <= region.j1; j += 256) {
         const std::uint32_t count = (region.i1 - region.i0) / 8 + 1;
-        const std::vector<std::uint8_t> fine = made.lines.along(LineWay::row, j, region.i0, region.i1 - region.i0 + 1),
-                                        coarse = made.ground.lines.along(LineWay::row, j / 8, region.i0 / 8, count);
+        const std::vector<std::uint8_t> fine = made.lines.along(LineDirection::row, j, region.i0, region.i1 - region.i0 + 1),
+                                        coarse = made.ground.lines.along(LineDirection::row, j / 8, region.i0 / 8, count);
         for (std::uint32_t n = 0; n < count; ++n) ASSERT_EQ(fine[8 * n], coarse[n] + 3);
         for (std::uint32_t n = 0; n < fine.size(); ++n)
             ASSERT_TRUE(n % 8 == 0 || fine[n] < 3) << "no fine post on a coarse border";
@@ -60,10 +60,10 @@ TEST(InsetLines, BesideAnExactChunkStandsEveryPostThatItHas) {
                 ++exact;
                 const PostRange posts = made.fine.lattice.posts_of({level, i, j});
                 for (const std::vector<std::uint8_t>& side :
-                     {made.lines.along(LineWay::row, posts.j0, posts.i0, posts.i1 - posts.i0 + 1),
-                      made.lines.along(LineWay::row, posts.j1, posts.i0, posts.i1 - posts.i0 + 1),
-                      made.lines.along(LineWay::column, posts.i0, posts.j0, posts.j1 - posts.j0 + 1),
-                      made.lines.along(LineWay::column, posts.i1, posts.j0, posts.j1 - posts.j0 + 1)})
+                     {made.lines.along(LineDirection::row, posts.j0, posts.i0, posts.i1 - posts.i0 + 1),
+                      made.lines.along(LineDirection::row, posts.j1, posts.i0, posts.i1 - posts.i0 + 1),
+                      made.lines.along(LineDirection::column, posts.i0, posts.j0, posts.j1 - posts.j0 + 1),
+                      made.lines.along(LineDirection::column, posts.i1, posts.j0, posts.j1 - posts.j0 + 1)})
                     for (std::uint32_t n = 0; n < side.size(); ++n)
                         ASSERT_EQ(side[n] >= level, n % (1u << level) == 0) << level << " " << i << " " << j << " " << n;
             }
@@ -73,9 +73,9 @@ TEST(InsetLines, BesideAnExactChunkStandsEveryPostThatItHas) {
 TEST(InsetLines, RoughPostsStayAtFineLevels) {
     const Lines made;
     int first = 0;
-    for (const std::uint8_t level : made.lines.along(LineWay::row, 448, 490, 140)) first += level == 1 ? 1 : 0;
+    for (const std::uint8_t level : made.lines.along(LineDirection::row, 448, 490, 140)) first += level == 1 ? 1 : 0;
     EXPECT_GT(first, 40) << "row 448 is a border of level 1";
-    for (const std::uint8_t level : made.lines.along(LineWay::row, 480, 490, 100))
+    for (const std::uint8_t level : made.lines.along(LineDirection::row, 480, 490, 100))
         EXPECT_EQ(level, 0) << "and row 480 of level 0 only";
 }
 

@@ -48,7 +48,7 @@ struct Session {
     [[nodiscard]] std::uint64_t frame() const { return controller.transport().frame(); }
 };
 
-CameraPose some_eye() { return {{radians(47), radians(9), {2000}}, radians(90), radians(-5), radians(20)}; }
+CameraPose some_pose() { return {{radians(47), radians(9), {2000}}, radians(90), radians(-5), radians(20)}; }
 
 TEST(WindowController, ASessionOfPlaying) {
     Session session;
@@ -119,7 +119,7 @@ TEST(WindowController, DigitsAndBracketsSelectPatterns) {
 
 TEST(WindowController, TheFreeCameraStartsWhereThePilotLooks) {
     Session session;
-    session.controller.note_picture(some_eye(), 500);
+    session.controller.record_picture(some_pose(), 500);
     session.press('c');
     EXPECT_EQ(session.controller.camera_mode(), CameraMode::free);
     EXPECT_EQ(session.controller.camera().pose().heading_rad, radians(90));
@@ -130,12 +130,12 @@ TEST(WindowController, TheFreeCameraStartsWhereThePilotLooks) {
 
 TEST(WindowController, FliesWhileKeysAreHeld) {
     Session session;
-    session.controller.note_picture(some_eye(), 500);
+    session.controller.record_picture(some_pose(), 500);
     session.press('w');
     session.controller.advance(kStep);
     session.press('c');
     const CameraPose start = session.controller.camera().pose();
-    EXPECT_EQ(start.position.longitude_rad, some_eye().position.longitude_rad) << "keys do nothing in the cockpit";
+    EXPECT_EQ(start.position.longitude_rad, some_pose().position.longitude_rad) << "keys do nothing in the cockpit";
     session.controller.advance(kStep);
     const CameraPose moved = session.controller.camera().pose();
     EXPECT_GT(moved.position.longitude_rad, start.position.longitude_rad);
@@ -155,7 +155,7 @@ TEST(WindowController, FliesWhileKeysAreHeld) {
 
 TEST(WindowController, TheMouseTurnsThePictureWithIt) {
     Session session;
-    session.controller.note_picture(some_eye(), 500);
+    session.controller.record_picture(some_pose(), 500);
     session.drag(50, 0);
     session.press('c');
     EXPECT_EQ(session.controller.camera().pose().heading_rad, radians(90)) << "not in the cockpit";
@@ -178,7 +178,7 @@ TEST(WindowController, ATourIsOnFromTheStartAndCanBeLeft) {
     session.press('t');
     EXPECT_EQ(session.controller.camera_mode(), CameraMode::cockpit);
     session.press('t');
-    session.controller.note_picture(some_eye(), 500);
+    session.controller.record_picture(some_pose(), 500);
     session.press('c');
     EXPECT_EQ(session.controller.camera_mode(), CameraMode::free);
     EXPECT_EQ(session.controller.camera().pose().heading_rad, radians(90)) << "from where the tour was";

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using Loader = std::function<void(ConfigSection)>;
 
 /// The error sentence after `load`, or "" when everything held.
-std::string sentence_of(const std::string& text, const Loader& load) {
+std::string error_text_of(const std::string& text, const Loader& load) {
     ConfigReader reader(text, "x.toml");
     load(reader.root());
     return reader.finish() ? std::string() : std::string(reader.error().message.view());
@@ -59,41 +59,41 @@ TEST(ConfigReader, absent_keys_take_their_fallbacks) {
 
 TEST(ConfigReader, faults_name_file_line_key_and_range) {
     const auto number = [](ConfigSection s) { s.number("x", -1, 2.5); };
-    EXPECT_EQ(sentence_of("\n\nx = 3", number), "x.toml:3: 'x' must be a number from -1 to 2.5");
-    EXPECT_EQ(sentence_of("x = 'three'", number), "x.toml:1: 'x' must be a number from -1 to 2.5");
-    EXPECT_EQ(sentence_of("y = 3", number), "x.toml:1: key 'x' is missing; add it");
-    EXPECT_EQ(sentence_of("x = 2.5", number), "") << "the bounds are inside";
-    EXPECT_EQ(sentence_of("x = -1", number), "");
+    EXPECT_EQ(error_text_of("\n\nx = 3", number), "x.toml:3: 'x' must be a number from -1 to 2.5");
+    EXPECT_EQ(error_text_of("x = 'three'", number), "x.toml:1: 'x' must be a number from -1 to 2.5");
+    EXPECT_EQ(error_text_of("y = 3", number), "x.toml:1: key 'x' is missing; add it");
+    EXPECT_EQ(error_text_of("x = 2.5", number), "") << "the bounds are inside";
+    EXPECT_EQ(error_text_of("x = -1", number), "");
     const auto integer = [](ConfigSection s) { s.integer("n", 0, 9); };
-    EXPECT_EQ(sentence_of("# a\nn = 10", integer), "x.toml:2: 'n' must be a whole number from 0 to 9");
-    EXPECT_EQ(sentence_of("n = 1.0", integer), "x.toml:1: 'n' must be a whole number from 0 to 9");
-    EXPECT_EQ(sentence_of("n = true", integer), "x.toml:1: 'n' must be a whole number from 0 to 9");
-    EXPECT_EQ(sentence_of("b = 1", [](ConfigSection s) { s.boolean("b", false); }), "x.toml:1: 'b' must be true or false");
-    EXPECT_EQ(sentence_of("t = 1", [](ConfigSection s) { s.text("t"); }), "x.toml:1: 't' must be a text in quotes");
+    EXPECT_EQ(error_text_of("# a\nn = 10", integer), "x.toml:2: 'n' must be a whole number from 0 to 9");
+    EXPECT_EQ(error_text_of("n = 1.0", integer), "x.toml:1: 'n' must be a whole number from 0 to 9");
+    EXPECT_EQ(error_text_of("n = true", integer), "x.toml:1: 'n' must be a whole number from 0 to 9");
+    EXPECT_EQ(error_text_of("b = 1", [](ConfigSection s) { s.boolean("b", false); }), "x.toml:1: 'b' must be true or false");
+    EXPECT_EQ(error_text_of("t = 1", [](ConfigSection s) { s.text("t"); }), "x.toml:1: 't' must be a text in quotes");
 }
 
 TEST(ConfigReader, nan_and_infinities_are_refused) {
     const auto number = [](ConfigSection s) { s.number("x", -1e300, 1e300, 0); };
     for (const char* value : {"nan", "-nan", "+nan", "inf", "-inf"})
-        EXPECT_EQ(sentence_of(std::string("x = ") + value, number), "x.toml:1: 'x' must be a number from -1e+300 to 1e+300")
+        EXPECT_EQ(error_text_of(std::string("x = ") + value, number), "x.toml:1: 'x' must be a number from -1e+300 to 1e+300")
             << value;
     std::array<double, 2> v{};
-    EXPECT_EQ(sentence_of("v = [1, nan]", [&](ConfigSection s) { s.numbers("v", 0, 5, v); }),
+    EXPECT_EQ(error_text_of("v = [1, nan]", [&](ConfigSection s) { s.numbers("v", 0, 5, v); }),
               "x.toml:1: 'v' must be 2 numbers from 0 to 5");
 }
 
 TEST(ConfigReader, lists_must_have_the_right_length_and_kind) {
     std::array<double, 2> v{};
     const auto numbers = [&](ConfigSection s) { s.numbers("v", 0, 5, v); };
-    EXPECT_NE(sentence_of("v = [1]", numbers), "");
-    EXPECT_NE(sentence_of("v = [1, 2, 3]", numbers), "");
-    EXPECT_NE(sentence_of("v = 1", numbers), "");
-    EXPECT_NE(sentence_of("v = [1, 'two']", numbers), "");
+    EXPECT_NE(error_text_of("v = [1]", numbers), "");
+    EXPECT_NE(error_text_of("v = [1, 2, 3]", numbers), "");
+    EXPECT_NE(error_text_of("v = 1", numbers), "");
+    EXPECT_NE(error_text_of("v = [1, 'two']", numbers), "");
     std::array<std::string_view, 2> list;
     const auto texts = [&](ConfigSection s) { s.texts("l", list); };
-    EXPECT_EQ(sentence_of("l = ['a', 'b', 'c']", texts), "x.toml:1: 'l' must be a list of at most 2 texts");
-    EXPECT_NE(sentence_of("l = ['a', 2]", texts), "");
-    EXPECT_NE(sentence_of("l = 'a'", texts), "");
+    EXPECT_EQ(error_text_of("l = ['a', 'b', 'c']", texts), "x.toml:1: 'l' must be a list of at most 2 texts");
+    EXPECT_NE(error_text_of("l = ['a', 2]", texts), "");
+    EXPECT_NE(error_text_of("l = 'a'", texts), "");
 }
 
 enum class Light : std::uint8_t { none, day, night };
@@ -141,8 +141,8 @@ TEST(ConfigReader, a_faulty_choice_sets_the_first_value_and_lists_the_names) {
     }
     Light light = Light::none;
     const auto load = [&](ConfigSection s) { s.choose("light", kLights, light); };
-    EXPECT_EQ(sentence_of("light = 2", load), "x.toml:1: 'light' must be a text in quotes") << "an index is no name";
-    EXPECT_EQ(sentence_of("light = 'night'", load), "") << "a name of the list is no fault";
+    EXPECT_EQ(error_text_of("light = 2", load), "x.toml:1: 'light' must be a text in quotes") << "an index is no name";
+    EXPECT_EQ(error_text_of("light = 'night'", load), "") << "a name of the list is no fault";
     EXPECT_EQ(light, Light::night);
 }
 
@@ -158,15 +158,15 @@ TEST(ConfigReader, arrays_say_how_long_they_are) {
 
 TEST(ConfigReader, unknown_keys_are_found_at_every_depth) {
     const auto nothing = [](ConfigSection) {};
-    EXPECT_EQ(sentence_of("typo = 1", nothing), "x.toml:1: unknown key 'typo'; correct or remove it");
+    EXPECT_EQ(error_text_of("typo = 1", nothing), "x.toml:1: unknown key 'typo'; correct or remove it");
     const auto section = [](ConfigSection s) { s.section("a").number("x", 0, 9); };
-    EXPECT_EQ(sentence_of("[a]\nx = 1\n\nz = 2", section), "x.toml:4: unknown key 'a.z'; correct or remove it");
-    EXPECT_EQ(sentence_of("[a]\nx = 1\n[b]\ny = 2", section), "x.toml:3: unknown key 'b'; correct or remove it");
+    EXPECT_EQ(error_text_of("[a]\nx = 1\n\nz = 2", section), "x.toml:4: unknown key 'a.z'; correct or remove it");
+    EXPECT_EQ(error_text_of("[a]\nx = 1\n[b]\ny = 2", section), "x.toml:3: unknown key 'b'; correct or remove it");
     const auto tables = [](ConfigSection s) {
         for (std::size_t i = 0; i < s.table_count("t"); ++i) s.table_at("t", i).integer("n", 0, 9);
     };
-    EXPECT_EQ(sentence_of("[[t]]\nn = 1\n[[t]]\nn = 2\nm = 3", tables), "x.toml:5: unknown key 't.m'; correct or remove it");
-    EXPECT_EQ(sentence_of("[[t]]\nn = 1\n[[t]]\nn = 2", tables), "");
+    EXPECT_EQ(error_text_of("[[t]]\nn = 1\n[[t]]\nn = 2\nm = 3", tables), "x.toml:5: unknown key 't.m'; correct or remove it");
+    EXPECT_EQ(error_text_of("[[t]]\nn = 1\n[[t]]\nn = 2", tables), "");
 }
 
 TEST(ConfigReader, the_first_fault_is_kept) {
@@ -174,7 +174,7 @@ TEST(ConfigReader, the_first_fault_is_kept) {
         s.number("b", 0, 1);
         s.number("a", 0, 1);
     };
-    EXPECT_EQ(sentence_of("a = 5\nb = 6", load), "x.toml:2: 'b' must be a number from 0 to 1");
+    EXPECT_EQ(error_text_of("a = 5\nb = 6", load), "x.toml:2: 'b' must be a number from 0 to 1");
 }
 
 TEST(ConfigReader, a_faulty_read_returns_a_value_in_range) {
@@ -187,17 +187,17 @@ TEST(ConfigReader, a_faulty_read_returns_a_value_in_range) {
 
 TEST(ConfigReader, broken_toml_is_one_sentence_with_its_line) {
     for (const char* text : {"a = 1\nb = \n", "a = 1\n[[[", "a = 1\na = 2", "a = 1\n\"\xff\" = 2", "a = 1\nb = 'unfinished"}) {
-        const std::string sentence = sentence_of(text, [](ConfigSection s) { s.number("a", 0, 9, 0); });
-        EXPECT_EQ(sentence.rfind("x.toml:2: ", 0), 0u) << sentence;
-        EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+        const std::string message = error_text_of(text, [](ConfigSection s) { s.number("a", 0, 9, 0); });
+        EXPECT_EQ(message.rfind("x.toml:2: ", 0), 0u) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
 }
 
 TEST(ConfigReader, sections_and_tables_must_be_what_they_are_read_as) {
-    EXPECT_EQ(sentence_of("a = 1", [](ConfigSection s) { s.section("a"); }), "x.toml:1: 'a' must be a table");
-    EXPECT_EQ(sentence_of("a = [1, 2]", [](ConfigSection s) { (void)s.table_count("a"); }),
+    EXPECT_EQ(error_text_of("a = 1", [](ConfigSection s) { s.section("a"); }), "x.toml:1: 'a' must be a table");
+    EXPECT_EQ(error_text_of("a = [1, 2]", [](ConfigSection s) { (void)s.table_count("a"); }),
               "x.toml:1: 'a' must be written as [[a]] tables");
-    EXPECT_EQ(sentence_of("[a]\nx = 1", [](ConfigSection s) { (void)s.table_count("a"); }),
+    EXPECT_EQ(error_text_of("[a]\nx = 1", [](ConfigSection s) { (void)s.table_count("a"); }),
               "x.toml:1: 'a' must be written as [[a]] tables");
     ConfigReader reader("[[t]]\n", "x.toml");
     EXPECT_FALSE(reader.root().table_at("t", 1).present()) << "past the end is absent";
@@ -217,12 +217,12 @@ TEST(ConfigReader, tables_whose_names_are_data_are_iterated_in_order) {
 }
 
 TEST(ConfigReader, a_loader_reports_its_own_faults_at_the_keys_line) {
-    EXPECT_EQ(sentence_of("a = 1\nb = 2",
-                          [](ConfigSection s) {
-                              s.integer("a", 0, 9);
-                              s.integer("b", 0, 9);
-                              s.fault("b", "'b' must not exceed 'a'");
-                          }),
+    EXPECT_EQ(error_text_of("a = 1\nb = 2",
+                            [](ConfigSection s) {
+                                s.integer("a", 0, 9);
+                                s.integer("b", 0, 9);
+                                s.fault("b", "'b' must not exceed 'a'");
+                            }),
               "x.toml:2: 'b' must not exceed 'a'");
 }
 

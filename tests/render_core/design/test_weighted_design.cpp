@@ -35,7 +35,7 @@ DesignSettings full_design() {
 
 DesignSettings weighed(const AspectWeights& weights) {
     DesignSettings design = full_design();
-    weigh(weights, design);
+    apply_priorities(weights, design);
     return design;
 }
 
@@ -60,7 +60,7 @@ TEST(WeightedDesign, TheThreePrioritiesOfTheThesis) {
 TEST(WeightedDesign, WhatIsNotStatedIsAsTheDesignSays) {
     DesignSettings design = full_design();
     design.priority.is_stated = false;
-    weigh(weights_of(0, 0, 0), design);
+    apply_priorities(weights_of(0, 0, 0), design);
     EXPECT_EQ(design.terrain.style.shade.technique, TerrainShade::lambert);
     EXPECT_EQ(design.data.elements[0].detail, 1);
 }
@@ -95,7 +95,7 @@ TEST(WeightedDesign, ShadingFallsWhereContinuousColorsMustBeRead) {
     EXPECT_GE(both.terrain.style.shade.ambient, 1 - 0.65 * 0.5 - 1e-12);
     DesignSettings without = full_design();
     without.data.ground.is_shown = false;
-    weigh(weights_of(0.9, 1, 0.5), without);
+    apply_priorities(weights_of(0.9, 1, 0.5), without);
     EXPECT_LT(without.terrain.style.shade.ambient, both.terrain.style.shade.ambient) << "control";
 }
 
@@ -139,7 +139,7 @@ TEST(WeightedDesign, AtAnyWeightsThereAreTheProgramsOfTheDesignAsItWasRead) {
         for (int n = 0; n < 11 * 11 * 11; ++n) {
             const AspectWeights weights = weights_of(0.1 * (n % 11), 0.1 * (n / 11 % 11), 0.1 * (n / 121));
             DesignSettings design = full;
-            weigh(weights, design);
+            apply_priorities(weights, design);
             keep_programs(full, design);
             ASSERT_TRUE(same_programs(design.terrain.style, full.terrain.style)) << n << is_colored;
             ASSERT_TRUE(same_programs(design.data, full.data)) << n;
@@ -151,7 +151,7 @@ TEST(WeightedDesign, AtAnyWeightsThereAreTheProgramsOfTheDesignAsItWasRead) {
 TEST(WeightedDesign, AnOverlayThatAloneSaysHowUnsureDataAreStays) {
     DesignSettings design = full_design();
     design.data.ground.uncertainty.technique = IntrinsicUncertainty::none;
-    weigh(weights_of(1, 0.3, 0), design);
+    apply_priorities(weights_of(1, 0.3, 0), design);
     EXPECT_EQ(design.data.ground.overlay.technique, UncertaintyOverlay::fog);
     EXPECT_GE(detail_of(design.data.ground.overlay), 0.25);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "render_core/base/units.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/hills_display.hpp"
 
@@ -42,7 +43,7 @@ TEST(Display, TheFlightsTimeIsTheBusesAndItsLossIsFlagged) {
     display::Display& display = over.display.display();
     flight::AircraftState state = aircraft_over_hills(2000);
     const auto flagged = [&] {
-        display.update(state, {}, kHillsNow);
+        display.plan({state, {}, kHillsNow});
         return test_support::has_flag(over.display, "utc.lost");
     };
     EXPECT_FALSE(flagged()) << "a bus that has never stated it has not lost it";
@@ -143,7 +144,7 @@ TEST(Display, BytesStayWithinTheBudgetsAndAreTheSameEveryFrame) {
     EXPECT_EQ(first.gpu, last.gpu);
     EXPECT_LE(last.cpu, last.cpu_budget);
     std::uint64_t lines = 0;
-    for (const base::BudgetLine& line : over.display.display().budget().lines()) {
+    for (const base::BudgetLine& line : over.display.display().planner().budget().lines()) {
         EXPECT_LE(line.use.in_use, line.bytes) << line.name.view();
         if (line.kind == base::MemoryKind::cpu) lines += line.use.in_use;
     }
@@ -156,11 +157,11 @@ TEST(Display, BytesStayWithinTheBudgetsAndAreTheSameEveryFrame) {
 TEST(Display, ApproachingCountsNoFrameAndSettlingWaitsForAll) {
     OverHills over;
     Display& display = over.display.display();
-    display.preroll(aircraft_over_hills(2000, 30, -20), {}, kHillsNow);
+    preroll(display, {aircraft_over_hills(2000, 30, -20), {}, kHillsNow});
     EXPECT_GT(display.record().terrain.pending, 0u);
-    display.settle(aircraft_over_hills(2000, 30, -20), {}, kHillsNow);
+    settle(display, {aircraft_over_hills(2000, 30, -20), {}, kHillsNow});
     EXPECT_EQ(display.record().terrain.pending, 0u);
-    display.update(aircraft_over_hills(2000, 30, -20), {}, kHillsNow);
+    display.plan({aircraft_over_hills(2000, 30, -20), {}, kHillsNow});
     EXPECT_EQ(display.record().frame, 0u);
     EXPECT_EQ(display.record().terrain.pending, 0u);
 }
@@ -195,8 +196,8 @@ TEST(Display, WithoutAttitudeThereIsNoHorizon) {
 TEST(Display, AFreeViewHasNoSymbolsAndGivesTheOwnOneBack) {
     OverHills over;
     const HillsPicture own = hills_picture(over.display, aircraft_over_hills(2000));
-    const terrain::View same = over.display.display().view();
-    over.display.display().set_free_view(same);
+    const terrain::View same = over.display.display().planned().picture.camera.view;
+    over.display.display().planner().set_free_view(same);
     const HillsPicture bare = hills_picture(over.display, aircraft_over_hills(2000));
     std::size_t different = 0;
     for (std::size_t n = 0; n < own.rgba.size(); ++n) different += own.rgba[n] != bare.rgba[n] ? 1 : 0;
@@ -205,9 +206,9 @@ TEST(Display, AFreeViewHasNoSymbolsAndGivesTheOwnOneBack) {
     terrain::View other = same;
     other.forward = -same.forward;
     other.right = -same.right;
-    over.display.display().set_free_view(other);
+    over.display.display().planner().set_free_view(other);
     EXPECT_NE(bare, hills_picture(over.display, aircraft_over_hills(2000)));
-    over.display.display().clear_free_view();
+    over.display.display().planner().clear_free_view();
     EXPECT_EQ(own, hills_picture(over.display, aircraft_over_hills(2000)));
 }
 
@@ -216,14 +217,14 @@ TEST(Display, TheEyeIsWhereTheAircraftAndTheDesignPutIt) {
     const flight::AircraftState state = aircraft_over_hills(2000, 90, 0);
     static_cast<void>(hills_picture(over.display, state));
     const glm::dvec3 own = earth::to_ecef(state.own_ship.position);
-    EXPECT_LT(glm::length(over.display.display().view().eye - own), 1e-6);
+    EXPECT_LT(glm::length(over.display.display().planned().picture.camera.view.eye - own), 1e-6);
     design::DesignSettings design = test_support::shipped_design("default");
     design.view.eye_forward_m = 3;
     design.view.eye_down_m = -1.5;
     ASSERT_TRUE(over.display.display().set_design(design));
     static_cast<void>(hills_picture(over.display, state));
     const glm::dmat3 ned = earth::north_east_down(radians(47.0), radians(9.7));
-    const glm::dvec3 moved = over.display.display().view().eye - own;
+    const glm::dvec3 moved = over.display.display().planned().picture.camera.view.eye - own;
     EXPECT_NEAR(glm::dot(moved, ned[1]), 3, 1e-6) << "forward is east";
     EXPECT_NEAR(glm::dot(moved, ned[2]), -1.5, 1e-6);
 }
@@ -251,13 +252,13 @@ TEST(Display, TheRecordTellsWhatWasDrawn) {
 TEST(Display, HeightAboveTerrainIsFromTheSurfaceThatIsDrawn) {
     OverHills over;
     const flight::AircraftState state = aircraft_over_hills(2600);
-    const base::Stamped<double> above = over.display.display().height_above_terrain(state.own_ship, kHillsNow);
+    const base::Stamped<double> above = over.display.display().planner().height_above_terrain(state.own_ship, kHillsNow);
     const host_sim::Raster raster = test_support::make_rough_raster(241, 241);
     // 47.0 N, 9.7 E is post 120, 120 of the raster (9.6 E, 47.1 N, 1200 posts a degree).
     EXPECT_NEAR(above.value_or(0), 2600 - double{raster.height_m[raster.at(120, 120)]}, 0.05);
     flight::OwnShipEstimate lost = state.own_ship;
     lost.state = SignalState::stale;
-    EXPECT_FALSE(over.display.display().height_above_terrain(lost, kHillsNow).received());
+    EXPECT_FALSE(over.display.display().planner().height_above_terrain(lost, kHillsNow).received());
 }
 
 }  // namespace

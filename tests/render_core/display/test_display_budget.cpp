@@ -1,6 +1,8 @@
 // What a display shows while a deadline is held.
 #include <gtest/gtest.h>
 
+#include "render_core/display/preroll.hpp"
+#include "render_core/effects/calibration.hpp"
 #include "tests/support/hills_display.hpp"
 
 namespace tedavis::display::test_display_budget {
@@ -34,12 +36,12 @@ const EffectRecord* effect_of(const FrameRecord& record, std::string_view name) 
 TEST(DisplayBudget, WithoutADeadlineNothingChangesAndTheRecordSaysSo) {
     OverHills over;
     const HillsPicture before = hills_picture(over.display, aircraft_over_hills(1500));
-    over.display.display().frame_budget().hold(0, costs_of_triangles());
+    over.display.display().memory().budget.hold(0, costs_of_triangles());
     EXPECT_EQ(hills_picture(over.display, aircraft_over_hills(1500)), before);
     const GovernorRecord& governor = over.display.display().record().governor;
     EXPECT_EQ(governor.why.view(), "no deadline is set");
-    EXPECT_DOUBLE_EQ(governor.predicted_ms, over.display.display().counters().triangles / 1000);
-    over.display.display().frame_budget().hold(0.001, {});
+    EXPECT_DOUBLE_EQ(governor.predicted_ms, over.display.display().planned().counters.triangles / 1000);
+    over.display.display().memory().budget.hold(0.001, {});
     EXPECT_EQ(hills_picture(over.display, aircraft_over_hills(1500)), before) << "it rests where costs are not known";
     EXPECT_EQ(over.display.display().record().governor.why.view(), "the cost is not known: calibrate this device");
 }
@@ -48,15 +50,15 @@ TEST(DisplayBudget, AScarceDeadlineCoarsensTheTerrainButTakesNoWarningColors) {
     OverHills over;
     display::Display& display = over.display.display();
     static_cast<void>(hills_picture(over.display, high()));
-    const double whole = display.counters().triangles;
+    const double whole = display.planned().counters.triangles;
     const double tau_px = display.record().terrain.tau_px;
-    display.frame_budget().hold(0.8 * whole / 1000, costs_of_triangles());
+    display.memory().budget.hold(0.8 * whole / 1000, costs_of_triangles());
     const HillsPicture reduced = hills_picture(over.display, high());
     const FrameRecord& record = display.record();
-    EXPECT_GT(record.governor.rung, 0u);
+    EXPECT_GT(record.governor.quality_level, 0u);
     EXPECT_GT(record.terrain.tau_px, tau_px);
     EXPECT_LE(record.terrain.worst_error_px, 4) << "degraded terrain would lose its warning colours";
-    EXPECT_LT(display.counters().triangles, 0.8 * whole);
+    EXPECT_LT(display.planned().counters.triangles, 0.8 * whole);
     EXPECT_FALSE(has_flag(over.display, "deadline.missed"));
     EXPECT_FALSE(has_flag(over.display, "terrain.coarse"));
     ASSERT_NE(effect_of(record, "warning_colors"), nullptr);
@@ -67,10 +69,10 @@ TEST(DisplayBudget, AScarceDeadlineCoarsensTheTerrainButTakesNoWarningColors) {
 TEST(DisplayBudget, WhereNothingSufficesItSaysSoAndGivesUpSilhouettes) {
     OverHills over;
     display::Display& display = over.display.display();
-    display.frame_budget().hold(0.001, costs_of_triangles());
+    display.memory().budget.hold(0.001, costs_of_triangles());
     static_cast<void>(hills_picture(over.display, aircraft_over_hills(1500)));
     const FrameRecord& record = display.record();
-    EXPECT_EQ(record.governor.rung, effects::kRungs - 1);
+    EXPECT_EQ(record.governor.quality_level, effects::kQualityLevelCount - 1);
     EXPECT_EQ(record.governor.why.view(), "the cheapest picture is too dear");
     EXPECT_TRUE(has_flag(over.display, "deadline.missed"));
     const EffectRecord* const silhouettes = effect_of(record, "silhouettes");
@@ -82,7 +84,7 @@ TEST(DisplayBudget, WhereNothingSufficesItSaysSoAndGivesUpSilhouettes) {
 TEST(DisplayBudget, TheDisplaySaysItWhereTheDesignAsks) {
     OverHills over;
     display::Display& display = over.display.display();
-    display.frame_budget().hold(0.001, costs_of_triangles());
+    display.memory().budget.hold(0.001, costs_of_triangles());
     const HillsPicture quiet = hills_picture(over.display, aircraft_over_hills(1500));
     design::DesignSettings design = design::default_design_settings();
     design.terrain.style.sketch.silhouettes = 0.7;
@@ -92,20 +94,11 @@ TEST(DisplayBudget, TheDisplaySaysItWhereTheDesignAsks) {
     design.degradation.show_reduced = true;
     ASSERT_TRUE(display.set_design(design));
     EXPECT_NE(hills_picture(over.display, aircraft_over_hills(1500)), without);
-    display.frame_budget().hold(0, {});
+    display.memory().budget.hold(0, {});
     const HillsPicture whole = hills_picture(over.display, aircraft_over_hills(1500));
     design.degradation.show_reduced = false;
     ASSERT_TRUE(display.set_design(design));
     EXPECT_EQ(hills_picture(over.display, aircraft_over_hills(1500)), whole) << "nothing is reduced, nothing is said";
-}
-
-TEST(DisplayBudget, CostsAreThoseOfThisDisplayAlone) {
-    OverHills over;
-    const effects::CalibrationSubject subject = over.display.display().calibration_subject();
-    EXPECT_EQ(subject.device.view(), "es3-mid");
-    EXPECT_EQ(subject.width_px, 320u);
-    EXPECT_EQ(subject.height_px, 240u);
-    EXPECT_EQ(subject.renderer, over.display.display().gl().driver().renderer);
 }
 
 }  // namespace

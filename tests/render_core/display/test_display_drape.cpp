@@ -51,10 +51,10 @@ TEST(Display, AnImageIsShownWithinItsBudgetOnEveryDevice) {
         ASSERT_NE(effect_of(display, "drape"), nullptr);
         EXPECT_EQ(effect_of(display, "drape")->state, EffectState::run);
         EXPECT_EQ(display.display().record().terrain_aspect.technique.view(), "image");
-        for (const base::BudgetLine& line : display.display().budget().lines())
+        for (const base::BudgetLine& line : display.display().planner().budget().lines())
             EXPECT_LE(line.use.in_use, line.bytes) << device << ": " << line.name.view();
-        EXPECT_GT(display.display().budget().find(effects::kTerrainDrape)->use.in_use, 0u);
-        EXPECT_GT(display.display().budget().find(effects::kTerrainDrapePages)->use.in_use, 0u);
+        EXPECT_GT(display.display().planner().budget().find(effects::kTerrainDrape)->use.in_use, 0u);
+        EXPECT_GT(display.display().planner().budget().find(effects::kTerrainDrapePages)->use.in_use, 0u);
     }
 }
 
@@ -70,7 +70,7 @@ TEST(Display, WhereTheDatabaseHasNoImageThePlainColourIsDrawnAndSaid) {
     EXPECT_EQ(drape->reason.view(), "the terrain database has no image");
     EXPECT_EQ(display.display().record().terrain_aspect.technique.view(), "plain");
     EXPECT_TRUE(has_flag(display, "terrain.no_image"));
-    EXPECT_EQ(display.display().budget().find(effects::kTerrainDrape)->use.in_use, 0u) << "nothing is read for it";
+    EXPECT_EQ(display.display().planner().budget().find(effects::kTerrainDrape)->use.in_use, 0u) << "nothing is read for it";
 }
 
 TEST(Display, OtherStylesReadNoImage) {

@@ -25,17 +25,17 @@ struct Cut {
     std::vector<std::uint8_t> block;
     base::Arena reservation;
     DisplayMemory memory;
-    std::string sentence;
+    std::string message;
 
     explicit Cut(std::uint64_t bytes) : block(bytes), reservation(block.data(), block.size()) {
-        sentence = std::string(memory.cut(budget, reservation).message.view());
+        message = std::string(memory.cut(budget, reservation).message.view());
     }
     [[nodiscard]] std::uint64_t line(std::string_view name) const { return budget.find(name)->bytes; }
 };
 
 TEST(DisplayMemory, EveryArenaIsAsLargeAsItsLine) {
     Cut cut(DisplayMemory::bytes_needed(small_budget()));
-    ASSERT_EQ(cut.sentence, "");
+    ASSERT_EQ(cut.message, "");
     const TerrainMemory terrain = cut.memory.terrain();
     const std::pair<const base::Arena*, const char*> arenas[] = {
         {&terrain.index, "terrain_index"},      {&terrain.records, "terrain_chunk_slots"},
@@ -57,7 +57,7 @@ TEST(DisplayMemory, HasRoomForTracedTerrainWhereTheDeviceHas) {
     ASSERT_EQ(memory.cut(budget, reservation).message.view(), "");
     EXPECT_EQ(memory.traced_terrain().use().capacity, 4096u);
     static_cast<void>(memory.traced_terrain().allocate(300, 4));
-    memory.note_use(budget);
+    memory.record_use(budget);
     EXPECT_EQ(budget.find(effects::kTracedTerrain)->use.in_use, 300u);
 }
 
@@ -65,7 +65,7 @@ TEST(DisplayMemory, TheTableSaysWhatWasTakenOfEachLine) {
     Cut cut(DisplayMemory::bytes_needed(small_budget()));
     static_cast<void>(cut.memory.terrain().lod.allocate(300, 4));
     static_cast<void>(cut.memory.symbology().allocate(2'000'000, 4));
-    cut.memory.note_use(cut.budget);
+    cut.memory.record_use(cut.budget);
     EXPECT_EQ(cut.budget.find("lod_scratch")->use.in_use, 300u);
     EXPECT_EQ(cut.budget.find("symbology")->use.in_use, 0u);
     EXPECT_EQ(cut.budget.find("symbology")->use.refused, 1u);
@@ -78,9 +78,9 @@ TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
     const base::BudgetTable budget = small_budget();
     std::uint64_t processor_bytes = 0;
     for (const base::BudgetLine& line : budget.lines()) processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
-    EXPECT_EQ(Cut(processor_bytes - 1).sentence,
+    EXPECT_EQ(Cut(processor_bytes - 1).message,
               "the reservation does not hold the budget line 'scene_billboards'; lower the budgets in the device file");
-    EXPECT_EQ(Cut(10).sentence,
+    EXPECT_EQ(Cut(10).message,
               "the reservation does not hold the budget line 'terrain_heights'; lower the budgets in the device file");
     EXPECT_GE(DisplayMemory::bytes_needed(budget), processor_bytes);
 }

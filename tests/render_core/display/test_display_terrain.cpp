@@ -79,7 +79,7 @@ TEST(Display, TheFirstFramesAreCoarserButWhole) {
     const flight::AircraftState state = aircraft_over_hills(2000, 30, -20);
     double last_error = 1e9;
     for (int frame = 0; frame < 6; ++frame) {
-        display.update(state, {}, kHillsNow);
+        display.plan({state, {}, kHillsNow});
         display.draw(over.display.surface());
         const TerrainRecord& terrain = display.record().terrain;
         EXPECT_GT(terrain.triangles, 0u) << frame;
@@ -168,7 +168,7 @@ TEST(Display, TerrainThatWouldBeAWrongPictureIsTakenAwayUntilItHasArrived) {
     design::DesignSettings strict = test_support::shipped_design("default");
     strict.degradation.terrain_removed_px = 2;
     ASSERT_TRUE(over.display.display().set_design(strict));
-    over.display.display().update(aircraft_over_hills(2000), {}, kHillsNow);
+    over.display.display().plan({aircraft_over_hills(2000), {}, kHillsNow});
     over.display.display().draw(over.display.surface());
     EXPECT_TRUE(has_flag(over.display, "terrain.too_coarse"));
     EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);

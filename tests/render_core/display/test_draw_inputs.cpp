@@ -20,7 +20,7 @@ protected:
         design_.terrain.unknown = {200, 0, 200};
     }
     [[nodiscard]] DrawContext frame() const {
-        DrawContext context{design_, decisions_, eye_, record_};
+        DrawContext context{design_, decisions_, camera_, record_};
         context.aircraft_msl_m = 1950;
         context.eye_msl_m = 1950;
         context.heights = {100, 900};
@@ -29,7 +29,7 @@ protected:
 
     design::DesignSettings design_;
     policy::DisplayDecisions decisions_;
-    Eye eye_;
+    Camera camera_;
     FrameRecord record_;
 };
 

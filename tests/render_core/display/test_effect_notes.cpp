@@ -34,7 +34,7 @@ protected:
     [[nodiscard]] FrameRecord noted() const {
         FrameRecord record;
         const effects::FramePlan plan = plan_effects(input_, device_);
-        note_effects({plan, decisions_, design_, members_, maps_}, record);
+        record_effects({plan, decisions_, design_, members_, maps_}, record);
         return record;
     }
 

@@ -209,7 +209,6 @@ TEST(ElementLabels, AnotherDesignsIntervalIsAsSeenAtItsFirstInstant) {
     const LabelHistory before = memory_of(shown);
     shown.set(1);
     EXPECT_EQ(shown.frame(10.3, 180).placed, 0u) << "behind";
-    EXPECT_TRUE(memory_of(shown).is_anew);
     other.set(1);
     static_cast<void>(other.frame(10.1));
     EXPECT_TRUE(are_same(memory_of(shown), memory_of(other)));
@@ -218,10 +217,33 @@ TEST(ElementLabels, AnotherDesignsIntervalIsAsSeenAtItsFirstInstant) {
     EXPECT_FALSE(are_same(memory_of(shown), memory_of(late))) << "control: seen from where the design turned";
     // One that comes from the interval before goes on likewise.
     static_cast<void>(shown.frame(10.6, 20));
-    EXPECT_FALSE(memory_of(shown).is_anew);
     other.labels.restore(before);
     static_cast<void>(other.frame(10.6, 20));
     EXPECT_TRUE(are_same(memory_of(shown), memory_of(other)));
+}
+
+TEST(ElementLabels, AnIntervalDecidedElsewhereLeavesWhatTheFrameShowed) {
+    Shown shown(scene_of({kPlaces, kMasts})), chain(scene_of({kPlaces, kMasts})), straight(scene_of({kPlaces, kMasts}));
+    for (Shown* const one : {&shown, &straight}) static_cast<void>(one->frame(9.6));
+    static_cast<void>(straight.frame(10.1));
+    static_cast<void>(chain.frame(9.6));
+    static_cast<void>(chain.frame(10.1));
+    LabelHistory own = memory_of(shown), decided = memory_of(chain);
+    for (draw::Label& label : decided.labels.labels) label.look = 0;  // of an interval that no frame has shown
+    own.take_interval(decided);
+    EXPECT_TRUE(are_same(own, decided));
+    shown.labels.restore(own);
+    EXPECT_EQ(shown.frame(10.2).changed, straight.frame(10.2).changed);
+    // Controls: without what was shown all labels come anew; those that the decision leaves out go.
+    shown.labels.restore(decided);
+    EXPECT_GT(shown.frame(10.3).changed, 0u);
+    const auto placed = static_cast<std::uint32_t>(decided.labels.labels.size());
+    ASSERT_GT(placed, 0u);
+    decided.labels.labels.clear();
+    own = memory_of(straight);
+    own.take_interval(decided);
+    EXPECT_GT(own.labels.gone, 0u);
+    EXPECT_LE(own.labels.gone, placed);
 }
 
 TEST(ElementLabels, OfAnIntervalWithoutLabelsNothingIsDecidedAnew) {

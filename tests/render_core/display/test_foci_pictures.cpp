@@ -105,27 +105,6 @@ TEST(FociPictures, ALostPositionTakesTheFocusAndItsContextAway) {
     EXPECT_NE(focused.record().foci[0].reason.view().find("not known"), std::string_view::npos);
 }
 
-TEST(FociPictures, FociMayBeChosenWhileItRuns) {
-    HillsPicture with;
-    design::FocusList foci;
-    ASSERT_TRUE(foci.try_push_back(test_support::focus_of(kAhead)));
-    {
-        Shown chosen(with_foci({}));
-        const HillsPicture without = chosen.picture();
-        ASSERT_TRUE(chosen.display.display().set_foci(foci));
-        with = chosen.picture();
-        EXPECT_NE(with, without);
-        EXPECT_EQ(chosen.record().foci.size(), 1u);
-        ASSERT_TRUE(chosen.display.display().set_foci({}));
-        EXPECT_EQ(chosen.picture(), without) << "and given up again";
-    }
-    Shown own(with_foci({kAhead}));
-    EXPECT_EQ(own.picture(), with) << "as if the design had it";
-    for (int n = 1; n < 4; ++n) ASSERT_TRUE(foci.try_push_back(test_support::focus_of(kAhead)));
-    EXPECT_FALSE(own.display.display().set_foci(foci)) << "there is no room for a fifth";
-    EXPECT_EQ(own.picture(), with);
-}
-
 TEST(FociPictures, ACueLeadsToWhatIsBehind) {
     Shown focused(with_foci({R"(name = "LAKE", at = "position", position_deg = [46.95, 9.65], radius_m = 300)"}));
     static_cast<void>(focused.picture());

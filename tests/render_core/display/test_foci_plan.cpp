@@ -19,7 +19,7 @@ protected:
         elements_.plan(frame);
         elements_.plan_signs(frame, {});
         FrameRecord record;
-        note_foci(foci.plan, elements_, frame, record);
+        record_foci(foci.plan, elements_, frame, record);
         return record;
     }
 };

@@ -43,9 +43,9 @@ TEST(FrameNotes, AFlagIsRaisedOnce) {
 TEST(FrameNotes, TheRendererIsNamedAndWhyItIsNotTheOneAskedFor) {
     using design::TerrainRenderer;
     FrameRecord traced, drawn, instead;
-    note_renderer(TerrainRenderer::trace, draw::TraceState::traced, traced);
-    note_renderer(TerrainRenderer::raster, draw::TraceState::not_asked_for, drawn);
-    note_renderer(TerrainRenderer::trace, draw::TraceState::database_too_large, instead);
+    record_renderer(TerrainRenderer::trace, draw::TraceState::traced, traced);
+    record_renderer(TerrainRenderer::raster, draw::TraceState::not_asked_for, drawn);
+    record_renderer(TerrainRenderer::trace, draw::TraceState::database_too_large, instead);
     EXPECT_EQ(traced.terrain.renderer.view(), "trace");
     EXPECT_EQ(drawn.terrain.renderer.view(), "raster");
     EXPECT_EQ(instead.terrain.renderer.view(), "raster");
@@ -56,7 +56,7 @@ TEST(FrameNotes, TheRendererIsNamedAndWhyItIsNotTheOneAskedFor) {
     EXPECT_TRUE(has_flag(instead, "terrain.not_traced"));
     for (int state = 0; state <= static_cast<int>(draw::TraceState::place_too_polar); ++state) {
         FrameRecord record;
-        note_renderer(TerrainRenderer::trace, static_cast<draw::TraceState>(state), record);
+        record_renderer(TerrainRenderer::trace, static_cast<draw::TraceState>(state), record);
         EXPECT_FALSE(record.terrain.renderer_reason.cut()) << "whole: " << state;
     }
 }
@@ -68,7 +68,7 @@ TEST(FrameNotes, TheTerrainSaysWhatKeptItFromTau) {
     plan.lod.tau_reached_px = 1;
     plan.lod.worst_chunk = {2, 30, 4};
     plan.has_void = true;
-    note_terrain(plan, record);
+    record_terrain(plan, record);
     EXPECT_EQ(record.terrain.worst_chunk.view(), "2/30/4");
     EXPECT_TRUE(has_flag(record, "terrain.void"));
     EXPECT_FALSE(has_flag(record, "terrain.tau_raised"));
@@ -76,22 +76,22 @@ TEST(FrameNotes, TheTerrainSaysWhatKeptItFromTau) {
     plan.is_late = plan.is_failing = true;
     FrameRecord other;
     other.terrain.tau_px = 1;
-    note_terrain(plan, other);
+    record_terrain(plan, other);
     for (const char* name : {"terrain.tau_raised", "terrain.late", "terrain.failing"}) EXPECT_TRUE(has_flag(other, name)) << name;
 }
 
 TEST(FrameNotes, AMissedDeadlineIsFlagged) {
     effects::BudgetReport report{33, 40, 5, true, false, effects::GovernorWhy::too_dear};
     FrameRecord record;
-    note_budget(report, record);
+    record_budget(report, record);
     EXPECT_EQ(record.governor.deadline_ms, 33);
     EXPECT_EQ(record.governor.predicted_ms, 40);
-    EXPECT_EQ(record.governor.rung, 5u);
+    EXPECT_EQ(record.governor.quality_level, 5u);
     EXPECT_TRUE(record.governor.changed);
     EXPECT_EQ(record.governor.why.view(), "the time does not suffice");
     EXPECT_FALSE(has_flag(record, "deadline.missed"));
     report.is_missed = true;
-    note_budget(report, record);
+    record_budget(report, record);
     EXPECT_TRUE(has_flag(record, "deadline.missed"));
 }
 
@@ -102,7 +102,7 @@ TEST(FrameNotes, ThinnedGlyphsShowLessDetail) {
     ElementReports reports;
     ASSERT_TRUE(reports.try_push_back(report));
     FrameRecord record;
-    note_elements(reports, record);
+    record_elements(reports, record);
     EXPECT_EQ(record.data_aspect.detail, 0.5);
 }
 
@@ -113,7 +113,7 @@ TEST(FrameNotes, FeaturesAreCountedByTheirType) {
     ASSERT_TRUE(reports.try_push_back(storm.report({1, 0, 0})));
     ASSERT_TRUE(reports.try_push_back(obstacles.report({10, 0, 0})));
     FrameRecord record;
-    note_elements(reports, record);
+    record_elements(reports, record);
     ASSERT_EQ(record.data.size(), 2u);
     EXPECT_EQ(record.data[0].type.view(), "obstacle");
     EXPECT_EQ(record.data[0].drawn, 15u);
@@ -127,7 +127,7 @@ TEST(FrameNotes, WhatIsNotShownIsHiddenAndFlagged) {
     ElementReports reports;
     ASSERT_TRUE(reports.try_push_back(areas.report({4, 3, 2}, ElementState::out_of_date)));
     FrameRecord record;
-    note_elements(reports, record);
+    record_elements(reports, record);
     ASSERT_EQ(record.data.size(), 1u);
     EXPECT_EQ(record.data[0].drawn + record.data[0].aggregated, 0u);
     EXPECT_EQ(record.data[0].hidden, 9u);
@@ -147,7 +147,7 @@ TEST(FrameNotes, EveryElementIsAnEffectWithItsReason) {
     ASSERT_TRUE(reports.try_push_back(storm.report({1, 0, 0})));
     ASSERT_TRUE(reports.try_push_back(tracks.report({1, 0, 0}, ElementState::wrong_layer)));
     FrameRecord record;
-    note_elements(reports, record);
+    record_elements(reports, record);
     ASSERT_EQ(record.effects.size(), 2u);
     EXPECT_EQ(record.effects[0].name.view(), "data.prism");
     EXPECT_EQ(record.effects[0].state, EffectState::run);
@@ -175,19 +175,19 @@ TEST(FrameNotes, EveryTechniqueThatShowsAnAspectIsNamedOnce) {
     ASSERT_TRUE(reports.try_push_back(masts.report({3, 0, 0})));
     ASSERT_TRUE(reports.try_push_back(storm.report({0, 0, 4})));
     FrameRecord record;
-    note_elements(reports, record);
+    record_elements(reports, record);
     EXPECT_EQ(record.uncertainty_aspect.technique.view(), "widening") << "no storm is drawn";
     EXPECT_EQ(record.uncertainty_aspect.detail, 0.25) << "two gradations of sixteen";
     reports[2] = storm.report({0, 4, 0});
     record = {};
-    note_elements(reports, record);
+    record_elements(reports, record);
     EXPECT_EQ(record.data_aspect.technique.view(), "prism+solid");
     EXPECT_EQ(record.uncertainty_aspect.technique.view(), "widening+transparency");
     EXPECT_EQ(record.uncertainty_aspect.detail, 1);
     tracks.attribute_entry.uncertainty_all = scene::Uncertainty();
     storm.attribute_entry.uncertainty_kind = scene::UncertaintyKind::none;
     record = {};
-    note_elements(reports, record);
+    record_elements(reports, record);
     EXPECT_TRUE(record.uncertainty_aspect.technique.empty()) << "control: none of the layers states an uncertainty";
 }
 
@@ -205,7 +205,7 @@ TEST(FrameNotes, DrawsAndBytesAreThoseOfTheFrame) {
     line.bytes = 100;
     line.use.take(40);
     ASSERT_TRUE(budget.try_add(line));
-    note_drawn(drawn, budget, record);
+    record_drawn(drawn, budget, record);
     EXPECT_EQ(record.terrain.triangles, 900u);
     EXPECT_EQ(record.effects[0].draws, 7u);
     EXPECT_EQ(record.bytes.cpu, 40u);
@@ -223,8 +223,8 @@ TEST(FrameNotes, WorkIsThatOfEachEffect) {
     EffectWorkTable work;
     work[effects::Effect::antialiasing] += {1, 2, 4};
     work[effects::Effect::antialiasing] += {1, 0, 4};
-    note_work(work, record);
-    EXPECT_EQ(record.effects[0].draws, 3u) << "note_drawn says it";
+    record_work(work, record);
+    EXPECT_EQ(record.effects[0].draws, 3u) << "record_drawn says it";
     EXPECT_EQ(record.effects[1].draws, 0u);
     EXPECT_EQ(record.effects[2].draws, 2u);
     EXPECT_EQ(record.effects[2].passes, 2u);
@@ -241,7 +241,7 @@ TEST(FrameNotes, WhatIsOutOfViewIsNotDrawn) {
     ASSERT_TRUE(reports.try_push_back(area));
     ASSERT_TRUE(reports.try_push_back(way));
     FrameRecord record;
-    note_elements(reports, record);
+    record_elements(reports, record);
     EXPECT_EQ(record.data[0].drawn, 1u);
     EXPECT_EQ(record.data[0].hidden, 2u);
     EXPECT_EQ(record.data[0].out_of_view, 3u);

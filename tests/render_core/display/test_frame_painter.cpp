@@ -35,7 +35,7 @@ struct Hills {
     explicit Hills(const design::DesignSettings& design, std::uint32_t width = kWidth)
         : headless("egl", "desktop", width, kHeight, &bytes, design) {}
     std::vector<std::uint8_t> from(const terrain::View& view) {
-        headless.display().set_free_view(view);
+        headless.display().planner().set_free_view(view);
         return test_support::settled_pixels(headless, state, test_support::kHillsNow);
     }
     test_support::MemoryBytes bytes{test_support::hills().image};
@@ -48,15 +48,15 @@ terrain::View view_of(const design::DesignSettings& design) {
     mono.effects.stereo.mode = StereoMode::none;
     Hills hills(mono);
     (void)test_support::settled_pixels(hills.headless, hills.state, test_support::kHillsNow);
-    return hills.headless.display().view();
+    return hills.headless.display().planned().picture.camera.view;
 }
 
 TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
     const design::DesignSettings design = stereo_design(StereoMode::anaglyph);
-    Eye middle;
+    Camera middle;
     middle.view = view_of(design);
     const std::uint32_t margin = eye_margin_px(design.view.horizontal_field_of_view_rad, kWidth);
-    const EyePair pair = eye_pair(design.effects.stereo, middle.view.focal_px, middle.view.near_m, margin);
+    const StereoCameras pair = stereo_cameras(design.effects.stereo, middle.view.focal_px, middle.view.near_m, margin);
     ASSERT_GT(pair.base_m, 0.5);
     ASSERT_GT(pair.shift_px, 0);
     std::vector<std::uint8_t> both;
@@ -70,7 +70,7 @@ TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
     int differs = 0;
     for (const EyeSide side : draw::kEyeSides) {
         Hills one(mono, kWidth + 2 * margin);
-        const auto alone = one.from(eye_of(middle, pair, side, margin).view);
+        const auto alone = one.from(camera_of(middle, pair, side, margin).view);
         const std::uint32_t begins = margin + static_cast<std::uint32_t>(side == EyeSide::left ? pair.shift_px : -pair.shift_px);
         for (std::size_t y = 0; y < kHeight; ++y)
             for (std::size_t x = 0; x < kWidth; ++x)
@@ -138,7 +138,7 @@ int greatest_difference(const std::vector<std::uint8_t>& a, const std::vector<st
 /// The picture so long after kHillsNow.
 std::vector<std::uint8_t> later(Hills& hills, double seconds) {
     const base::Time now = test_support::kHillsNow + base::Duration::from_seconds(seconds);
-    hills.headless.display().update(hills.state, {}, now);
+    hills.headless.display().plan({hills.state, {}, now});
     return test_support::drawn_pixels(hills.headless);
 }
 

@@ -29,9 +29,9 @@ std::string bytes_of(const T& value) {
 bool are_same(const PlannedFrame& a, const PlannedFrame& b) {
     const auto same = [](const auto& one, const auto& other) { return bytes_of(one) == bytes_of(other); };
     return same(static_cast<const FrameStatement&>(a), static_cast<const FrameStatement&>(b)) &&
-           same(a.camera.eye.view.eye, b.camera.eye.view.eye) && same(a.decisions, b.decisions) && same(a.weights, b.weights) &&
-           same(a.earlier_share, b.earlier_share) && same(a.declutter.regions, b.declutter.regions) &&
-           a.terrain.chunks == b.terrain.chunks;
+           same(a.picture.camera.view.eye, b.picture.camera.view.eye) && same(a.decisions, b.decisions) &&
+           same(a.weights, b.weights) && same(a.earlier_share, b.earlier_share) &&
+           same(a.declutter.regions, b.declutter.regions) && a.terrain.chunks == b.terrain.chunks;
 }
 
 TEST(FramePlanner, EqualInputAndCopiesOfOneMemoryGiveEqualFrames) {
@@ -68,7 +68,7 @@ TEST(FramePlanner, TerrainThatThePainterCouldNotDrawIsGivenUp) {
     hills->settle(input_at(0));
     const auto frame = hills->plan(input_at(0.1), hills->memory);
     ASSERT_TRUE(frame->decisions.show_terrain);
-    hills->planner().plan_without_terrain(hills->memory, *frame);
+    hills->planner().plan_again({true, {}}, hills->memory, *frame);
     EXPECT_FALSE(frame->decisions.show_terrain);
     EXPECT_FALSE(hills->plan(input_at(0.2), hills->memory)->decisions.show_terrain) << "for good";
 }
@@ -85,6 +85,23 @@ TEST(FramePlanner, AnIntervalChangesNothingButLabelsAndPriorities) {
     EXPECT_EQ(passed.view.map_share(), before.view.map_share());
     EXPECT_TRUE(hills->planner().has_intervals()) << "terrain may be ahead";
     EXPECT_NE(bytes_of(passed.boost), bytes_of(before.boost)) << "control: the interval is another";
+}
+
+TEST(FramePlanner, IntervalsOfAnotherMemoryChangeNoFrame) {
+    auto hills = std::make_unique<HillsPlanner>(test_support::shipped_design("default"));
+    hills->settle(input_at(0));
+    const PlannerMemory before = hills->memory;
+    PlannerMemory with = before, without = before, decided;
+    const auto scratch = std::make_unique<PlannedFrame>();
+    const auto expected = hills->plan(input_at(0.1), without);
+    const std::uint64_t look_key = hills->planner().look_key();
+    hills->planner().decide_interval(input_at(0.5, 1900), decided, *scratch);
+    EXPECT_EQ(hills->planner().look_key(), look_key) << "painters need not be told of any design";
+    const auto frame = hills->plan(input_at(0.1), with);
+    EXPECT_TRUE(are_same(*frame, *expected));
+    with.take_interval(decided);
+    EXPECT_EQ(with.boost.terrain_ahead(), decided.boost.terrain_ahead());
+    EXPECT_EQ(with.frames, before.frames + 1);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render_core/display/display.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
 
@@ -48,7 +49,7 @@ struct PhasedHills {
     }
     void update(FlightPhase phase, double seconds) {
         const flight::PhaseStatus status = flight::stated_phase(phase, flight::PhaseSource::can);
-        headless->display().update(state, status, test_support::kHillsNow + base::Duration::from_seconds(seconds));
+        headless->display().plan({state, status, test_support::kHillsNow + base::Duration::from_seconds(seconds)});
     }
     std::vector<std::uint8_t> at(FlightPhase phase, double seconds) {
         update(phase, seconds);
@@ -69,7 +70,8 @@ struct PhasedHills {
         return pixels;
     }
     void settle(FlightPhase phase) {
-        headless->display().settle(state, flight::stated_phase(phase, flight::PhaseSource::can), test_support::kHillsNow);
+        display::settle(headless->display(),
+                        {state, flight::stated_phase(phase, flight::PhaseSource::can), test_support::kHillsNow});
     }
 
     test_support::MemoryBytes bytes{test_support::hills().image};
@@ -107,11 +109,11 @@ TEST(DisplayDesigns, ATurnBeginsWithTheFrameAsItWasAndFadesIntoTheNext) {
     EXPECT_EQ(record.phase.phase, kCruise) << "the record says so at once";
     EXPECT_EQ(record.design.view(), "sketched");
     EXPECT_EQ(record.earlier_share, 1);
-    EXPECT_TRUE(hills.headless->display().must_be_drawn());
+    EXPECT_TRUE(hills.headless->display().memory().must_be_drawn());
     EXPECT_EQ(kept, hills.alone(hills.own, kCruise, 0.04)) << "to a bit";
     const auto half = hills.at(kCruise, 0.14);
     EXPECT_NEAR(hills.headless->display().record().earlier_share, 0.5, 1e-9);
-    EXPECT_FALSE(hills.headless->display().must_be_drawn());
+    EXPECT_FALSE(hills.headless->display().memory().must_be_drawn());
     const auto is = hills.at(kCruise, 0.34);
     EXPECT_EQ(hills.headless->display().record().earlier_share, 0);
     EXPECT_EQ(is, hills.alone(hills.other, kCruise, 0.34));
@@ -135,7 +137,7 @@ TEST(DisplayDesigns, InAWarningThePictureTurnsAtOnce) {
     hills.settle(flight::kTakeoffStart);
     static_cast<void>(hills.at(flight::kTakeoffStart, 0.02));
     const auto turned = hills.at(kCruise, 0.04);
-    EXPECT_FALSE(hills.headless->display().must_be_drawn());
+    EXPECT_FALSE(hills.headless->display().memory().must_be_drawn());
     EXPECT_EQ(turned, hills.alone(hills.other, kCruise, 0.04));
 }
 

@@ -8,6 +8,7 @@
 
 #include "render_core/design/weighted_design.hpp"
 #include "render_core/display/display.hpp"
+#include "render_core/display/preroll.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
 
@@ -53,7 +54,7 @@ TEST(DisplayWeights, APictureIsThatOfTheWeighedDesign) {
     const flight::AircraftState state = test_support::aircraft_over_hills(3000);
     for (const char* device : {"es3-mid", "es2-small"}) {
         design::DesignSettings weighed = design_of(0.55);
-        design::weigh(weighed.priority.weights, weighed);
+        design::apply_priorities(weighed.priority.weights, weighed);
         weighed.priority.is_stated = false;
         const auto expected = alone(weighed, state, device), shown = alone(design_of(0.55), state, device);
         EXPECT_EQ(shown, expected) << device;
@@ -92,7 +93,7 @@ TEST(DisplayWeights, WithoutAPlaceNothingIsOnTheWay) {
     lost.own_ship.state = base::SignalState::lost;
     test_support::MemoryBytes bytes{test_support::hills().image};
     HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &bytes, design_of(0.2));
-    headless.display().settle(lost, {}, test_support::kHillsNow);
+    settle(headless.display(), {lost, {}, test_support::kHillsNow});
     static_cast<void>(test_support::drawn_pixels(headless));
     EXPECT_EQ(weight_of(headless, design::kTerrainAspect), 0.2);
     EXPECT_EQ(headless.display().record().terrain_aspect.detail, 0) << "it is not shown at all";

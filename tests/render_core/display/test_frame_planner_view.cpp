@@ -104,7 +104,7 @@ TEST(DisplayDistortion, OnTheWayToTheMapNothingIsMovedYet) {
     ASSERT_EQ(scene.record().distortion[0].state, DistortionState::shown);
     ASSERT_TRUE(scene.display().set_design(in_three_d(design)));
     const base::Time later = kHillsNow + base::Duration{500'000'000};
-    scene.display().update(received_later(aircraft(), later), {}, later);
+    scene.display().plan({received_later(aircraft(), later), {}, later});
     ASSERT_EQ(scene.record().distortion.size(), 1u);
     EXPECT_EQ(scene.record().distortion[0].state, DistortionState::egocentric);
 }

@@ -101,7 +101,7 @@ public:
         : scene_(host_sim::sdb_bytes(host_sim::SceneDraft{"two", "a test", 1, {zone(), way()}})),
           headless_("egl", device, kWidth, kHeight, &terrain_, design, test_support::as_it_is, &scene_) {}
     test_support::HillsPicture from(const terrain::View& view) {
-        headless_.display().set_free_view(view);
+        headless_.display().planner().set_free_view(view);
         return test_support::hills_picture(headless_, test_support::aircraft_over_hills(2500));
     }
     [[nodiscard]] Display& display() { return headless_.display(); }

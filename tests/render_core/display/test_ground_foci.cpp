@@ -156,7 +156,7 @@ TEST(GroundFociBlur, BrightnessStandsForIt) {
         as_blurred = far_mean(large);
         effects::EffectSet blur;
         blur.add(Effect::focus_blur);
-        large.display().frame_budget().give_up(blur);
+        large.display().memory().budget.give_up(blur);
         EXPECT_LT(far_mean(large), 0.9 * as_blurred) << "given up";
         EXPECT_EQ(large.effect(Effect::focus_blur).replaced_by.view(), "focus_ground");
     }

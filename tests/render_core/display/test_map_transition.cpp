@@ -38,7 +38,7 @@ struct Flight {
     const FrameRecord& step(double seconds) {
         now = now + base::Duration::from_seconds(seconds);
         state = received_later(state, now);
-        scene.display().update(state, {}, now);
+        scene.display().plan({state, {}, now});
         return scene.record();
     }
 };
@@ -51,15 +51,15 @@ TEST(MapPictures, AnotherModeTravelsAndArrives) {
         Flight flight;
         EXPECT_EQ(flight.scene.record().view.mode, design::ViewMode::perspective);
         EXPECT_EQ(flight.scene.record().view.transition, 1);
-        const glm::dvec3 own = flight.scene.display().view().eye;
+        const glm::dvec3 own = flight.scene.display().planned().picture.camera.view.eye;
         ASSERT_TRUE(flight.scene.display().set_design(map_design()));
         double height_m = 0;
         for (int n = 1; n <= 10; ++n) {
             const FrameRecord& record = flight.step(0.1);
             EXPECT_EQ(record.view.mode, design::ViewMode::map);
             EXPECT_NEAR(record.view.transition, n / 10.0, 1e-6);
-            EXPECT_GE(glm::length(flight.scene.display().view().eye - own), height_m);
-            height_m = glm::length(flight.scene.display().view().eye - own);
+            EXPECT_GE(glm::length(flight.scene.display().planned().picture.camera.view.eye - own), height_m);
+            height_m = glm::length(flight.scene.display().planned().picture.camera.view.eye - own);
             static_cast<void>(flight.scene.drawn());
             EXPECT_GT(flight.scene.record().terrain.triangles, 0u);
         }

@@ -24,7 +24,7 @@ TEST(RecordOf, SaysWhatWasPlannedAndWhatWasDrawn) {
     DrawnFrame drawn;
     drawn.terrain = {1234, 56};
     drawn.uploaded_bytes = 789;
-    const base::BudgetTable& table = hills->planner().settings().device.budget;
+    const base::BudgetTable& table = hills->planner().budget();
     const FrameRecord record = record_of(*plan, drawn, {}, table);
     EXPECT_EQ(record.time.ns, input.time.ns);
     EXPECT_EQ(record.altitude_msl_m, plan->altitude_msl_m);

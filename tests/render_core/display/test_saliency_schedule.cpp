@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
 #include "tests/support/drawn_pixels.hpp"
 #include "tests/support/hills_display.hpp"
@@ -30,10 +31,10 @@ design::DesignSettings design_with(design::SaliencyView view) {
 /// A display over the hills whose frames follow each other.
 struct Shown {
     Shown(design::SaliencyView view, const char* device) : display("egl", device, kWidth, kHeight, &bytes, design_with(view)) {
-        display.display().settle(state, {}, test_support::kHillsNow);
+        settle(display.display(), {state, {}, test_support::kHillsNow});
     }
     void update(double seconds) {
-        display.display().update(state, {}, test_support::kHillsNow + base::Duration::from_seconds(seconds));
+        display.display().plan({state, {}, test_support::kHillsNow + base::Duration::from_seconds(seconds)});
     }
     std::vector<std::uint8_t> at(double seconds) {
         update(seconds);
@@ -44,7 +45,9 @@ struct Shown {
             if (noted.name.view() == "saliency") return noted;
         return {};
     }
-    [[nodiscard]] std::uint64_t target_bytes() { return display.display().budget().find(effects::kRenderTargets)->use.in_use; }
+    [[nodiscard]] std::uint64_t target_bytes() {
+        return display.display().planner().budget().find(effects::kRenderTargets)->use.in_use;
+    }
 
     test_support::MemoryBytes bytes{test_support::hills().image};
     flight::AircraftState state = test_support::aircraft_over_hills(1600);
@@ -72,7 +75,7 @@ TEST(SaliencySchedule, CostsNothingWhereItIsNotComputed) {
         EXPECT_GT(shown.display.display().gl().frame().draws, bare.draws + 30) << "control";
         effects::EffectSet saliency;
         saliency.add(Effect::saliency);
-        shown.display.display().frame_budget().give_up(saliency);
+        shown.display.display().memory().budget.give_up(saliency);
         EXPECT_EQ(shown.at(0), bare.pixels) << device << ": the same picture, to a bit";
         EXPECT_EQ(shown.display.display().gl().frame().draws, bare.draws);
         EXPECT_EQ(shown.effect().state, EffectState::skipped);
@@ -129,16 +132,16 @@ TEST(SaliencySchedule, TheSmallLaneMeasuresTwiceASecond) {
     static_cast<void>(shown.at(0.1));
     EXPECT_EQ(shown.effect().passes, 1u) << "shown again";
     EXPECT_EQ(shown.effect().draws, 1u);
-    shown.display.display().cut_to_design();
+    shown.display.display().memory().cut();
     const auto first = shown.at(0.2);
     EXPECT_EQ(shown.effect().passes, 2u) << "nothing goes before it";
     EXPECT_EQ(shown.at(0.2), first);
     EXPECT_EQ(shown.effect().passes, 2u) << "the same frame once more";
     shown.state = test_support::aircraft_over_hills(1600, 120);
     EXPECT_EQ(shown.at(0.4), first) << "of the picture that was measured";
-    EXPECT_FALSE(shown.display.display().must_be_drawn());
+    EXPECT_FALSE(shown.display.display().memory().must_be_drawn());
     shown.update(0.5);
-    EXPECT_TRUE(shown.display.display().must_be_drawn());
+    EXPECT_TRUE(shown.display.display().memory().must_be_drawn());
     EXPECT_NE(shown.at(0.5), first);
     EXPECT_EQ(shown.effect().passes, 2u);
     EXPECT_EQ(shown.display.display().gl().denied().total, 0u);
@@ -149,10 +152,10 @@ TEST(SaliencySchedule, TheLargeLaneMeasuresEveryFrameAndNeedsNoOther) {
     for (const double seconds : {0.0, 0.1, 0.2}) {
         static_cast<void>(shown.at(seconds));
         EXPECT_EQ(shown.effect().passes, 2u);
-        EXPECT_FALSE(shown.display.display().must_be_drawn());
+        EXPECT_FALSE(shown.display.display().memory().must_be_drawn());
     }
     const base::Time now{1'234'567'890};
-    EXPECT_EQ(shown.display.display().needed_since(now).ns, now.ns);
+    EXPECT_EQ(shown.display.display().memory().needed_since(now).ns, now.ns);
 }
 
 TEST(SaliencySchedule, AnotherDesignMayShowItOnlyWhereTheDisplayWasStartedForIt) {

@@ -114,13 +114,13 @@ TEST_F(ScenePassesStart, WithoutTerrainThereIsNothingButSky) {
     ASSERT_EQ(start().message.view(), "");
     policy::DisplayDecisions decisions;
     decisions.plain_horizon = true;
-    EyeInput level;
+    CameraInput level;
     level.own_ship = {0.8, 0.2, {1000}};
     level.width_px = kWidth;
     level.height_px = kHeight;
-    const Eye eye = make_eye(level, design_.view, 0);
+    const Camera camera = make_camera(level, design_.view, 0);
     const FrameRecord record;
-    const DrawContext frame{design_, decisions, eye, record};
+    const DrawContext frame{design_, decisions, camera, record};
     const auto terrain = std::make_unique<TerrainPainter>();
     const SeenTerrain nothing;
     const auto elements = std::make_unique<ElementPainter>();

@@ -53,7 +53,7 @@ std::vector<std::uint8_t> picture_of(const design::DesignSettings& design, const
     const earth::Geodetic ship{radians(47.1 - kSide / 2 / 1200.0), radians(9.6 + kSide / 2 / 1200.0), {kShip_m}};
     const earth::Geodetic eye{ship.latitude_rad, ship.longitude_rad, {kEye_m}};
     const glm::dmat3 axes = earth::north_east_down(eye.latitude_rad, eye.longitude_rad);
-    display.display().set_free_view(
+    display.display().planner().set_free_view(
         {earth::to_ecef(eye), axes[2], axes[1], -axes[0], kFocal_px, kWidth, kHeight, 100, 100000, {}});
     return test_support::settled_pixels(display, test_support::aircraft_at(ship, kNow), kNow);
 }

@@ -19,7 +19,7 @@ struct Planned {
     }
     /// False where a legend has no room.
     bool plan() {
-        DrawContext frame{design_, decisions, eye, record, 2000, 2000};
+        DrawContext frame{design_, decisions, camera, record, 2000, 2000};
         frame.heights = heights;
         plan_symbology({frame, state, kWidth, kHeight, over, data, data_plan, reports}, batch, record);
         return record.flags.empty();
@@ -28,7 +28,7 @@ struct Planned {
     flight::AircraftState state = test_support::aircraft_over_hills(2000);
     policy::DisplayConditions conditions;
     policy::DisplayDecisions decisions;
-    Eye eye;
+    Camera camera;
     FrameRecord record;
     draw::HeightSpan heights{100, 2000};
     draw::SymbolGround over = draw::SymbolGround::perspective;
@@ -54,7 +54,7 @@ TEST(SymbologyPlan, FillsTheBatchWithTheSymbologyAnew) {
 
 TEST(SymbologyPlan, TextFollowsTheScreen) {
     Planned planned(test_support::shipped_design("default"));
-    const DrawContext frame{planned.design_, planned.decisions, planned.eye, planned.record};
+    const DrawContext frame{planned.design_, planned.decisions, planned.camera, planned.record};
     EXPECT_EQ(text_px(frame, kWidth, kHeight),
               static_cast<double>(draw::make_layout(kWidth, kHeight, planned.design_.view.dpi).text_px));
     EXPECT_GT(text_px(frame, 2 * kWidth, 2 * kHeight), text_px(frame, kWidth, kHeight));

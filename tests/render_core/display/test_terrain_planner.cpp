@@ -41,10 +41,10 @@ design::DesignSettings plain_design() {
 }
 
 /// From a post of the raster at a height above MSL.
-Eye eye_at(double i, double j, double msl_m, double heading_deg, double pitch_deg) {
+Camera camera_at(double i, double j, double msl_m, double heading_deg, double pitch_deg) {
     const double latitude = radians(raster().north_deg - j * raster().step_lat_deg),
                  longitude = radians(raster().west_deg + i * raster().step_lon_deg);
-    EyeInput input;
+    CameraInput input;
     input.own_ship = {latitude, longitude, {msl_m + hills().database.undulation(latitude, longitude).m}};
     input.msl_m = msl_m;
     input.above_ground_m = msl_m - 1000;
@@ -52,7 +52,7 @@ Eye eye_at(double i, double j, double msl_m, double heading_deg, double pitch_de
     input.pitch_rad = radians(pitch_deg);
     input.width_px = kWidth;
     input.height_px = kHeight;
-    return make_eye(input, design::ViewSettings(), 0);
+    return make_camera(input, design::ViewSettings(), 0);
 }
 
 /// A scene on a surface, each budget line with memory of its own.
@@ -80,16 +80,16 @@ public:
         painter.destroy(at_.gl);
     }
     /// With everything arrived.
-    TerrainPlan settled(const Eye& eye) {
+    TerrainPlan settled(const Camera& camera) {
         TerrainPlan plan;
-        for (int n = 0; n < 4; ++n) plan = scene.plan(eye, design_);
+        for (int n = 0; n < 4; ++n) plan = scene.plan(camera, design_);
         return plan;
     }
-    bool prepare(const Eye& eye) { return painter.prepare(at_.gl, scene.seen_from(eye.view), input(eye)); }
-    draw::TerrainDrawResult draw(const Eye& eye) {
+    bool prepare(const Camera& camera) { return painter.prepare(at_.gl, scene.seen_from(camera.view), input(camera)); }
+    draw::TerrainDrawResult draw(const Camera& camera) {
         draw::TerrainDrawResult result;
         gl::bind_surface(at_.gl, *at_.surface);
-        painter.draw(at_.gl, scene.seen_from(eye.view), input(eye), {eye.view.near_m, eye.view.far_m}, result);
+        painter.draw(at_.gl, scene.seen_from(camera.view), input(camera), {camera.view.near_m, camera.view.far_m}, result);
         EXPECT_EQ(at_.gl.denied().total, 0u);
         return result;
     }
@@ -104,10 +104,10 @@ private:
     static constexpr std::string_view kNames[kLines] = {
         effects::kTerrainIndex, effects::kTerrainChunkSlots, effects::kTerrainHeights, effects::kTerrainAttributes,
         effects::kTerrainDrape, effects::kLodScratch,        effects::kStaging};
-    static draw::TerrainDrawInput input(const Eye& eye) {
+    static draw::TerrainDrawInput input(const Camera& camera) {
         draw::TerrainDrawInput input;
-        input.view = eye.view;
-        input.light_direction[0] = glm::normalize(eye.view.eye);
+        input.view = camera.view;
+        input.light_direction[0] = glm::normalize(camera.view.eye);
         return input;
     }
 
@@ -139,7 +139,7 @@ TEST(TerrainPlanner, ADatabaseThatIsNoneIsRefusedWithItsOffset) {
 
 TEST(TerrainPlanner, TracedTerrainHasNoErrorWhateverHasArrived) {
     Stage stage(plain_design());
-    const TerrainPlan plan = stage.scene.plan(eye_at(96, 96, 2600, 40, -15), plain_design());
+    const TerrainPlan plan = stage.scene.plan(camera_at(96, 96, 2600, 40, -15), plain_design());
     EXPECT_GT(plan.lod.worst_error_px, 0);
     const TerrainPlan traced = as_traced(plan);
     EXPECT_EQ(traced.lod.worst_error_px, 0);
@@ -163,10 +163,10 @@ TEST(TerrainPlanner, RaysThatCannotBeLeaveTriangles) {
 
 TEST(TerrainPlanner, CoarserFirstThenRefinedToTau) {
     Stage stage(plain_design());
-    const Eye eye = eye_at(96, 96, 2600, 40, -15);
+    const Camera camera = camera_at(96, 96, 2600, 40, -15);
     double last_px = 1e9;
     for (int frame = 0; frame < 6; ++frame) {
-        const TerrainPlan plan = stage.scene.plan(eye, plain_design());
+        const TerrainPlan plan = stage.scene.plan(camera, plain_design());
         EXPECT_GT(plan.lod.chunks, 0u) << frame;
         EXPECT_LE(plan.lod.worst_error_px, last_px) << frame;
         EXPECT_EQ(plan.pending == 0, plan.lod.reason == terrain::LodStop::met) << frame;
@@ -176,7 +176,7 @@ TEST(TerrainPlanner, CoarserFirstThenRefinedToTau) {
         last_px = plan.lod.worst_error_px;
     }
     EXPECT_LE(last_px, plain_design().terrain.tau_px);
-    EXPECT_FALSE(stage.scene.plan(eye, plain_design()).is_failing);
+    EXPECT_FALSE(stage.scene.plan(camera, plain_design()).is_failing);
 }
 
 /// Boxes alone say for these eyes, from which the near plane is a metre away, several times as much.
@@ -188,17 +188,17 @@ TEST(TerrainPlanner, CloseOverTheGroundTauIsReached) {
     for (const double post : {40.3, 64.1, 97.6, 128.5, 150.2}) {
         const double latitude = radians(raster().north_deg - post * raster().step_lat_deg),
                      longitude = radians(raster().west_deg + post * raster().step_lon_deg);
-        Eye eye = eye_at(post, post, stage.scene.true_height(latitude, longitude).height.m + 3, 11 * post, -8);
-        eye.view.near_m = 1;
-        eye.view.focal_px *= 3;
+        Camera camera = camera_at(post, post, stage.scene.true_height(latitude, longitude).height.m + 3, 11 * post, -8);
+        camera.view.near_m = 1;
+        camera.view.focal_px *= 3;
         TerrainPlan plan;
-        for (int n = 0; n < 6; ++n) plan = stage.scene.plan(eye, design);
+        for (int n = 0; n < 6; ++n) plan = stage.scene.plan(camera, design);
         EXPECT_EQ(plan.lod.reason, terrain::LodStop::met) << post;
         EXPECT_LE(plan.lod.worst_error_px, 0.5) << post;
         double by_boxes_px = 0;
         for (const terrain::SelectedChunk& chunk : stage.scene.selected())
             by_boxes_px = std::fmax(by_boxes_px,
-                                    terrain::error_in_box_px(*chunk.entry, eye.view,
+                                    terrain::error_in_box_px(*chunk.entry, camera.view,
                                                              double{std::fmax(chunk.entry->above_m, chunk.entry->below_m)}, 0));
         over_tau_by_boxes += by_boxes_px > 0.5 ? 1 : 0;
     }
@@ -208,27 +208,28 @@ TEST(TerrainPlanner, CloseOverTheGroundTauIsReached) {
 // A frame without terrain is a frame: what was seen before it falls out of the window.
 TEST(TerrainPlanner, RestingForgetsAsFramesDo) {
     Stage stage(plain_design());
-    const Eye eye = eye_at(96, 96, 2600, 40, -15);
-    EXPECT_EQ(stage.settled(eye).pending, 0u);
+    const Camera camera = camera_at(96, 96, 2600, 40, -15);
+    EXPECT_EQ(stage.settled(camera).pending, 0u);
     for (std::uint32_t frame = 0; frame <= terrain::StoreSettings().window_frames; ++frame) stage.scene.rest();
     EXPECT_TRUE(stage.scene.selected().empty());
-    EXPECT_GT(stage.scene.plan(eye, plain_design()).pending, 0u);
-    EXPECT_EQ(stage.settled(eye).pending, 0u);
+    EXPECT_GT(stage.scene.plan(camera, plain_design()).pending, 0u);
+    EXPECT_EQ(stage.settled(camera).pending, 0u);
     stage.scene.rest();
-    EXPECT_EQ(stage.scene.plan(eye, plain_design()).pending, 0u) << "control: a single one does not";
+    EXPECT_EQ(stage.scene.plan(camera, plain_design()).pending, 0u) << "control: a single one does not";
 }
 
 TEST(TerrainPlanner, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
     Stage stage(plain_design());
     for (const double heading : {0.0, 130.0, 250.0}) {
-        const Eye eye = eye_at(96, 96, 2600, heading, -10);
-        static_cast<void>(stage.settled(eye));
-        const double far_m = stage.scene.farthest_depth_m(eye.view);
+        const Camera camera = camera_at(96, 96, 2600, heading, -10);
+        static_cast<void>(stage.settled(camera));
+        const double far_m = stage.scene.farthest_depth_m(camera.view);
         double farthest_m = 0;
         for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
             const glm::dvec3 centre(chunk.entry->centre_m[0], chunk.entry->centre_m[1], chunk.entry->centre_m[2]);
             for (const terrain::ChunkVertex& v : hills().vertices(*chunk.entry))
-                farthest_m = std::max(farthest_m, glm::dot(centre + glm::dvec3(v.x, v.y, v.z) - eye.view.eye, eye.view.forward));
+                farthest_m =
+                    std::max(farthest_m, glm::dot(centre + glm::dvec3(v.x, v.y, v.z) - camera.view.eye, camera.view.forward));
         }
         EXPECT_GE(far_m, farthest_m);
         EXPECT_LT(far_m, 1.3 * farthest_m);
@@ -236,11 +237,11 @@ TEST(TerrainPlanner, NothingThatIsDrawnLiesBeyondTheFarthestDepth) {
 }
 
 /// Turned about the view's axis.
-Eye rolled(Eye eye, double roll_deg) {
-    const glm::dvec3 right = eye.view.right, down = eye.view.down;
-    eye.view.right = right * std::cos(radians(roll_deg)) + down * std::sin(radians(roll_deg));
-    eye.view.down = down * std::cos(radians(roll_deg)) - right * std::sin(radians(roll_deg));
-    return eye;
+Camera rolled(Camera camera, double roll_deg) {
+    const glm::dvec3 right = camera.view.right, down = camera.view.down;
+    camera.view.right = right * std::cos(radians(roll_deg)) + down * std::sin(radians(roll_deg));
+    camera.view.down = down * std::cos(radians(roll_deg)) - right * std::sin(radians(roll_deg));
+    return camera;
 }
 
 /// Along x * part.right + y * part.up, of the places in front of the eye; ECEF.
@@ -291,18 +292,18 @@ std::vector<glm::dvec3> raised_box(const terrain::ChunkEntry& entry, double lift
 TEST(TerrainPlanner, NothingThatIsDrawnLiesBeyondTheDrawnPart) {
     const design::DesignSettings design = plain_design();
     Stage stage(design);
-    EXPECT_EQ(stage.scene.seen_from(eye_at(96, 96, 2600, 130, 4).view).part.limit, draw::ScreenPart().limit)
+    EXPECT_EQ(stage.scene.seen_from(camera_at(96, 96, 2600, 130, 4).view).part.limit, draw::ScreenPart().limit)
         << "no pass reads it";
     stage.scene.set_design({&design, draw::TerrainOutput::color_and_distance});
     int narrow = 0;
     for (const double roll : {0.0, 25.0, -70.0, 180.0})
         for (const double pitch : {-10.0, 4.0, -89.99}) {
-            const Eye eye = rolled(eye_at(96, 96, 2600, 130, pitch), roll);
-            static_cast<void>(stage.settled(eye));
-            const draw::ScreenPart part = stage.scene.seen_from(eye.view).part;
+            const Camera camera = rolled(camera_at(96, 96, 2600, 130, pitch), roll);
+            static_cast<void>(stage.settled(camera));
+            const draw::ScreenPart part = stage.scene.seen_from(camera.view).part;
             narrow += part.limit < 0.9f * (std::abs(part.right) + std::abs(part.up)) ? 1 : 0;
             for (const terrain::SelectedChunk& chunk : stage.scene.selected())
-                ASSERT_LT(highest_of(vertices_of(chunk), eye.view, part), double{part.limit} - 1 / eye.view.focal_px)
+                ASSERT_LT(highest_of(vertices_of(chunk), camera.view, part), double{part.limit} - 1 / camera.view.focal_px)
                     << roll << ", " << pitch;
         }
     EXPECT_GT(narrow, 3) << "a part that is always the whole screen says nothing";
@@ -319,18 +320,18 @@ TEST(TerrainPlanner, LiftedChunksLieWithinTheDrawnPartToo) {
     for (const double roll : {0.0, 25.0, -70.0, 180.0})
         for (const double heading : {20.0, 130.0, 250.0, 315.0})
             for (const double msl_m : {900.0, 1500.0, 2600.0}) {
-                const Eye eye = rolled(eye_at(96, 96, msl_m, heading, -4), roll);
-                static_cast<void>(stage.settled(eye));
-                const draw::ScreenPart part = stage.scene.seen_from(eye.view).part;
-                const double limit = double{part.limit} - 1 / eye.view.focal_px;
+                const Camera camera = rolled(camera_at(96, 96, msl_m, heading, -4), roll);
+                static_cast<void>(stage.settled(camera));
+                const draw::ScreenPart part = stage.scene.seen_from(camera.view).part;
+                const double limit = double{part.limit} - 1 / camera.view.focal_px;
                 for (const terrain::SelectedChunk& chunk : stage.scene.selected()) {
                     SCOPED_TRACE(::testing::Message() << roll << ", " << heading << ", " << msl_m);
                     const double own_m = double{chunk.lift.own_m};
                     large += own_m > 10 ? 1 : 0;
-                    const double highest = highest_of(vertices_of(chunk), eye.view, part);
+                    const double highest = highest_of(vertices_of(chunk), camera.view, part);
                     ASSERT_LT(highest, limit);
-                    ASSERT_LT(highest_of(raised_box(*chunk.entry, own_m), eye.view, part), limit);
-                    beyond_boxes += highest > highest_of(raised_box(*chunk.entry, 0), eye.view, part) ? 1 : 0;
+                    ASSERT_LT(highest_of(raised_box(*chunk.entry, own_m), camera.view, part), limit);
+                    beyond_boxes += highest > highest_of(raised_box(*chunk.entry, 0), camera.view, part) ? 1 : 0;
                 }
             }
     EXPECT_GT(large, 10);
@@ -341,10 +342,10 @@ TEST(TerrainPlanner, LiftedChunksLieWithinTheDrawnPartToo) {
 TEST(TerrainPlanner, DrawnPointsLieWithinTauOfTheTrueSurface) {
     Stage stage(plain_design());
     const test_support::RasterRayCaster truth(raster());
-    const Eye eye = eye_at(96, 96, 2600, 40, -15);
-    static_cast<void>(stage.settled(eye));
-    ASSERT_TRUE(stage.prepare(eye));
-    EXPECT_GT(stage.draw(eye).triangles, 0u);
+    const Camera camera = camera_at(96, 96, 2600, 40, -15);
+    static_cast<void>(stage.settled(camera));
+    ASSERT_TRUE(stage.prepare(camera));
+    EXPECT_GT(stage.draw(camera).triangles, 0u);
     int seen = 0, off = 0;
     for (double j = 8.3; j < 185; j += 4.7)
         for (double i = 8.6; i < 185; i += 4.9) {
@@ -354,13 +355,14 @@ TEST(TerrainPlanner, DrawnPointsLieWithinTauOfTheTrueSurface) {
             if (!drawn.found) continue;
             const glm::dvec3 true_point =
                 earth::to_ecef({radians(lat_deg), radians(lon_deg), {*truth.surface_m(lat_deg, lon_deg)}});
-            const glm::dvec3 a = drawn.position - eye.view.eye, b = true_point - eye.view.eye;
-            const double depth_m = glm::dot(a, eye.view.forward);
-            if (depth_m < 100 || std::abs(glm::dot(a, eye.view.right)) > depth_m * eye.view.half_width_tangent() ||
-                std::abs(glm::dot(a, eye.view.down)) > depth_m * eye.view.half_height_tangent())
+            const glm::dvec3 a = drawn.position - camera.view.eye, b = true_point - camera.view.eye;
+            const double depth_m = glm::dot(a, camera.view.forward);
+            if (depth_m < 100 || std::abs(glm::dot(a, camera.view.right)) > depth_m * camera.view.half_width_tangent() ||
+                std::abs(glm::dot(a, camera.view.down)) > depth_m * camera.view.half_height_tangent())
                 continue;
             ++seen;
-            EXPECT_LE(glm::length(a / depth_m - b / glm::dot(b, eye.view.forward)) * eye.view.focal_px, 1.01) << i << ", " << j;
+            EXPECT_LE(glm::length(a / depth_m - b / glm::dot(b, camera.view.forward)) * camera.view.focal_px, 1.01)
+                << i << ", " << j;
             off += glm::length(drawn.position - true_point) > 0.1 ? 1 : 0;
         }
     EXPECT_GT(seen, 50);

@@ -71,7 +71,7 @@ Shown shown(const design::DesignSettings& design, const host_sim::AircraftPose& 
     const FrameRecord& record = headless.display().record();
     result.terrain = record.terrain;
     for (const Name& flag : record.flags) result.is_flagged = result.is_flagged || flag.view() == "terrain.not_traced";
-    const base::BudgetTable& budget = headless.display().budget();
+    const base::BudgetTable& budget = headless.display().planner().budget();
     if (const auto* line = budget.find(effects::kTracedTerrain)) result.traced_bytes = line->use.in_use;
     if (const auto* line = budget.find(effects::kTracedPictures)) result.picture_bytes = line->use.in_use;
     return result;
@@ -174,11 +174,6 @@ TEST(TracedPictures, DesignsWithAndWithoutRaysFollowOneAnother) {
     }
     test_support::HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &bytes, triangles);
     EXPECT_FALSE(headless.display().set_design(rays));
-    DisplaySettings settings;
-    settings.design = triangles;
-    EXPECT_FALSE(Display::asks_for_rays(settings));
-    settings.design = rays;
-    EXPECT_TRUE(Display::asks_for_rays(settings));
 }
 
 TEST(TracedPictures, WhoDoesNotAskPaysNothing) {

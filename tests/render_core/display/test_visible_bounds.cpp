@@ -42,11 +42,11 @@ std::vector<std::uint8_t> seen_from_above(double haze_distance_m, bool is_forced
     design.sky.haze_distance_m = haze_distance_m;
     design.sky.haze = {255, 255, 255};
     test_support::HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &bytes, design);
-    headless.display().force_effects(is_forced);
+    headless.display().planner().force_effects(is_forced);
     const flight::AircraftState aircraft = test_support::aircraft_over_hills(3000);
     const earth::Geodetic& place = aircraft.own_ship.position;
     const glm::dmat3 body = earth::body_axes(place.latitude_rad, place.longitude_rad, 0, base::radians(-85), 0);
-    headless.display().set_free_view(test_support::free_view(earth::to_ecef(place), body, kWidth, kHeight, 50));
+    headless.display().planner().set_free_view(test_support::free_view(earth::to_ecef(place), body, kWidth, kHeight, 50));
     std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, aircraft, test_support::kHillsNow);
     EXPECT_GT(headless.display().record().terrain.triangles, 100u);
     haze = EffectState::replaced;

@@ -254,7 +254,7 @@ TEST(EdgePass, AFlatPictureHasNoEdgeAndAStepOneLine) {
 
 /// A line that is weak but for its left end.
 TEST(EdgePass, FollowsAnEdgeSoFarAsItSays) {
-    constexpr int kWidth = 256, kReach = 4 * EdgePass::kTurns;
+    constexpr int kWidth = 256, kReach = 4 * EdgePass::kIterations;
     const SyntheticPicture line(kWidth, 16, [](int x, int y) {
         const auto level = static_cast<std::uint8_t>(y < 8 ? 100 : x < 6 ? 200 : 140);
         return Rgb{level, level, level};

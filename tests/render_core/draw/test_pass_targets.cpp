@@ -17,13 +17,13 @@ TEST(PassTargets, StopsAtTheFirstThatHasNoRoomAndNamesTheLine) {
     targets.make(first, 8, 8);
     EXPECT_TRUE(targets.error().message.empty());
     targets.make(second, 8, 8);
-    const std::string sentence = targets.error().message.c_str();
-    EXPECT_NE(sentence.find(line.name.c_str()), std::string::npos) << sentence;
+    const std::string message = targets.error().message.c_str();
+    EXPECT_NE(message.find(line.name.c_str()), std::string::npos) << message;
     targets.make(third, 4, 4);  // which would have room
     EXPECT_TRUE(first.valid());
     EXPECT_FALSE(second.valid());
     EXPECT_FALSE(third.valid());
-    EXPECT_EQ(targets.error().message.view(), sentence);
+    EXPECT_EQ(targets.error().message.view(), message);
     EXPECT_EQ(line.use.in_use, 4u * 8 * 8);
     first.destroy(session.gl);
 }

@@ -32,12 +32,12 @@ TEST(TracedView, PlacesInCellsLieAtTheDepthsAlongTheRaysOfTheWorld) {
     base::SerialWorkers workers;
     picture.view.trace(file.ground, file.space(), seen, workers);
     const raytrace::HitPicture& hits = picture.view.hits();
-    int met = 0, far_off = 0;
+    int hit_count = 0, far_off = 0;
     for (std::uint32_t y = 0; y < 120; ++y)
         for (std::uint32_t x = 0; x < 160; ++x) {
             const std::size_t at = y * 160 + x;
             if (hits.side[at] == HitSide::none) continue;
-            ++met;
+            ++hit_count;
             const glm::dvec3 ray =
                 seen.forward + seen.right * ((x + 0.5 - 80) / seen.focal_px) + seen.down * ((y + 0.5 - 60) / seen.focal_px);
             const glm::dvec3 place = file.space().place(seen.eye + double{hits.t[at]} * ray);
@@ -45,7 +45,7 @@ TEST(TracedView, PlacesInCellsLieAtTheDepthsAlongTheRaysOfTheWorld) {
             const double pixel_m = 0.2 * hits.t[at] / seen.focal_px;
             far_off += std::abs(place.x - i) * 60 > pixel_m + 0.1 || std::abs(place.y - j) * 90 > pixel_m + 0.1 ? 1 : 0;
         }
-    EXPECT_GT(met, 10000);
+    EXPECT_GT(hit_count, 10000);
     EXPECT_EQ(far_off, 0) << "more than a fifth of a pixel";
 }
 

@@ -31,7 +31,7 @@ Column column_of(const Air& air, double eye_height_m, double sine, double length
 
 AirLight seen(const Air& air, double height_m, double sine, double length_m, int steps = 64) {
     const SunThroughAir sun(air, base::radians(30));
-    AirWay way(air, sun, height_m, sine);
+    AirPath way(air, sun, height_m, sine);
     way.walk_to(length_m, steps);
     return way.light();
 }
@@ -76,12 +76,12 @@ TEST(Atmosphere, AFlatEarthIsNotTheSame) {
 TEST(Atmosphere, AWayInPartsIsTheWholeWay) {
     const Air air;
     const SunThroughAir sun(air, base::radians(20));
-    AirWay whole(air, sun, 2000, -0.004), parts(air, sun, 2000, -0.004);
+    AirPath whole(air, sun, 2000, -0.004), parts(air, sun, 2000, -0.004);
     whole.walk_to(200'000, 64);
     for (const double length_m : {50'000.0, 100'000.0, 150'000.0, 200'000.0}) parts.walk_to(length_m, 16);
     EXPECT_LT(glm::distance(whole.light().transmittance, parts.light().transmittance), 1e-12);
     EXPECT_LT(glm::distance(whole.light().by_aerosol, parts.light().by_aerosol), 1e-12);
-    AirWay nothing(air, sun, 2000, 0);
+    AirPath nothing(air, sun, 2000, 0);
     nothing.walk_to(0, 4);
     EXPECT_EQ(nothing.light().transmittance, glm::dvec3(1, 1, 1));
     EXPECT_EQ(nothing.light().by_molecules, glm::dvec3(0, 0, 0));
@@ -118,7 +118,7 @@ TEST(Atmosphere, LightIsNeitherMadeNorLost) {
             EXPECT_LE(glm::max(left.x, left.z), 1);
             EXPECT_GE(left.x, left.z) << "red goes farther";
         }
-        AirWay out(air, sun, 0, 0.001);
+        AirPath out(air, sun, 0, 0.001);
         out.walk_out(512);
         EXPECT_LT(glm::length(out.light().by_molecules + out.light().by_aerosol), 3);
     }

@@ -63,8 +63,8 @@ TEST(Calibration, OfAnotherDeviceRendererOrSizeIsRefusedInOneSentence) {
 
 TEST(Calibration, ThatLacksACostIsRefused) {
     for (const std::string name : {"haze", "terrain", "adjacent", "frame", "glyphs"}) {
-        const std::string sentence = refusal(replaced(good(), "[cost." + name + "]", "[other." + name + "]"));
-        EXPECT_NE(sentence.find("the cost of '" + name + "' is missing"), std::string::npos) << sentence;
+        const std::string message = refusal(replaced(good(), "[cost." + name + "]", "[other." + name + "]"));
+        EXPECT_NE(message.find("the cost of '" + name + "' is missing"), std::string::npos) << message;
     }
     EXPECT_NE(refusal("device = \"es3-mid\"\nrenderer = \"llvmpipe\"\nwidth_px = 1024\nheight_px = 768\n").find("is missing"),
               std::string::npos);

@@ -27,7 +27,7 @@ TEST_F(EffectConditions, ClutterIsMeasuredWhereSomethingGivesWay) {
     facts_.asked.add(Effect::clutter);
     EXPECT_EQ(call(Effect::clutter).kind, Kind::not_applicable);
     EXPECT_EQ(call(Effect::clutter).why, "nothing is shown that gives way");
-    facts_.has_what_gives_way = true;
+    facts_.has_declutterable_data = true;
     EXPECT_EQ(call(Effect::clutter).kind, Kind::applicable);
     facts_.is_stereo = true;
     EXPECT_EQ(call(Effect::clutter).kind, Kind::no_input);

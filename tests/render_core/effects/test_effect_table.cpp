@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "render_core/effects/quality_ladder.hpp"
+#include "render_core/effects/quality_level.hpp"
 #include "tests/support/device_files.hpp"
 
 namespace tedavis::effects::test_effect_table {
@@ -22,12 +22,14 @@ const char* name_of(Need need) {
                                                   : "";
 }
 
-std::string rung_of(const EffectRow& row) { return row.given_up_from == kNeverGivenUp ? "" : std::to_string(row.given_up_from); }
+std::string quality_level_of(const EffectRow& row) {
+    return row.given_up_from == kNeverGivenUp ? "" : std::to_string(row.given_up_from);
+}
 
 /// The table of the module's README, from the code.
 std::string table() {
     std::ostringstream text;
-    text << "| effect | asked for by | shows | needs | bound of what is seen | cost | grows with | given up from rung | in its "
+    text << "| effect | asked for by | shows | needs | bound of what is seen | cost | grows with | given up from level | in its "
             "place "
             "|\n|---|---|---|---|---|---|---|---|---|\n";
     for (std::size_t n = 0; n < kEffectCount; ++n) {
@@ -35,7 +37,7 @@ std::string table() {
         text << "| `" << row.name << "` | " << (row.design_key.empty() ? "" : "`" + std::string(row.design_key) + "`") << " | "
              << kContributionNames[static_cast<std::size_t>(row.contribution)] << " | " << name_of(row.need) << " | " << row.bound
              << " | " << row.cost << " | " << kCostThingNames[static_cast<std::size_t>(thing_of(row.effect))] << " | "
-             << rung_of(row) << " | ";
+             << quality_level_of(row) << " | ";
         for (const Effect replacement : row.replacements)
             if (replacement != Effect::count_) text << "`" << row_of(replacement).name << "` ";
         text << "|\n";

@@ -79,11 +79,11 @@ struct Flown {
     int frames = 0, within = 0, changes = 0;
     double shortest_s = 1e9;       ///< between two changes
     double dearest_design_ms = 0;  ///< what the design's own picture would cost
-    std::vector<std::size_t> rungs;
+    std::vector<std::size_t> quality_levels;
     [[nodiscard]] double share() const { return static_cast<double>(within) / frames; }
 };
 
-/// The simulated machine draws what the planned frame has; the terrain and the glyphs are those of the rung before.
+/// The simulated machine draws what the planned frame has; the terrain and the glyphs are those of the quality level before.
 Flown fly(double deadline_ms, const GovernorSettings& settings = {}, double first_s = 0) {
     FrameBudget budget;
     budget.hold(deadline_ms, simulated_costs(), settings);
@@ -102,7 +102,7 @@ Flown fly(double deadline_ms, const GovernorSettings& settings = {}, double firs
         flown.dearest_design_ms =
             std::fmax(flown.dearest_design_ms, modelled_ms(simulated_costs(), plan_effects(calls, {}), asked));
         ++flown.frames;
-        flown.rungs.push_back(budget.report().rung);
+        flown.quality_levels.push_back(budget.report().quality_level);
         if (!budget.report().changed) continue;
         ++flown.changes;
         flown.shortest_s = std::fmin(flown.shortest_s, t - last_change_s);
@@ -120,7 +120,7 @@ TEST(FrameBudgetFlight, HoldsDeadlinesOnASceneOf80Milliseconds) {
         EXPECT_GE(flown.share(), 0.99) << deadline_ms;
         EXPECT_GE(flown.shortest_s, 2 - 1e-9) << deadline_ms;
         EXPECT_GE(flown.changes, 6) << "it also comes back";
-        EXPECT_GT(std::count(flown.rungs.begin(), flown.rungs.end(), 0u), flown.frames / 8)
+        EXPECT_GT(std::count(flown.quality_levels.begin(), flown.quality_levels.end(), 0u), flown.frames / 8)
             << "calm times have the whole picture";
     }
 }
@@ -151,7 +151,7 @@ TEST(FrameBudgetFlight, WithoutDwellItChangesMoreOften) {
     EXPECT_LT(without.shortest_s, 0.5);
 }
 
-TEST(FrameBudgetFlight, IsDeterministic) { EXPECT_EQ(fly(33).rungs, fly(33).rungs); }
+TEST(FrameBudgetFlight, IsDeterministic) { EXPECT_EQ(fly(33).quality_levels, fly(33).quality_levels); }
 
 /// A replay that restores the governor goes on as the whole run did, wherever it begins.
 TEST(FrameBudget, RestoredItGoesOnAlike) {
@@ -167,7 +167,7 @@ TEST(FrameBudget, RestoredItGoesOnAlike) {
     part.restore(whole.governor());
     for (int n = 1800; n < 6000; ++n) {
         const BudgetReport one = plan(whole, n / 30.0), other = plan(part, n / 30.0);
-        ASSERT_EQ(one.rung, other.rung) << n;
+        ASSERT_EQ(one.quality_level, other.quality_level) << n;
         ASSERT_EQ(one.predicted_ms, other.predicted_ms);
     }
 }
@@ -195,7 +195,7 @@ TEST(FrameBudget, GivesUpOnlyWhatItMayAndSaysWhy) {
     FrameBudget budget;
     budget.hold(1, simulated_costs());
     const FramePlan plan = budget.plan(called(1), {}, counters_of(1), kTolerance, at(0));
-    EXPECT_EQ(budget.report().rung, kRungs - 1);
+    EXPECT_EQ(budget.report().quality_level, kQualityLevelCount - 1);
     EXPECT_TRUE(budget.report().is_missed);
     EXPECT_EQ(plan[Effect::silhouettes].reason, "the time does not suffice");
     EXPECT_EQ(plan[Effect::silhouettes].state, PlanState::skipped) << "ridges are not in reserve";
@@ -212,20 +212,20 @@ TEST(FrameBudget, AMachineThatNeedsMoreThanTheModelSaysIsBelieved) {
     const auto frame = [&](double t) { static_cast<void>(budget.plan(called(0.05), {}, counters_of(0.05), kTolerance, at(t))); };
     frame(0);
     const double modelled = budget.report().predicted_ms;
-    EXPECT_EQ(budget.report().rung, 0u);
-    budget.note_measured(5 * modelled);
+    EXPECT_EQ(budget.report().quality_level, 0u);
+    budget.record_measured(5 * modelled);
     frame(0.03);
-    EXPECT_EQ(budget.report().rung, 0u) << "one late frame is no trend";
+    EXPECT_EQ(budget.report().quality_level, 0u) << "one late frame is no trend";
     for (int n = 2; n < 60; ++n) {
-        budget.note_measured(3 * modelled);
+        budget.record_measured(3 * modelled);
         frame(n * 0.03);
     }
-    EXPECT_GT(budget.report().rung, 0u);
-    const std::size_t reduced = budget.report().rung;
-    budget.note_measured(19);
+    EXPECT_GT(budget.report().quality_level, 0u);
+    const std::size_t reduced = budget.report().quality_level;
+    budget.record_measured(19);
     frame(1.9);
-    EXPECT_EQ(budget.report().rung, reduced) << "it may have waited for the screen";
-    budget.note_measured(std::nan(""));
+    EXPECT_EQ(budget.report().quality_level, reduced) << "it may have waited for the screen";
+    budget.record_measured(std::nan(""));
     frame(2);
     EXPECT_TRUE(std::isfinite(budget.report().predicted_ms));
 }

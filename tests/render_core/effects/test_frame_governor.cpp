@@ -11,9 +11,9 @@ constexpr double kDeadline_ms = 33;
 
 base::Time at(double seconds) { return base::Time{} + base::Duration::from_seconds(seconds); }
 
-/// Each rung three quarters of the one before.
-std::array<double, kRungs> falling_from(double ms) {
-    std::array<double, kRungs> costs{};
+/// Each quality level costs three quarters of the one before.
+std::array<double, kQualityLevelCount> falling_from(double ms) {
+    std::array<double, kQualityLevelCount> costs{};
     for (double& cost : costs) {
         cost = ms;
         ms *= 0.75;
@@ -36,56 +36,56 @@ protected:
 
 TEST_F(Governor, WhatFitsIsLeftAlone) {
     const GovernorDecision decision = span(0, 10, 30);
-    EXPECT_EQ(decision.rung, 0u);
+    EXPECT_EQ(decision.quality_level, 0u);
     EXPECT_FALSE(decision.changed);
     EXPECT_EQ(decision.why, GovernorWhy::fits);
 }
 
-TEST_F(Governor, WhatIsTooDearGoesToTheNeededRungAtOnce) {
+TEST_F(Governor, WhatIsTooDearGoesToTheNeededQualityLevelAtOnce) {
     static_cast<void>(span(0, 3, 20));
     const GovernorDecision decision = frame(3, 80);
     // 80, 60, 45, 33.75, 25.3: the first at most 0.85 of 33.
-    EXPECT_EQ(decision.rung, 4u);
+    EXPECT_EQ(decision.quality_level, 4u);
     EXPECT_TRUE(decision.changed);
     EXPECT_EQ(decision.why, GovernorWhy::too_dear);
     EXPECT_FALSE(frame(3.03, 80).changed);
 }
 
-TEST_F(Governor, RelaxesAfterTheDwellWithMarginToTheRicherRungAtOnce) {
+TEST_F(Governor, RelaxesAfterTheDwellWithMarginToTheRicherQualityLevelAtOnce) {
     static_cast<void>(frame(0, 80));
-    EXPECT_EQ(span(0.1, 1.99, 20).rung, 4u) << "not within the dwell";
+    EXPECT_EQ(span(0.1, 1.99, 20).quality_level, 4u) << "not within the dwell";
     const GovernorDecision relaxed = frame(2, 20);
     EXPECT_TRUE(relaxed.changed);
-    EXPECT_EQ(relaxed.rung, 0u) << "not rung by rung";
+    EXPECT_EQ(relaxed.quality_level, 0u) << "not level by level";
     EXPECT_EQ(relaxed.why, GovernorWhy::relaxed);
-    EXPECT_EQ(governor_.rung(), 0u);
+    EXPECT_EQ(governor_.quality_level(), 0u);
 }
 
 TEST_F(Governor, WithoutTheMarginItStays) {
     static_cast<void>(frame(0, 80));
-    EXPECT_EQ(span(0.03, 60, 0.76 * kDeadline_ms).rung, 1u) << "rung 1 has the margin, the design's picture has not";
+    EXPECT_EQ(span(0.03, 60, 0.76 * kDeadline_ms).quality_level, 1u) << "level 1 has the margin, the design's picture has not";
 }
 
 TEST_F(Governor, OneDearFrameBreaksTheWait) {
     static_cast<void>(frame(0, 80));
     static_cast<void>(span(0.1, 1.9, 20));
     static_cast<void>(frame(1.9, 40));
-    EXPECT_EQ(span(1.95, 3.9, 20).rung, 2u) << "that rung stayed cheap, richer ones did not";
-    EXPECT_EQ(span(3.9, 4.1, 20).rung, 0u);
+    EXPECT_EQ(span(1.95, 3.9, 20).quality_level, 2u) << "that level stayed cheap, richer ones did not";
+    EXPECT_EQ(span(3.9, 4.1, 20).quality_level, 0u);
 }
 
 TEST_F(Governor, BetweenTwoChangesTheDwellPasses) {
     static_cast<void>(frame(0, 40));
-    ASSERT_EQ(governor_.rung(), 2u);
+    ASSERT_EQ(governor_.quality_level(), 2u);
     const GovernorDecision waiting = frame(1, 80);
-    EXPECT_EQ(waiting.rung, 2u);
+    EXPECT_EQ(waiting.quality_level, 2u);
     EXPECT_EQ(waiting.why, GovernorWhy::waits);
     EXPECT_EQ(frame(1.99, 80).why, GovernorWhy::waits);
-    EXPECT_EQ(frame(2, 80).rung, 4u);
+    EXPECT_EQ(frame(2, 80).quality_level, 4u);
 }
 
-TEST_F(Governor, WhereNothingSufficesItSaysSoAndStaysOnTheLastRung) {
-    EXPECT_EQ(frame(0, 500).rung, kRungs - 1);
+TEST_F(Governor, WhereNothingSufficesItSaysSoAndStaysAtTheLastQualityLevel) {
+    EXPECT_EQ(frame(0, 500).quality_level, kQualityLevelCount - 1);
     const GovernorDecision decision = frame(5, 500);
     EXPECT_FALSE(decision.changed);
     EXPECT_EQ(decision.why, GovernorWhy::cheapest_is_too_dear);
@@ -104,7 +104,7 @@ TEST_F(Governor, AReturnThatDidNotLastIsNotTriedAgainSoSoon) {
     EXPECT_GE(first, 3);
     EXPECT_LE(later, 4) << "it has learned that the cheap time does not last";
     EXPECT_EQ(changes_in(60, 20), 1) << "it comes back when the cheap time lasts";
-    EXPECT_EQ(governor_.rung(), 0u);
+    EXPECT_EQ(governor_.quality_level(), 0u);
 }
 
 TEST_F(Governor, AGrowingCostIsTakenForWhatItWillBe) {
@@ -115,27 +115,27 @@ TEST_F(Governor, AGrowingCostIsTakenForWhatItWillBe) {
         t += 1.0 / 30;
         ms += 10.0 / 30;  // 10 ms a second
     }
-    const std::size_t of_ramp = decision.rung;
+    const std::size_t of_ramp = decision.quality_level;
     FrameGovernor jump;
     static_cast<void>(jump.decide({at(0), kDeadline_ms, falling_from(10)}));
-    const std::size_t of_jump = jump.decide({at(5), kDeadline_ms, falling_from(ms)}).rung;
+    const std::size_t of_jump = jump.decide({at(5), kDeadline_ms, falling_from(ms)}).quality_level;
     EXPECT_GT(of_ramp, of_jump);
 }
 
 TEST_F(Governor, TheSameInstantIsTheSameFrameDecidedAgain) {
     static_cast<void>(span(0, 3, 20));
-    EXPECT_EQ(frame(3, 80).rung, 4u);
-    EXPECT_EQ(frame(3, 80).rung, 4u);
+    EXPECT_EQ(frame(3, 80).quality_level, 4u);
+    EXPECT_EQ(frame(3, 80).quality_level, 4u);
     EXPECT_TRUE(frame(3, 80).changed) << "compared with the frame before";
-    EXPECT_EQ(frame(3, 40).rung, 2u) << "what arrived meanwhile counts, not what was thought before";
-    EXPECT_EQ(frame(3, 20).rung, 0u);
+    EXPECT_EQ(frame(3, 40).quality_level, 2u) << "what arrived meanwhile counts, not what was thought before";
+    EXPECT_EQ(frame(3, 20).quality_level, 0u);
     EXPECT_FALSE(frame(3, 20).changed);
 }
 
 TEST_F(Governor, TimeThatRunsBackBeginsAnew) {
     static_cast<void>(frame(10, 80));
     const GovernorDecision decision = frame(4, 20);
-    EXPECT_EQ(decision.rung, 0u);
+    EXPECT_EQ(decision.quality_level, 0u);
     EXPECT_FALSE(decision.changed);
 }
 
@@ -146,7 +146,7 @@ TEST_F(Governor, ACopyGoesOnAlike) {
     for (double t = 4; t < 12; t += 1.0 / 30) {
         const double ms = 40 + 25 * std::sin(t);
         const GovernorDecision one = frame(t, ms), other = copy.decide({at(t), kDeadline_ms, falling_from(ms)});
-        EXPECT_EQ(one.rung, other.rung);
+        EXPECT_EQ(one.quality_level, other.quality_level);
         EXPECT_EQ(one.why, other.why);
     }
 }

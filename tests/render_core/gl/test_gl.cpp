@@ -124,7 +124,7 @@ protected:
     }
     ~OpenRefuses() override { surface_.value()->release_current(); }
 
-    std::string sentence() {
+    std::string message() {
         Gl gl;
         const auto facts = gl.open(*surface_.value(), device_);
         return facts.ok() ? "" : std::string(facts.error().message.view());
@@ -134,21 +134,21 @@ protected:
     base::Result<std::unique_ptr<base::Surface>, base::Error> surface_;
 };
 
-TEST_F(OpenRefuses, NothingOnAGoodDevice) { EXPECT_EQ(sentence(), ""); }
+TEST_F(OpenRefuses, NothingOnAGoodDevice) { EXPECT_EQ(message(), ""); }
 
 TEST_F(OpenRefuses, AnUnknownCallName) {
     ASSERT_TRUE(device_.gl.also.try_push_back("DrawMagic"));
-    EXPECT_NE(sentence().find("'DrawMagic'"), std::string::npos);
+    EXPECT_NE(message().find("'DrawMagic'"), std::string::npos);
 }
 
 TEST_F(OpenRefuses, ADepthBufferThatIsTooShallow) {
     device_.surface_depth_bits = 33;
-    EXPECT_NE(sentence().find("depth bits"), std::string::npos);
+    EXPECT_NE(message().find("depth bits"), std::string::npos);
 }
 
 TEST_F(OpenRefuses, LimitsBeyondTheDriver) {
     device_.gl.max_texture_px = 1u << 20;
-    EXPECT_NE(sentence().find("smaller limits"), std::string::npos);
+    EXPECT_NE(message().find("smaller limits"), std::string::npos);
 }
 
 /// A driver that is real but pretends to lack one call.

@@ -26,7 +26,7 @@ class ProgramTest : public testing::TestWithParam<Place> {
 protected:
     ProgramTest() : at_(GetParam().backend, GetParam().device) {}
 
-    std::string sentence(const ProgramSource& source) {
+    std::string message(const ProgramSource& source) {
         const auto program = build_program(at_.gl, source);
         return program.ok() ? "" : std::string(program.error().message.view());
     }
@@ -45,29 +45,29 @@ TEST_P(ProgramTest, BindsAttributesByNameAndFindsUniforms) {
 TEST_P(ProgramTest, CompilerMessagesNameTheProgramAndTheLine) {
     ProgramSource source = triangle_program_source();
     source.fragment = "VARYING vec4 tint;\nuniform float brightness;\nvoid main() { FRAGMENT_COLOR = nonsense; }\n";
-    const std::string text = sentence(source);
+    const std::string text = message(source);
     EXPECT_NE(text.find("program 'triangle' has a fragment shader that does not compile"), std::string::npos);
     EXPECT_NE(text.find("nonsense"), std::string::npos) << text;
     EXPECT_NE(text.find(":3("), std::string::npos) << "line 3 of the file: " << text;
     source = triangle_program_source();
     source.vertex = "void main() { ";
-    EXPECT_NE(sentence(source).find("vertex shader that does not compile"), std::string::npos);
+    EXPECT_NE(message(source).find("vertex shader that does not compile"), std::string::npos);
 }
 
 TEST_P(ProgramTest, LinkFaultsAndUnusedUniformsAreErrors) {
     ProgramSource source = triangle_program_source();
     source.fragment =
         "VARYING vec4 elsewhere;\nuniform float brightness;\nvoid main() { FRAGMENT_COLOR = elsewhere * brightness; }\n";
-    EXPECT_NE(sentence(source).find("does not link"), std::string::npos);
+    EXPECT_NE(message(source).find("does not link"), std::string::npos);
     source = triangle_program_source();
     const char* const uniforms[] = {"brightnes"};
     source.uniforms = uniforms;
-    EXPECT_EQ(sentence(source), "program 'triangle' does not use the uniform brightnes");
+    EXPECT_EQ(message(source), "program 'triangle' does not use the uniform brightnes");
     const std::vector<const char*> many(kMaxUniforms + 1, "brightness");
     source.uniforms = {many.data(), many.size() - 1};
-    EXPECT_EQ(sentence(source), "");
+    EXPECT_EQ(message(source), "");
     source.uniforms = {many.data(), many.size()};
-    EXPECT_EQ(sentence(source), "program 'triangle' has more uniforms than kMaxUniforms");
+    EXPECT_EQ(message(source), "program 'triangle' has more uniforms than kMaxUniforms");
 }
 
 std::vector<Place> places() {

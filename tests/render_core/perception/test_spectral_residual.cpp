@@ -37,14 +37,14 @@ std::vector<Complex> numbers_by_chance() {
 TEST(FourierTransform, IsTheSumOfItsDefinition) {
     const std::vector<Complex> numbers = numbers_by_chance();
     std::vector<Complex> transformed = numbers;
-    fourier_transform(transformed, TransformWay::forwards);
+    fourier_transform(transformed, TransformDirection::forwards);
     for (int k = 0; k < 64; ++k) {
         Complex sum = 0;
         for (int n = 0; n < 64; ++n)
             sum += numbers[static_cast<std::size_t>(n)] * std::polar(1.0, -2 * std::acos(-1.0) * n * k / 64);
         EXPECT_LT(std::abs(transformed[static_cast<std::size_t>(k)] - sum), 1e-12) << k;
     }
-    fourier_transform(transformed, TransformWay::backwards);
+    fourier_transform(transformed, TransformDirection::backwards);
     for (std::size_t n = 0; n < 64; ++n) EXPECT_LT(std::abs(transformed[n] - numbers[n]), 1e-13);
 }
 

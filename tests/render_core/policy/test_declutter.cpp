@@ -27,7 +27,7 @@ design::PrioritySettings priority_of(double terrain, double data, double obstacl
     return priority;
 }
 
-bool gives_way(const Declutter& declutter, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
+bool may_declutter(const Declutter& declutter, LayerRole role, design::DataTechnique technique = design::DataTechnique::arrows) {
     design::DataElement element;
     element.technique = technique;
     EXPECT_EQ(declutter.regions_of(element, role, true), nullptr) << "what warns";
@@ -38,29 +38,29 @@ TEST(Declutter, WhatComesFirstNeverGivesWay) {
     const scene::DetailRegions map = crowded(9);
     const design::PrioritySettings data = priority_of(0.3, 1, 0.5), terrain = priority_of(1, 0.3, 1);
     const Declutter in_cruise = declutter_of(map, data, data.weights), low = declutter_of(map, terrain, terrain.weights);
-    EXPECT_FALSE(gives_way(in_cruise, LayerRole::wind));
-    EXPECT_TRUE(gives_way(in_cruise, LayerRole::obstacle));
-    EXPECT_TRUE(gives_way(low, LayerRole::wind));
-    EXPECT_FALSE(gives_way(low, LayerRole::obstacle)) << "as first as terrain";
-    EXPECT_TRUE(gives_way(in_cruise, LayerRole::wind, design::DataTechnique::uncertainty_only));
+    EXPECT_FALSE(may_declutter(in_cruise, LayerRole::wind));
+    EXPECT_TRUE(may_declutter(in_cruise, LayerRole::obstacle));
+    EXPECT_TRUE(may_declutter(low, LayerRole::wind));
+    EXPECT_FALSE(may_declutter(low, LayerRole::obstacle)) << "as first as terrain";
+    EXPECT_TRUE(may_declutter(in_cruise, LayerRole::wind, design::DataTechnique::uncertainty_only));
     design::AspectWeights unsure = data.weights;
     unsure.of[design::kUncertaintyAspect] = 1;
-    EXPECT_FALSE(gives_way(declutter_of(map, data, unsure), LayerRole::wind, design::DataTechnique::uncertainty_only))
+    EXPECT_FALSE(may_declutter(declutter_of(map, data, unsure), LayerRole::wind, design::DataTechnique::uncertainty_only))
         << "raised for the moment";
 }
 
 TEST(Declutter, WhereAllRegionsKeepAllNothingGivesWay) {
     const design::PrioritySettings priority = priority_of(1, 0.3, 0.3);
-    EXPECT_FALSE(gives_way(declutter_of({}, priority, priority.weights), LayerRole::wind));
-    EXPECT_TRUE(gives_way(declutter_of(crowded(9), priority, priority.weights), LayerRole::wind)) << "control";
+    EXPECT_FALSE(may_declutter(declutter_of({}, priority, priority.weights), LayerRole::wind));
+    EXPECT_TRUE(may_declutter(declutter_of(crowded(9), priority, priority.weights), LayerRole::wind)) << "control";
 }
 
 TEST(Declutter, AtMostEverythingButWhatComesFirstKeepsTheLeast) {
     const design::PrioritySettings priority = priority_of(1, 0.3, 1);
     const Declutter most = declutter_of(effects::least_detail(), priority, priority.weights);
     for (const float factor : most.regions.factor) EXPECT_EQ(factor, static_cast<float>(effects::kMinDetailLeft));
-    EXPECT_TRUE(gives_way(most, LayerRole::wind));
-    EXPECT_FALSE(gives_way(most, LayerRole::obstacle));
+    EXPECT_TRUE(may_declutter(most, LayerRole::wind));
+    EXPECT_FALSE(may_declutter(most, LayerRole::obstacle));
 }
 
 }  // namespace

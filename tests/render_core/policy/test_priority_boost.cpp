@@ -108,10 +108,8 @@ TEST(PriorityBoost, TheSameInstantElsewhereIsDecidedAnew) {
     EXPECT_EQ(flight.follow(5), 0);
     flight.asked.ask(kTerrain, 0.9);
     EXPECT_EQ(flight.follow(5), 0) << "the same flight";
-    EXPECT_FALSE(flight.raised.is_anew());
     flight.latitude_rad = 0.81;
     EXPECT_EQ(flight.follow(5), 0.9);
-    EXPECT_TRUE(flight.raised.is_anew());
 }
 
 TEST(PriorityBoost, AnotherDesignDecidesTheIntervalAtItsFirstInstant) {
@@ -124,12 +122,10 @@ TEST(PriorityBoost, AnotherDesignDecidesTheIntervalAtItsFirstInstant) {
     flight.asked.ask(kTerrain, 0.9);
     EXPECT_EQ(flight.follow(5.8), 0.9) << "at once";
     EXPECT_EQ(flight.asked.instants.back(), 5'500'000'000);
-    EXPECT_TRUE(flight.raised.is_anew());
     // The next interval is the same, whether the turn was seen or not.
     Flight other = flight;
     other.raised = before;
     const double seen = flight.follow(6);
-    EXPECT_FALSE(flight.raised.is_anew());
     EXPECT_EQ(seen, other.follow(6));
     flight.asked.none_before_ns = other.asked.none_before_ns = 6'000'000'000;
     other.raised = before;

@@ -128,7 +128,7 @@ struct WallPicture {
         eye.height.m = wall().database.undulation(eye.latitude_rad, eye.longitude_rad).m + 1000 + kEyeAbove_m;
         const glm::dmat3 axes = earth::north_east_down(eye.latitude_rad, eye.longitude_rad);
         view = {earth::to_ecef(eye), axes[2], axes[1], -axes[0], 480, kWidth, kHeight, 100, 100000, {}};
-        display.display().set_free_view(view);
+        display.display().planner().set_free_view(view);
     }
     /// Red of the middle row.
     std::vector<int> row(base::Time now) {

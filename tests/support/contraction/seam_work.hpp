@@ -54,11 +54,11 @@ struct SeamWork {
         TraversalState<Lanes> m = enter<Lanes, std::int16_t>(nodes, lanes, lanes.from, true, nodes.layout->top);
         march_nodes<Lanes, std::int16_t, CellSurface::two_triangles, HitSide::above>(nodes, lanes, m);
         Hit hit;
-        if (!m.is_met || m.is_beyond) return hit;
+        if (!m.is_hit || m.is_beyond) return hit;
         hit.side = HitSide::above;
-        hit.t = m.met_t;
-        hit.column = static_cast<std::uint32_t>(m.met_column);
-        hit.row = static_cast<std::uint32_t>(m.met_row);
+        hit.t = m.hit_t;
+        hit.column = static_cast<std::uint32_t>(m.hit_column);
+        hit.row = static_cast<std::uint32_t>(m.hit_row);
         return hit;
     }
 };

@@ -18,7 +18,7 @@ using flight::Signal;
 
 KnownFlight play() {
     display::Display no_display;
-    return play_known_flight(embedded_inputs().log, bus::BusSettings(), no_display);
+    return play_known_flight(embedded_inputs().log, bus::BusSettings(), no_display.planner());
 }
 
 /// The last four data bytes of each identifier, by a reader that knows nothing but the text of the log.

@@ -12,6 +12,7 @@
 #include "render_core/base/ports/async_reader.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/display/display.hpp"
+#include "render_core/display/preroll.hpp"
 #include "render_core/gl/readback.hpp"
 #include "target/self_test.hpp"
 #include "target/self_test/known_flight.hpp"
@@ -34,7 +35,7 @@ Pixels drawn() {
     settings.height_px = kHeight;
     auto surface = std::move(platform::make_surface("egl", {kWidth, kHeight, platform::ContextLane::es2}).value());
     EXPECT_TRUE(surface->make_current());
-    std::vector<std::uint8_t> memory(display::Display::bytes_needed(settings.device));
+    std::vector<std::uint8_t> memory(display::DisplayMemory::bytes_needed(settings.device.budget));
     platform::MemoryByteSource terrain(embedded_inputs().terrain);
     base::SynchronousReader reader(terrain, base::kMaxReadTickets);
     Pixels pixels(std::size_t{4} * kWidth * kHeight);
@@ -44,9 +45,9 @@ Pixels drawn() {
             display.start(settings, {memory.data(), memory.size()}, *surface, {&terrain, &reader, terrain::ArrivalMode::exact})
                 .message.view(),
             "");
-        const KnownFlight flight = play_known_flight(embedded_inputs().log, bus::BusSettings(), display);
-        display.settle(flight.aircraft, flight.phase, flight.now);
-        display.update(flight.aircraft, flight.phase, flight.now);
+        const KnownFlight flight = play_known_flight(embedded_inputs().log, bus::BusSettings(), display.planner());
+        display::settle(display, {flight.aircraft, flight.phase, flight.now});
+        display.plan({flight.aircraft, flight.phase, flight.now});
         display.draw(*surface);
         EXPECT_TRUE(gl::read_pixels(display.gl(), kWidth, kHeight, pixels));
         display.stop();

@@ -24,15 +24,15 @@ public:
 
 TEST(GroundSection, FlatWaysAreThoseOfGeodesics) {
     const scene::ScenePoint from = scene_point(46.8, 179.99, 0), to = scene_point(46.81, -179.99, 0);
-    const glm::dvec2 way = flat_way(from, to);
+    const glm::dvec2 way = flat_offset(from, to);
     double distance_m = 0, azimuth_deg = 0, unused = 0;
     GeographicLib::Geodesic::WGS84().Inverse(46.8, 179.99, 46.81, -179.99, distance_m, azimuth_deg, unused);
     EXPECT_NEAR(glm::length(way), distance_m, 1);
     EXPECT_NEAR(base::degrees(std::atan2(way.x, way.y)), azimuth_deg, 0.1);
-    EXPECT_NEAR(glm::length(flat_way(moved(from, way), to)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(flat_offset(moved(from, way), to)), 0, 1e-6);
     EXPECT_LT(glm::length(right_of(way) - glm::dvec2(way.y, -way.x) / glm::length(way)), 1e-12);
     EXPECT_EQ(right_of(glm::dvec2(0)), glm::dvec2(0));
-    EXPECT_NEAR(glm::length(flat_way(between(from, to, 0.25), from)), 0.25 * glm::length(way), 1);
+    EXPECT_NEAR(glm::length(flat_offset(between(from, to, 0.25), from)), 0.25 * glm::length(way), 1);
 }
 
 TEST(GroundSection, IsAsHighAsTheHighestGroundBelow) {

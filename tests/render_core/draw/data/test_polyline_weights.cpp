@@ -41,7 +41,7 @@ void split(const std::vector<PolylineVertex>& way, std::size_t first, std::size_
     std::size_t farthest = first;
     double distance_m = tolerance_m;
     for (std::size_t n = first + 1; n < last; ++n)
-        if (const double d = distance_from_way(way[n], way[first], way[last]); d > distance_m) {
+        if (const double d = distance_from_segment(way[n], way[first], way[last]); d > distance_m) {
             distance_m = d;
             farthest = n;
         }
@@ -50,7 +50,7 @@ void split(const std::vector<PolylineVertex>& way, std::size_t first, std::size_
     split(way, farthest, last, tolerance_m, kept);
 }
 
-TEST(WayWeights, KeepsWhatTheMethodKeepsAtEveryTolerance) {
+TEST(PolylineWeights, KeepsWhatTheMethodKeepsAtEveryTolerance) {
     for (unsigned seed = 1; seed < 20; ++seed) {
         const std::vector<PolylineVertex> way = wandering(seed, 200);
         const std::vector<float> weights = weights_of(way);
@@ -64,29 +64,30 @@ TEST(WayWeights, KeepsWhatTheMethodKeepsAtEveryTolerance) {
     }
 }
 
-TEST(WayWeights, NothingLeftOutIsFartherThanTheTolerance) {
+TEST(PolylineWeights, NothingLeftOutIsFartherThanTheTolerance) {
     const std::vector<PolylineVertex> way = wandering(7, 512);
     const std::vector<float> weights = weights_of(way);
     constexpr double kTolerance_m = 25;
     std::size_t from = 0;
     for (std::size_t to = 1; to < way.size(); ++to) {
         if (!(static_cast<double>(weights[to]) > kTolerance_m)) continue;
-        for (std::size_t n = from + 1; n < to; ++n) EXPECT_LE(distance_from_way(way[n], way[from], way[to]), kTolerance_m + 1e-3);
+        for (std::size_t n = from + 1; n < to; ++n)
+            EXPECT_LE(distance_from_segment(way[n], way[from], way[to]), kTolerance_m + 1e-3);
         from = to;
     }
     EXPECT_EQ(from, way.size() - 1) << "the last one is kept";
 }
 
-TEST(WayWeights, DistancesAreFromTheStretchNotFromItsLine) {
+TEST(PolylineWeights, DistancesAreFromTheStretchNotFromItsLine) {
     const PolylineVertex from{{0, 0, 0}, {{0, 0, 0}}}, to{{100, 0, 0}, {{10, 0, kNone}}};
-    EXPECT_DOUBLE_EQ(distance_from_way({{50, 3, 4}, {{5, 0, 0}}}, from, to), 5);
-    EXPECT_DOUBLE_EQ(distance_from_way({{160, 0, 0}, {{10, 0, 0}}}, from, to), 60) << "beyond its end";
-    EXPECT_DOUBLE_EQ(distance_from_way({{50, 1, 0}, {{5, 7, 0}}}, from, to), 7) << "a value off its line";
-    EXPECT_DOUBLE_EQ(distance_from_way({{50, 1, 0}, {{5, kNone, 1e6}}}, from, to), 1) << "values that are none";
-    EXPECT_DOUBLE_EQ(distance_from_way({{0, 2, 0}, {{0, 0, 0}}}, from, {from.place, {{0, 0, 0}}}), 2) << "a way of no length";
+    EXPECT_DOUBLE_EQ(distance_from_segment({{50, 3, 4}, {{5, 0, 0}}}, from, to), 5);
+    EXPECT_DOUBLE_EQ(distance_from_segment({{160, 0, 0}, {{10, 0, 0}}}, from, to), 60) << "beyond its end";
+    EXPECT_DOUBLE_EQ(distance_from_segment({{50, 1, 0}, {{5, 7, 0}}}, from, to), 7) << "a value off its line";
+    EXPECT_DOUBLE_EQ(distance_from_segment({{50, 1, 0}, {{5, kNone, 1e6}}}, from, to), 1) << "values that are none";
+    EXPECT_DOUBLE_EQ(distance_from_segment({{0, 2, 0}, {{0, 0, 0}}}, from, {from.place, {{0, 0, 0}}}), 2) << "a way of no length";
 }
 
-TEST(WayWeights, ShortWaysAreTheirEnds) {
+TEST(PolylineWeights, ShortWaysAreTheirEnds) {
     EXPECT_TRUE(weights_of({}).empty());
     for (std::size_t count = 1; count < 3; ++count)
         for (const float weight : weights_of(wandering(3, count))) EXPECT_TRUE(std::isinf(weight));

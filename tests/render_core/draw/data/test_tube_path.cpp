@@ -81,8 +81,8 @@ TEST_F(TubeWayOfTest, NoPointIsFartherFromTheTubeThanItsTolerance) {
         for (std::size_t n = from + 1; n < to; ++n) {
             const scene::ScenePoint& p = layer.points[n];
             const glm::dvec3 at = earth::to_ecef({p.latitude_rad, p.longitude_rad, {static_cast<double>(p.height_m) + 50}});
-            worst_m = std::max(worst_m,
-                               distance_from_way({at, {}}, {line.points()[k - 1].position, {}}, {line.points()[k].position, {}}));
+            worst_m = std::max(
+                worst_m, distance_from_segment({at, {}}, {line.points()[k - 1].position, {}}, {line.points()[k].position, {}}));
         }
         from = to;
     }

@@ -50,18 +50,18 @@ std::size_t wrong_pixels(OpenedGround& ground, const terrain::PostRange& window,
     StartedPages<float> pages(started.chunks, {slots, 80 * 60, 2});
     EXPECT_EQ(pages.started, PagedTracer<float>::Started::yes);
     std::mt19937 random(slots);
-    std::size_t wrong = 0, met = 0;
+    std::size_t wrong = 0, hit_count = 0;
     std::uint32_t found = 0;
     for (int n = 0; n < 12; ++n) {
         const GridCamera camera = camera_over(random, window);
         const auto field = whole.traced(CellSurface::two_triangles);
         const TracedPicture singly = test_support::traced_singly(field, camera, 80, 60);
-        for (const HitSide side : singly.side) met += side != HitSide::none;
+        for (const HitSide side : singly.side) hit_count += side != HitSide::none;
         wrong += pages.trace(camera, 80, 60, window.i1 - window.i0, field.surface, packet_kernels<float>()[0], *workers.value())
                      .differences(singly);
         found = std::max(found, pages.work.damaged);
     }
-    EXPECT_GT(met, 5000u);
+    EXPECT_GT(hit_count, 5000u);
     EXPECT_EQ(found > 0, is_damaged);
     EXPECT_GT(started.chunks.read_bytes(), 0u);
     return wrong;

@@ -58,14 +58,14 @@ TEST(PagedTracer, AnyRaysMeetWhatTheyMeetInTheWhole) {
             if (!from_below) field.minima = nullptr;
             for (const auto& kernel : packet_kernels<std::int16_t>()) {
                 pages.tracer.trace(PagedRays::of(rays), kTriangles, from_below, kernel, workers, hits);
-                std::size_t wrong = 0, met = 0;
+                std::size_t wrong = 0, hit_count = 0;
                 for (std::size_t n = 0; n < rays.size(); ++n) {
                     const Hit whole = trace_ray(field, rays[n]);
                     wrong += differences(hits[n], whole);
-                    met += whole.side != HitSide::none;
+                    hit_count += whole.side != HitSide::none;
                 }
                 EXPECT_EQ(wrong, 0u) << kernel.name << ", slots " << slots << (from_below ? ", from below" : "");
-                EXPECT_GT(met, 3000u);
+                EXPECT_GT(hit_count, 3000u);
             }
         }
         field = hills.field(kTriangles);

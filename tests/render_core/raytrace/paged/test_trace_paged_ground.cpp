@@ -45,7 +45,7 @@ struct BothGrounds {
         return field;
     }
     /// Pixels that are not the same; adds those that meet something.
-    std::size_t different(const terrain::View& view, const GroundSpace& seen_in, std::size_t& met) {
+    std::size_t different(const terrain::View& view, const GroundSpace& seen_in, std::size_t& hit_count) {
         const auto workers = platform::make_thread_workers({2, nullptr});
         test_support::TracedPicture picture(kWidth, kHeight);
         trace_ground(whole.traced(CellSurface::two_triangles), space, view, view_kernels<float>()[0], *workers.value(),
@@ -56,12 +56,12 @@ struct BothGrounds {
                                   *workers.value(), cameras, hits);
         std::size_t count = 0;
         for (std::uint32_t n = 0; n < kPixels; ++n) {
-            const bool is_met = hits[n].side != HitSide::none;
+            const bool is_hit = hits[n].side != HitSide::none;
             const std::int32_t cell =
-                is_met ? static_cast<std::int32_t>(hits[n].row * (whole.field.columns - 1) + hits[n].column) : -1;
+                is_hit ? static_cast<std::int32_t>(hits[n].row * (whole.field.columns - 1) + hits[n].column) : -1;
             count += hits[n].side != picture.side[n] || cell != picture.cell[n] ||
                      std::memcmp(&hits[n].t, &picture.t[n], sizeof(float)) != 0;
-            met += is_met;
+            hit_count += is_hit;
         }
         return count;
     }
@@ -79,14 +79,14 @@ TEST(TracePagedGround, IsThePictureOfTheWholeDatabase) {
         OpenedGround opened(test_support::mixed_file(has_voids));
         for (const std::uint32_t slots : {1u, 9u}) {
             BothGrounds grounds(opened, slots);
-            std::size_t met = 0, loads = 0;
+            std::size_t hit_count = 0, loads = 0;
             for (const terrain::View& seen : test_support::some_views(opened.tdb, 12, 7, 4)) {
                 const terrain::View view = small_view(seen);
                 ASSERT_TRUE(can_trace(grounds.space, view));
-                EXPECT_EQ(grounds.different(view, grounds.space, met), 0u);
+                EXPECT_EQ(grounds.different(view, grounds.space, hit_count), 0u);
                 loads += grounds.work.loads;
             }
-            EXPECT_GT(met, 20000u);
+            EXPECT_GT(hit_count, 20000u);
             EXPECT_GT(loads, 10u);
         }
     }
@@ -97,8 +97,8 @@ TEST(TracePagedGround, TheCheckSeesASpaceThatIsOffByAColumn) {
     BothGrounds grounds(opened, 64);
     const GroundSpace aside(opened.database, {1, 0, 256, 256}, 1);
     const terrain::View view = small_view(test_support::some_views(opened.tdb, 1, 7, 4)[0]);
-    std::size_t met = 0;
-    EXPECT_GT(grounds.different(view, aside, met), 500u);
+    std::size_t hit_count = 0;
+    EXPECT_GT(grounds.different(view, aside, hit_count), 500u);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST_F(KernelTerrainTest, WholeTilesAreWhatTheKernelFinds) {
 }
 
 TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
-    std::size_t met_pixels = 0;
+    std::size_t hit_pixels = 0;
     for (const CellSurface surface : {CellSurface::bilinear, CellSurface::two_triangles})
         for (int run = 0; run < 6; ++run) {
             const GridCamera camera = test_support::any_camera(random_, 90, 70, kTiledWidth);
@@ -69,10 +69,10 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
             for (std::uint32_t y = 0; y < kTiledHeight; y += 7) {
                 terrain.find_surface({y * kTiledWidth + 64, 64}, tiles.picture(), found);
                 for (std::uint32_t n = 0; n < found.count; ++n) {
-                    const RayHit one = terrain.meet(camera.ray(64 + n, y));
-                    ASSERT_EQ(found.is_met[n], one.is_met);
-                    if (!one.is_met) continue;
-                    ++met_pixels;
+                    const RayHit one = terrain.intersect(camera.ray(64 + n, y));
+                    ASSERT_EQ(found.is_hit[n], one.is_hit);
+                    if (!one.is_hit) continue;
+                    ++hit_pixels;
                     EXPECT_EQ(found.t[n], one.t);
                     EXPECT_NEAR(found.x[n], one.x, 1e-4);
                     EXPECT_NEAR(found.y[n], one.y, 1e-4);
@@ -81,7 +81,7 @@ TEST_F(KernelTerrainTest, SurfaceOfASpanIsThatWhichSingleRaysMeet) {
                 }
             }
         }
-    EXPECT_GT(met_pixels, 500U);
+    EXPECT_GT(hit_pixels, 500U);
 }
 
 /// Whatever lies in the memory of a place that no ray has written.
@@ -100,7 +100,7 @@ TEST_F(KernelTerrainTest, RaysThatMeetNothingGiveHeightsInRange) {
         SpanSurface found;
         terrain.find_surface({0, 64}, places.picture(), found);
         for (std::uint32_t n = 0; n < found.count; ++n) {
-            missed += found.is_met[n] ? 0 : 1;
+            missed += found.is_hit[n] ? 0 : 1;
             ASSERT_TRUE(std::isfinite(found.height[n]) && std::isfinite(found.x[n]) && std::isfinite(found.y[n])) << n;
         }
     }
@@ -117,15 +117,15 @@ TEST_F(KernelTerrainTest, FinerPostsAreTheSamePlaces) {
     own.origin = {20.6, 24.4, 30000};
     own.direction = {0.02f, 0.04f, -1000};
     const Hit hit = trace_ray(field(CellSurface::bilinear), own);
-    const RayHit met = fine.meet(ray);
-    ASSERT_TRUE(met.is_met && hit.side != HitSide::none);
-    EXPECT_EQ(met.t, hit.t);
+    const RayHit ray_hit = fine.intersect(ray);
+    ASSERT_TRUE(ray_hit.is_hit && hit.side != HitSide::none);
+    EXPECT_EQ(ray_hit.t, hit.t);
     EXPECT_TRUE(fine.is_hidden(ray));
-    EXPECT_EQ(static_cast<std::uint32_t>(met.x * 2), hit.column);
-    EXPECT_EQ(static_cast<std::uint32_t>(met.y * 2), hit.row);
+    EXPECT_EQ(static_cast<std::uint32_t>(ray_hit.x * 2), hit.column);
+    EXPECT_EQ(static_cast<std::uint32_t>(ray_hit.y * 2), hit.row);
     KernelTerrain<std::int16_t> posts;
     posts.start(field(CellSurface::bilinear), 1, kTiledWidth, kTiledHeight);
-    EXPECT_NEAR(met.point.slope_x, 2 * posts.meet(own).point.slope_x, 1e-6);
+    EXPECT_NEAR(ray_hit.point.slope_x, 2 * posts.intersect(own).point.slope_x, 1e-6);
     ray.direction.z = 1000;
     EXPECT_FALSE(fine.is_hidden(ray));
 }

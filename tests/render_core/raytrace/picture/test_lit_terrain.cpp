@@ -24,17 +24,17 @@ TEST(LitTerrain, PathsSeeTheGroundTheWallAndTheSky) {
     const GridScale scale = {10, 20, 0.5};
     const LitTerrain lit = {&drawn.scene.terrain(drawn.settings[0]), &drawn.look, scale};
     const LitScene scene = lit.scene();
-    const LitPlace ground = scene.meet(scene.context, {205, 400, 300}, {0, 0, -1});
-    ASSERT_TRUE(ground.is_met);
+    const LitPlace ground = scene.intersect(scene.context, {205, 400, 300}, {0, 0, -1});
+    ASSERT_TRUE(ground.is_hit);
     EXPECT_NEAR(ground.point.x, 205, 1e-3);
     EXPECT_NEAR(ground.point.y, 400, 1e-3);
     EXPECT_NEAR(ground.point.z, 0, 1e-3);
     EXPECT_GE(ground.point.z, 0);
     EXPECT_NEAR(ground.normal.z, 1, 1e-12);
-    const LitPlace wall = scene.meet(scene.context, ground.point + glm::dvec3(0, 0, 1), {1, 0, 0});
-    ASSERT_TRUE(wall.is_met);
+    const LitPlace wall = scene.intersect(scene.context, ground.point + glm::dvec3(0, 0, 1), {1, 0, 0});
+    ASSERT_TRUE(wall.is_hit);
     EXPECT_LT(wall.normal.x, -0.9);
-    EXPECT_FALSE(scene.meet(scene.context, ground.point, {0.1, 0, 1}).is_met);
+    EXPECT_FALSE(scene.intersect(scene.context, ground.point, {0.1, 0, 1}).is_hit);
     EXPECT_TRUE(scene.is_hidden(scene.context, ground.point, {1, 0, 0.1}));
     EXPECT_FALSE(scene.is_hidden(scene.context, ground.point, {-1, 0, 0.1}));
     // A level plane far from the wall: the sun alone, and a bounce that sees an even sky, of which it keeps its colour.
@@ -48,8 +48,8 @@ TEST(LitTerrain, OnlyWhatIsLowMirrors) {
     drawn.look.mirror_below = 50;
     const LitTerrain lit = {&drawn.scene.terrain(drawn.settings[0]), &drawn.look, {10, 20, 0.5}};
     const LitScene scene = lit.scene();
-    EXPECT_EQ(scene.meet(scene.context, {205, 400, 300}, {0, 0, -1}).material.mirror, 0.7f);
-    EXPECT_EQ(scene.meet(scene.context, {399.9, 400, 300}, {0, 0, -1}).material.mirror, 0.0f);
+    EXPECT_EQ(scene.intersect(scene.context, {205, 400, 300}, {0, 0, -1}).material.mirror, 0.7f);
+    EXPECT_EQ(scene.intersect(scene.context, {399.9, 400, 300}, {0, 0, -1}).material.mirror, 0.0f);
 }
 
 }  // namespace

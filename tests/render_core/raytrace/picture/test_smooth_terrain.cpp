@@ -16,7 +16,7 @@ TEST(SmoothTerrain, HasWhatEachRayMeetsAlone) {
     SmoothTerrain<std::int16_t> terrain;
     terrain.start(scene.maxima, scene.settings, kSmoothWidth);
     std::mt19937 random(8);
-    std::size_t met = 0;
+    std::size_t hit_count = 0;
     for (int run = 0; run < 8; ++run) {
         const GridCamera camera = test_support::any_camera(random, 50, 60, kSmoothWidth);
         terrain.set_view(PictureSight::of_grid(camera));
@@ -30,21 +30,21 @@ TEST(SmoothTerrain, HasWhatEachRayMeetsAlone) {
             terrain.find_surface({y * kSmoothWidth, kSmoothWidth}, hits, surface);
             for (std::uint32_t x = 0; x < kSmoothWidth; ++x) {
                 const SurfaceHit hit = scene.trace(camera.ray(x, y));
-                ASSERT_EQ(surface.is_met[x], hit.side != HitSide::none);
-                EXPECT_EQ(terrain.is_hidden(camera.ray(x, y)), surface.is_met[x]);
-                if (!surface.is_met[x]) continue;
-                ++met;
+                ASSERT_EQ(surface.is_hit[x], hit.side != HitSide::none);
+                EXPECT_EQ(terrain.is_hidden(camera.ray(x, y)), surface.is_hit[x]);
+                if (!surface.is_hit[x]) continue;
+                ++hit_count;
                 EXPECT_EQ(surface.t[x], static_cast<float>(hit.t));
                 EXPECT_NEAR(surface.x[x], hit.place.column + hit.place.u, 1e-4);
                 EXPECT_NEAR(surface.slope_x[x], hit.slopes.x, 0.05);
                 EXPECT_NEAR(surface.slope_y[x], hit.slopes.y, 0.05);
-                const RayHit one = terrain.meet(camera.ray(x, y));
+                const RayHit one = terrain.intersect(camera.ray(x, y));
                 EXPECT_EQ(one.point.height, hit.height);
                 EXPECT_EQ(one.t, surface.t[x]);
             }
         }
     }
-    EXPECT_GT(met, 500U);
+    EXPECT_GT(hit_count, 500U);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ protected:
         const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); };
         surface_.count = PixelSpan::kMax;
         for (std::uint32_t n = 0; n < surface_.count; ++n) {
-            surface_.is_met[n] = true;
+            surface_.is_hit[n] = true;
             surface_.x[n] = any(0, kLitPosts - 1);
             surface_.y[n] = any(0, kLitPosts - 1);
             surface_.height[n] = static_cast<float>(any(-100, 1200));

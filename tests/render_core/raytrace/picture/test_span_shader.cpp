@@ -34,14 +34,14 @@ protected:
             rays_.direction[2][n] = -1;
             origins_[n] = {x, 20.5, 30000};
             rays_.origins = origins_;
-            const RayHit met = shader_.terrain->meet(rays_.ray(n));
-            surface_.is_met[n] = met.is_met;
-            surface_.x[n] = met.x;
-            surface_.y[n] = met.y;
-            surface_.t[n] = met.t;
-            surface_.height[n] = static_cast<float>(met.point.height);
-            surface_.slope_x[n] = static_cast<float>(met.point.slope_x);
-            surface_.slope_y[n] = static_cast<float>(met.point.slope_y);
+            const RayHit hit = shader_.terrain->intersect(rays_.ray(n));
+            surface_.is_hit[n] = hit.is_hit;
+            surface_.x[n] = hit.x;
+            surface_.y[n] = hit.y;
+            surface_.t[n] = hit.t;
+            surface_.height[n] = static_cast<float>(hit.point.height);
+            surface_.slope_x[n] = static_cast<float>(hit.point.slope_x);
+            surface_.slope_y[n] = static_cast<float>(hit.point.slope_y);
             seeds_[n] = n;
         }
         shader_.shade(rays_, seeds_, surface_, light_);

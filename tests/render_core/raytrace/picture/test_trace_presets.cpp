@@ -27,14 +27,14 @@ TEST(TracePresets, TheThreePicturesAreOfTheSamePlace) {
         t[n].assign(drawn.picture.stages().hits().t.begin(), drawn.picture.stages().hits().t.end());
     }
     for (const int other : {1, 2}) {
-        int near = 0, met = 0;
+        int near = 0, hit_count = 0;
         for (std::size_t n = 0; n < t[0].size(); ++n) {
             if (!std::isfinite(t[0][n])) continue;
-            ++met;
+            ++hit_count;
             near += std::abs(t[other][n] - t[0][n]) < 1.5f ? 1 : 0;  // cells
         }
-        EXPECT_GT(met, 1000);
-        EXPECT_GT(near, met * 95 / 100);
+        EXPECT_GT(hit_count, 1000);
+        EXPECT_GT(near, hit_count * 95 / 100);
     }
 }
 

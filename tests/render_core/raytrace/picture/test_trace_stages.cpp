@@ -85,17 +85,17 @@ TEST(TraceStages, AMirrorShowsWhatAnEyeBehindItWouldSee) {
     for (std::uint32_t y = 0; y < 30; ++y)
         for (std::uint32_t x = 0; x < 40; ++x) {
             const Ray ray = drawn.scene.sight().camera.ray(x, y);
-            const RayHit met = terrain.meet(ray);
+            const RayHit hit = terrain.intersect(ray);
             const std::size_t at = y * 40 + x;
-            if (!met.is_met || met.point.height > 0) {
+            if (!hit.is_hit || hit.point.height > 0) {
                 EXPECT_EQ(with[at], without[at]);
                 continue;
             }
             Ray behind = ray;
-            behind.origin = {met.x, met.y, 0.1};
+            behind.origin = {hit.x, hit.y, 0.1};
             behind.direction.z = -ray.direction.z;
-            const RayHit seen = terrain.meet(behind);
-            if (!seen.is_met) {
+            const RayHit seen = terrain.intersect(behind);
+            if (!seen.is_hit) {
                 ++of_sky;
                 const glm::vec3 right = 0.5f * without[at] + 0.5f * drawn.look.background;
                 EXPECT_LT(glm::length(with[at] - right), 1e-3f);

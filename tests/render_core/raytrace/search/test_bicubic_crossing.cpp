@@ -37,7 +37,7 @@ TEST(BicubicCrossing, TheCurveIsTheLinesHeightAboveThePatch) {
 
 TEST(BicubicCrossing, MissesNoDipThatFineSamplesFind) {
     Dice dice(2);
-    int met = 0;
+    int hit_count = 0;
     for (int n = 0; n < 3000; ++n) {
         const BicubicPatch patch = dice_patch(n);
         CellRay ray = stretch_of(dice);
@@ -52,26 +52,26 @@ TEST(BicubicCrossing, MissesNoDipThatFineSamplesFind) {
         ray.to.z -= least + 1e-3;
         if (gap(0) <= 0) continue;
         const Crossing found = bicubic_crossing(patch, ray, 1);
-        ASSERT_TRUE(found.is_met) << n;
+        ASSERT_TRUE(found.is_hit) << n;
         ASSERT_NEAR(gap(found.s), 0, 1e-9);
         // And just above it: nothing, where the samples say so by more than they may be off.
         ray.from.z += 2.1e-3;
         ray.to.z += 2.1e-3;
         const Crossing above = bicubic_crossing(patch, ray, 1);
-        ASSERT_TRUE(!above.is_met || std::abs(gap(above.s)) < 1e-9);
-        met += above.is_met ? 0 : 1;
+        ASSERT_TRUE(!above.is_hit || std::abs(gap(above.s)) < 1e-9);
+        hit_count += above.is_hit ? 0 : 1;
     }
-    EXPECT_GT(met, 1500);
+    EXPECT_GT(hit_count, 1500);
 }
 
 TEST(BicubicCrossing, ALineInTheSurfaceEndsAfterBoundedSteps) {
     const test_support::HeldHeights<float> flat(4, 4, 2.f);
     const BicubicPatch patch = bicubic_patch(patch_posts(flat.grid(), 1, 1));
     const CellRay in_it{{0, {1, 1, 0.1, 0.2}, 2}, {1, {1, 1, 0.9, 0.3}, 2}};
-    EXPECT_TRUE(bicubic_crossing(patch, in_it, 1).is_met);
+    EXPECT_TRUE(bicubic_crossing(patch, in_it, 1).is_hit);
     EXPECT_EQ(bicubic_crossing(patch, in_it, 1).s, 0);
     const CellRay above{{0, {1, 1, 0.1, 0.2}, std::nextafter(2.0, 3.0)}, {1, {1, 1, 0.9, 0.3}, std::nextafter(2.0, 3.0)}};
-    EXPECT_FALSE(bicubic_crossing(patch, above, 1).is_met);
+    EXPECT_FALSE(bicubic_crossing(patch, above, 1).is_hit);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ CellRay random_stretch(Dice& dice) {
 }
 
 struct Sampled {
-    bool is_met = false;
+    bool is_hit = false;
     double s = 0, least = 0;  ///< how far the stretch keeps from the surface, where it is not met
 };
 
@@ -59,7 +59,7 @@ Sampled sampled_crossing(const CellPatch& patch, const CellRay& ray, int samples
         const double s = n / static_cast<double>(samples), g = is_below ? -gap(s) : gap(s);
         found.least = std::min(found.least, g);
         if (g > 0) continue;
-        found.is_met = true;
+        found.is_hit = true;
         found.s = s;
         break;
     }
@@ -70,21 +70,21 @@ TEST(CellCrossing, IsTheFirstChangeOfSignAmongManySamples) {
     constexpr int kSamples = 2000;
     for (const SurfaceKind kind : kSurfaceKinds) {
         Dice dice(static_cast<std::uint64_t>(kind) + 1);
-        int met = 0, from_below = 0;
+        int hit_count = 0, from_below = 0;
         for (int n = 0; n < 4000; ++n) {
             const CellPatch patch = patch_of(kind, n);
             const CellRay ray = random_stretch(dice);
             const Crossing crossing = first_crossing(patch, {}, ray);
             const Sampled sampled = sampled_crossing(patch, ray, kSamples);
-            if (!sampled.is_met && crossing.is_met) {
+            if (!sampled.is_hit && crossing.is_hit) {
                 // Between two samples: it must be real.
                 const RayPoint p = ray.at(crossing.s);
                 ASSERT_NEAR(p.z, patch.at(p.place.u, p.place.v).height, 1e-9);
                 continue;
             }
-            ASSERT_EQ(crossing.is_met, sampled.is_met) << static_cast<int>(kind) << ' ' << n << " kept " << sampled.least;
-            if (!crossing.is_met) continue;
-            ++met;
+            ASSERT_EQ(crossing.is_hit, sampled.is_hit) << static_cast<int>(kind) << ' ' << n << " kept " << sampled.least;
+            if (!crossing.is_hit) continue;
+            ++hit_count;
             from_below += crossing.is_from_below ? 1 : 0;
             ASSERT_LE(crossing.s, sampled.s + 1e-9);
             const RayPoint p = ray.at(crossing.s);
@@ -96,7 +96,7 @@ TEST(CellCrossing, IsTheFirstChangeOfSignAmongManySamples) {
                 ASSERT_TRUE(crossing.is_from_below ? gap < 1e-9 : gap > -1e-9);
             }
         }
-        EXPECT_GT(met, 1000);
+        EXPECT_GT(hit_count, 1000);
         EXPECT_GT(from_below, 300);
     }
 }
@@ -111,7 +111,7 @@ TEST(CellCrossing, QuadraticsNearlyFlatKeepTheirDigits) {
         const double g0 = -root * (slope - a * root), g1 = (1 - root) * (slope + a * (1 - root));
         if (g0 <= 0 || std::abs(slope) < 2 * std::abs(a)) continue;
         const Crossing found = first_root(g0, g1, a);
-        ASSERT_TRUE(found.is_met);
+        ASSERT_TRUE(found.is_hit);
         ASSERT_NEAR(found.s, root, 1e-13) << a;
     }
 }
@@ -125,8 +125,8 @@ TEST(CellCrossing, ATangentIsJudgedAsInLongDouble) {
         // a (s - place)^2 + clearance
         const double g0 = a * place * place + clearance, g1 = a * (1 - place) * (1 - place) + clearance;
         const long double b = (static_cast<long double>(g1) - g0) - a;
-        const bool is_met = static_cast<long double>(g0) - b * b / (4 * static_cast<long double>(a)) <= 0;
-        unlike += first_root(g0, g1, a).is_met != is_met ? 1 : 0;
+        const bool is_hit = static_cast<long double>(g0) - b * b / (4 * static_cast<long double>(a)) <= 0;
+        unlike += first_root(g0, g1, a).is_hit != is_hit ? 1 : 0;
     }
     EXPECT_EQ(unlike, 0);
 }
@@ -138,7 +138,7 @@ TEST(CellCrossing, NeighboursLeaveNoGapAtTheirSides) {
     for (const SurfaceKind kind : kSurfaceKinds) {
         SurfaceSettings settings;
         settings.kind = kind;
-        int slipped = 0, met = 0;
+        int slipped = 0, hit_count = 0;
         for (int n = 0; n < 20000; ++n) {
             const std::uint32_t column = 1 + dice.below(4), row = 1 + dice.below(5);
             const double v = dice.unit();
@@ -152,11 +152,11 @@ TEST(CellCrossing, NeighboursLeaveNoGapAtTheirSides) {
             const RayPoint to{
                 2, {column + 1, row, 1, std::clamp(v + dice.between(-1, 1), 0.0, 1.0)}, right.range().lowest - rise};
             const Crossing before = first_crossing(left, {}, {from, middle}), behind = first_crossing(right, {}, {entered, to});
-            slipped += !before.is_met && !behind.is_met ? 1 : 0;
-            met += before.is_met ? 1 : 0;
+            slipped += !before.is_hit && !behind.is_hit ? 1 : 0;
+            hit_count += before.is_hit ? 1 : 0;
         }
         EXPECT_EQ(slipped, 0);
-        EXPECT_EQ(met, 20000) << "the closed side belongs to both";
+        EXPECT_EQ(hit_count, 20000) << "the closed side belongs to both";
     }
 }
 

@@ -16,18 +16,18 @@ TEST(UniformSearch, IsAsPreciseAsItsHalvings) {
     const auto gap = [](double t) { return 0.3137 - t; };
     for (std::uint32_t halvings = 0; halvings <= 30; ++halvings) {
         const SearchedPlace found = search_uniformly(gap, 0, 1, {4, halvings});
-        ASSERT_TRUE(found.is_met);
+        ASSERT_TRUE(found.is_hit);
         EXPECT_LE(std::abs(found.t - 0.3137), 0.25 / std::pow(2, std::min(halvings, 24u)));
     }
     EXPECT_GT(std::abs(search_uniformly(gap, 0, 1, {4, 100}).t - 0.3137), 1e-12) << "never more than 24";
-    EXPECT_FALSE(search_uniformly([](double t) { return 1 + t; }, 0, 1, {4, 4}).is_met);
+    EXPECT_FALSE(search_uniformly([](double t) { return 1 + t; }, 0, 1, {4, 4}).is_hit);
     EXPECT_TRUE(search_uniformly([](double t) { return t - 0.5; }, 0, 1, {4, 4}).is_from_below);
     EXPECT_EQ(search_uniformly([](double t) { return t; }, 0, 1, {4, 4}).t, 0);
 }
 
 TEST(UniformSearch, BeginsAnewBehindAHole) {
     const auto gap = [](double t) { return t < 0.3 ? 1 : t < 0.6 ? std::nan("") : -1; };
-    EXPECT_FALSE(search_uniformly(gap, 0, 1, {50, 8}).is_met);
+    EXPECT_FALSE(search_uniformly(gap, 0, 1, {50, 8}).is_hit);
 }
 
 struct WrongRays {

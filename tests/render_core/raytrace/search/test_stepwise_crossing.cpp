@@ -12,7 +12,7 @@ using test_support::Dice;
 
 TEST(StepwiseCrossing, NeverPassesWhatFineSamplesFind) {
     Dice dice(1);
-    int met = 0, missed = 0;
+    int hit_count = 0, missed = 0;
     for (int n = 0; n < 3000; ++n) {
         SurfaceSettings settings;
         settings.kind = test_support::kSurfaceKinds[n % 4];
@@ -34,14 +34,14 @@ TEST(StepwiseCrossing, NeverPassesWhatFineSamplesFind) {
             if (sign * gap(k / 3000.0) <= 0) first = k / 3000.0;
         const Crossing found = stepwise_crossing(patch, settings.micro, ray);
         if (first <= 1) {
-            ASSERT_TRUE(found.is_met) << n;
+            ASSERT_TRUE(found.is_hit) << n;
             ASSERT_LE(found.s, first + 1e-12);
-            ++met;
+            ++hit_count;
         }
-        missed += found.is_met ? 0 : 1;
-        ASSERT_TRUE(!found.is_met || std::abs(gap(found.s)) < 1.5e-5) << "no farther than the skin";
+        missed += found.is_hit ? 0 : 1;
+        ASSERT_TRUE(!found.is_hit || std::abs(gap(found.s)) < 1.5e-5) << "no farther than the skin";
     }
-    EXPECT_GT(met, 1000);
+    EXPECT_GT(hit_count, 1000);
     EXPECT_GT(missed, 100);
 }
 
@@ -65,7 +65,7 @@ TEST(StepwiseCrossing, StepsOfFixedLengthDoPass) {
     }
     EXPECT_FALSE(is_seen);
     const Crossing found = stepwise_crossing(patch, settings.micro, ray);
-    EXPECT_TRUE(found.is_met);
+    EXPECT_TRUE(found.is_hit);
     EXPECT_NEAR(found.s, 36.5 / 64, 1e-5);
 }
 

@@ -82,7 +82,7 @@ int lost_by_row_start(const test_support::SurfaceScene<std::int16_t>& scene, dou
             ray.from = row_start(ray, ways, {share});
             const SurfaceHit found = scene.trace(ray);
             lost += found.t != exact.t && std::abs(found.t - exact.t) > 1e-9 ? 1 : 0;
-            ways[0] = found.side == HitSide::none ? std::numeric_limits<double>::infinity() : way_over_ground(ray, found.t);
+            ways[0] = found.side == HitSide::none ? std::numeric_limits<double>::infinity() : distance_over_ground(ray, found.t);
         }
     }
     return lost;

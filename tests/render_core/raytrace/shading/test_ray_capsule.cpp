@@ -59,8 +59,8 @@ TEST(RayCapsule, IsWhereStepsInLongDoubleEnd) {
         const CapsuleHit hit = ray_capsule(origin, unit, 0, capsule);
         ++compared;
         if (nearest > 1e-12L && nearest < 1e-6L) continue;  // touches: either is right
-        ASSERT_EQ(hit.is_met, t >= 0) << n;
-        if (!hit.is_met) continue;
+        ASSERT_EQ(hit.is_hit, t >= 0) << n;
+        if (!hit.is_hit) continue;
         ++hits;
         EXPECT_NEAR(static_cast<double>(distance(on_ray(origin, unit, hit.t), capsule)), 0, 1e-10);
         EXPECT_NEAR(hit.t, static_cast<double>(t), 1e-5);
@@ -78,18 +78,18 @@ TEST(RayCapsule, FromWithinItMeetsTheInside) {
         const glm::dvec3 origin = capsule.from + dice.unit() * (capsule.to - capsule.from);
         const glm::dvec3 direction = random_point(dice, 5);
         const CapsuleHit hit = ray_capsule(origin, direction, 0, capsule);
-        ASSERT_TRUE(hit.is_met && hit.is_from_inside);
+        ASSERT_TRUE(hit.is_hit && hit.is_from_inside);
         EXPECT_NEAR(static_cast<double>(distance(on_ray(origin, direction, hit.t), capsule)), 0, 1e-10);
-        EXPECT_FALSE(ray_capsule(origin, direction, hit.t + 1e-6, capsule).is_met);
+        EXPECT_FALSE(ray_capsule(origin, direction, hit.t + 1e-6, capsule).is_hit);
     }
 }
 
 TEST(RayCapsule, FarRaysKeepTheirDigits) {
     const Capsule tube{{1e6, 0, 0}, {1e6, 1000, 0}, 5};
     const CapsuleHit hit = ray_capsule({0, 500, 4.9999}, {1, 0, 0}, 0, tube);
-    ASSERT_TRUE(hit.is_met);
+    ASSERT_TRUE(hit.is_hit);
     EXPECT_NEAR(hit.t, 1e6 - std::sqrt(25 - 4.9999 * 4.9999), 1e-8);
-    EXPECT_FALSE(ray_capsule({0, 500, 5.0000001}, {1, 0, 0}, 0, tube).is_met);
+    EXPECT_FALSE(ray_capsule({0, 500, 5.0000001}, {1, 0, 0}, 0, tube).is_hit);
 }
 
 TEST(RayCapsule, ABallAndARayAlongTheAxis) {
@@ -99,7 +99,7 @@ TEST(RayCapsule, ABallAndARayAlongTheAxis) {
     EXPECT_NEAR(ray_capsule({-10, 1, 0}, {1, 0, 0}, 0, tube).t, 10 - std::sqrt(3.0), 1e-12);
     EXPECT_NEAR(ray_capsule({3, 0, 9}, {0, 0, -1}, 0, tube).t, 7, 1e-12);
     EXPECT_NEAR(ray_capsule({3, 0, 9}, {0, 0, -1}, 0, tube).along, 3 / 7.0, 1e-12);
-    EXPECT_FALSE(ray_capsule({3, 0, 9}, {0, 0, 1}, 0, tube).is_met);
+    EXPECT_FALSE(ray_capsule({3, 0, 9}, {0, 0, 1}, 0, tube).is_hit);
     EXPECT_EQ(ray_capsule({3, 0, 9}, {0, 0, -1}, 0, tube).normal, glm::dvec3(0, 0, 1));
 }
 

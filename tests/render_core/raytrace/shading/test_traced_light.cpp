@@ -18,13 +18,13 @@ struct Ball {
 
     LitScene scene() {
         LitScene made;
-        made.meet = [](const void* context, const glm::dvec3& origin, const glm::dvec3& direction) {
+        made.intersect = [](const void* context, const glm::dvec3& origin, const glm::dvec3& direction) {
             auto& ball = *static_cast<Ball*>(const_cast<void*>(context));
             ++ball.rays;
             const double b = glm::dot(origin, direction), c = glm::dot(origin, origin) - 1;
             const glm::dvec3 point = origin + (-b + std::sqrt(std::max(b * b - c, 0.0))) * direction;
             LitPlace place;
-            place.is_met = !(ball.is_open_above && point.z > 0);
+            place.is_hit = !(ball.is_open_above && point.z > 0);
             place.normal = -glm::normalize(point);
             place.point = point * 0.9999999;
             place.material = ball.material;
@@ -42,10 +42,10 @@ struct Ball {
 /// A floor at z = 0 under an open sky.
 LitScene floor_scene(const Material* material) {
     LitScene scene;
-    scene.meet = [](const void* context, const glm::dvec3& origin, const glm::dvec3& direction) {
+    scene.intersect = [](const void* context, const glm::dvec3& origin, const glm::dvec3& direction) {
         LitPlace place;
-        place.is_met = direction.z < 0;
-        if (place.is_met) place.point = origin - direction * (origin.z / direction.z) + glm::dvec3(0, 0, 1e-9);
+        place.is_hit = direction.z < 0;
+        if (place.is_hit) place.point = origin - direction * (origin.z / direction.z) + glm::dvec3(0, 0, 1e-9);
         place.material = *static_cast<const Material*>(context);
         return place;
     };

@@ -21,11 +21,11 @@ struct Passes {
         passes.values[index] = passes.values[index] * 31 + index;  // by another worker in each pass
         --passes.busy[lane];
     }
-    static void lead(void* self, ThreadTeam& crew) {
+    static void lead(void* self, ThreadTeam& team) {
         Passes& passes = *static_cast<Passes*>(self);
         ++passes.leads;
         for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
-            crew.share(kWorks - pass, &Passes::work, self);
+            team.share(kWorks - pass, &Passes::work, self);
             for (std::uint32_t n = 0; n < kWorks - pass; ++n) passes.faults += passes.done[n] == pass + 1 ? 0 : 1;
         }
     }

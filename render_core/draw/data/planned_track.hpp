@@ -8,7 +8,7 @@
 
 namespace tedavis::draw {
 
-struct PlannedWay {
+struct PlannedTrack {
     const scene::Layer* layer = nullptr;  ///< null: there is none
     scene::Run run;
     std::uint32_t leg = 0;  ///< leg on which the own ship is
@@ -17,10 +17,10 @@ struct PlannedWay {
 
 /// Finds the planned path. `time_ns` is the flight's time, valid with `has_date`. It gives the position on the path where the
 /// path's points have times and that position is within `farthest_m` of the own ship; else the nearest position is used.
-[[nodiscard]] PlannedWay planned_way(const scene::Scene& scene, const earth::Geodetic& own_ship, std::int64_t time_ns,
-                                     bool has_date, double farthest_m);
+[[nodiscard]] PlannedTrack planned_track(const scene::Scene& scene, const earth::Geodetic& own_ship, std::int64_t time_ns,
+                                         bool has_date, double farthest_m);
 
 /// Returns a point on a leg, with its height and, where both ends have one, its time.
-[[nodiscard]] scene::ScenePoint point_on(const PlannedWay& way, std::uint32_t leg, double part);
+[[nodiscard]] scene::ScenePoint point_on(const PlannedTrack& way, std::uint32_t leg, double part);
 
 }  // namespace tedavis::draw

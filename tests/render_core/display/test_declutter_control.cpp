@@ -1,4 +1,4 @@
-#include "render_core/display/clutter_control.hpp"
+#include "render_core/display/declutter_control.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include "tests/support/gl_session.hpp"
 #include "tests/support/screen_triangle.hpp"
 
-namespace tedavis::display::test_clutter_control {
+namespace tedavis::display::test_declutter_control {
 namespace {
 
-using Step = ClutterControl::Step;
+using Step = DeclutterControl::Step;
 using test_support::GlSession;
 
 constexpr std::uint32_t kWidth = 320, kHeight = 240;
@@ -76,7 +76,7 @@ public:
     }
     [[nodiscard]] std::uint64_t target_bytes() { return session_.device.budget.find(effects::kRenderTargets)->use.in_use; }
 
-    ClutterControl control;
+    DeclutterControl control;
     int measured = 0;   ///< pictures, by the last frame
     int tried_px = 32;  ///< of the picture that may suffice
 
@@ -99,7 +99,7 @@ private:
     gl::Texture texture_;
 };
 
-TEST(ClutterControl, OnlyWhatIsBeyondTheBudgetGivesWayAndOnlyFromTheNextIntervalOn) {
+TEST(DeclutterControl, OnlyWhatIsBeyondTheBudgetGivesWayAndOnlyFromTheNextIntervalOn) {
     Striped striped("es3-mid");
     striped.frame(9.5, 160, 160);
     EXPECT_EQ(striped.measured, 1) << "within the budget: nobody asks for the least";
@@ -117,7 +117,7 @@ TEST(ClutterControl, OnlyWhatIsBeyondTheBudgetGivesWayAndOnlyFromTheNextInterval
     EXPECT_NEAR(static_cast<double>(measures.least.measure[kStriped]), 0.05, 0.03);
 }
 
-TEST(ClutterControl, WhatSufficesIsNotTriedFurther) {
+TEST(DeclutterControl, WhatSufficesIsNotTriedFurther) {
     Striped striped("es3-mid");
     striped.frame(10, 10, 40);
     EXPECT_EQ(striped.measured, 3);
@@ -125,17 +125,17 @@ TEST(ClutterControl, WhatSufficesIsNotTriedFurther) {
     EXPECT_EQ(striped.left(10.5, kCalm), 1);
 }
 
-TEST(ClutterControl, WhereNothingThatIsTriedSufficesAllKeepTheLeast) {
+TEST(DeclutterControl, WhereNothingThatIsTriedSufficesAllKeepTheLeast) {
     Striped striped("es3-mid");
     striped.tried_px = 12;
     striped.frame(10, 10, 40);
-    EXPECT_EQ(striped.measured, 2 + ClutterControl::kMaxTries);
+    EXPECT_EQ(striped.measured, 2 + DeclutterControl::kMaxTries);
     EXPECT_EQ(striped.left(10.5), effects::kMinDetailLeft);
     EXPECT_EQ(striped.left(10.5, kCalm), effects::kMinDetailLeft);
     EXPECT_NEAR(static_cast<double>(striped.control.measured(at(10.5), 0).reached.measure[kStriped]), 2.0 / 40, 0.03);
 }
 
-TEST(ClutterControl, WhatGaveWayComesBackTwoSecondsAfter) {
+TEST(DeclutterControl, WhatGaveWayComesBackTwoSecondsAfter) {
     Striped striped("es3-mid");
     striped.frame(9.5, 160, 160);
     striped.frame(10, 10, 40);
@@ -148,7 +148,7 @@ TEST(ClutterControl, WhatGaveWayComesBackTwoSecondsAfter) {
     EXPECT_TRUE(striped.control.regions(at(30), 0).is_whole()) << "what was so long ago says nothing";
 }
 
-TEST(ClutterControl, AtAFlightsBeginningAFrameGoesByItsOwnInterval) {
+TEST(DeclutterControl, AtAFlightsBeginningAFrameGoesByItsOwnInterval) {
     Striped striped("es3-mid");
     EXPECT_EQ(striped.left(10), 1);
     striped.frame(10, 10, 40);
@@ -161,7 +161,7 @@ TEST(ClutterControl, AtAFlightsBeginningAFrameGoesByItsOwnInterval) {
     EXPECT_EQ(striped.left(10.1), own);
 }
 
-TEST(ClutterControl, WhatAnotherDesignMeasuredDoesNotCount) {
+TEST(DeclutterControl, WhatAnotherDesignMeasuredDoesNotCount) {
     Striped striped("es3-mid");
     striped.frame(10, 10, 40);
     EXPECT_LT(striped.left(10.5), 0.9) << "control";
@@ -171,7 +171,7 @@ TEST(ClutterControl, WhatAnotherDesignMeasuredDoesNotCount) {
     EXPECT_EQ(striped.left(10.5, kStriped, 1), 1);
 }
 
-TEST(ClutterControl, TheSameInstantSeenFromElsewhereFollowsFromNothing) {
+TEST(DeclutterControl, TheSameInstantSeenFromElsewhereFollowsFromNothing) {
     Striped striped("es3-mid");
     terrain::View view;
     view.eye = {1, 2, 3};
@@ -186,7 +186,7 @@ TEST(ClutterControl, TheSameInstantSeenFromElsewhereFollowsFromNothing) {
     EXPECT_EQ(striped.left(10.5), 1);
 }
 
-TEST(ClutterControl, NothingIsMeasuredWhereItDoesNotRun) {
+TEST(DeclutterControl, NothingIsMeasuredWhereItDoesNotRun) {
     Striped striped("es3-mid");
     striped.frame(10, 10, 40, 0, false);
     EXPECT_EQ(striped.measured, 0);
@@ -197,7 +197,7 @@ TEST(ClutterControl, NothingIsMeasuredWhereItDoesNotRun) {
     EXPECT_FALSE(striped.control.must_be_drawn()) << "no budget";
 }
 
-TEST(ClutterControl, TheSmallLaneMeasuresEverySecond) {
+TEST(DeclutterControl, TheSmallLaneMeasuresEverySecond) {
     for (const bool is_small : {true, false}) {
         Striped striped(is_small ? "es2-small" : "es3-mid");
         striped.frame(10, 10, 40);
@@ -211,7 +211,7 @@ TEST(ClutterControl, TheSmallLaneMeasuresEverySecond) {
     }
 }
 
-TEST(ClutterControl, WhoHasNoBudgetAndShowsNoEdgesPaysNothing) {
+TEST(DeclutterControl, WhoHasNoBudgetAndShowsNoEdgesPaysNothing) {
     {
         Striped without("es3-mid", design_with(1));
         EXPECT_EQ(without.target_bytes(), 0u);
@@ -231,4 +231,4 @@ TEST(ClutterControl, WhoHasNoBudgetAndShowsNoEdgesPaysNothing) {
 }
 
 }  // namespace
-}  // namespace tedavis::display::test_clutter_control
+}  // namespace tedavis::display::test_declutter_control

@@ -7,7 +7,7 @@
 
 #include "tests/support/scene_files.hpp"
 
-namespace tedavis::tests::test_bad_ways {
+namespace tedavis::tests::test_bad_paths {
 namespace {
 
 using test_support::DataPicture;
@@ -84,7 +84,7 @@ struct Format {
 };
 void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
 
-class BadWays : public ::testing::TestWithParam<Format> {
+class BadPaths : public ::testing::TestWithParam<Format> {
 protected:
     DataPicture drawn(const std::vector<Fix>& fixes) {
         files_.write(GetParam().text(fixes), GetParam().name);
@@ -92,10 +92,10 @@ protected:
     }
     SceneFiles files_;
 };
-INSTANTIATE_TEST_SUITE_P(Formats, BadWays, ::testing::Values(Format{"way.csv", csv}, Format{"way.gpx", gpx}),
+INSTANTIATE_TEST_SUITE_P(Formats, BadPaths, ::testing::Values(Format{"way.csv", csv}, Format{"way.gpx", gpx}),
                          [](const auto& format) { return std::string(format.param.name).substr(4); });
 
-TEST_P(BadWays, PointsThatComeTwiceChangeNothing) {
+TEST_P(BadPaths, PointsThatComeTwiceChangeNothing) {
     const DataPicture usual = drawn(flight());
     EXPECT_THAT(files_.notes(), Not(HasSubstr("left out")));
     EXPECT_GT(usual.differing(drawn({flight()[0], flight()[1]})), 500u) << "control: there is a tube";
@@ -108,7 +108,7 @@ TEST_P(BadWays, PointsThatComeTwiceChangeNothing) {
     EXPECT_NE(drawn(moved), usual) << "control";
 }
 
-TEST_P(BadWays, TimeThatRunsBackIsPutInOrder) {
+TEST_P(BadPaths, TimeThatRunsBackIsPutInOrder) {
     const DataPicture usual = drawn(flight());
     std::vector<Fix> mixed = flight();
     std::reverse(mixed.begin() + 10, mixed.begin() + 25);
@@ -121,7 +121,7 @@ TEST_P(BadWays, TimeThatRunsBackIsPutInOrder) {
 }
 
 /// Between the places round the middle there is no tube, and the rest is as it was.
-TEST_P(BadWays, NothingIsDrawnAcrossAGap) {
+TEST_P(BadPaths, NothingIsDrawnAcrossAGap) {
     const DataPicture usual = drawn(flight());
     std::vector<Fix> broken;
     for (Fix fix : flight()) {
@@ -149,7 +149,7 @@ TEST_P(BadWays, NothingIsDrawnAcrossAGap) {
     EXPECT_GT(tube_between(gap, 40, 60), 50u);
 }
 
-TEST(BadWays, LinesOfMapsWithPointsTwiceAndOverTheWholeTurn) {
+TEST(BadPaths, LinesOfMapsWithPointsTwiceAndOverTheWholeTurn) {
     SceneFiles files;
     const auto drawn = [&](const std::vector<Fix>& fixes, double turn_deg = 0) {
         files.write(geojson(fixes, turn_deg), "way.geojson");
@@ -170,7 +170,7 @@ TEST(BadWays, LinesOfMapsWithPointsTwiceAndOverTheWholeTurn) {
 }
 
 /// Values between points twice: the colours stay as well.
-TEST(BadWays, RepeatedPointsKeepTheColoursOfTheirSpeeds) {
+TEST(BadPaths, RepeatedPointsKeepTheColoursOfTheirSpeeds) {
     SceneFiles files;
     const std::string design = plain_ground_design(
         "[[data.element]]\nrole = 'trajectory'\ntechnique = 'tube'\nattribute = 'ground_speed'\npalette = 'scale.toml'\n"
@@ -215,7 +215,7 @@ TEST(BadPlaces, OfTablesAreRefusedOrTheSame) {
     }
 }
 
-TEST(BadWays, AFileWithoutOneUsableFixIsRefused) {
+TEST(BadPaths, AFileWithoutOneUsableFixIsRefused) {
     SceneFiles files;
     for (const char* const rows : {"", "1586684820,95,-84.2,1500\n", "nan,36.7,-84.2,1500\n"}) {
         files.write(std::string("time,latitude_deg,longitude_deg,height_msl_m\n") + rows, "way.csv");
@@ -225,4 +225,4 @@ TEST(BadWays, AFileWithoutOneUsableFixIsRefused) {
 }
 
 }  // namespace
-}  // namespace tedavis::tests::test_bad_ways
+}  // namespace tedavis::tests::test_bad_paths

@@ -7,15 +7,15 @@
 #include <glm/vec3.hpp>
 
 #include "render_core/base/units.hpp"
-#include "render_core/display/eye.hpp"
+#include "render_core/display/camera.hpp"
 
 namespace tedavis::test_support {
 
-inline constexpr double kEyeGround_m = 400;  // of the terrain below the own ship, above MSL and the ellipsoid alike
+inline constexpr double kViewGround_m = 400;  // of the terrain below the own ship, above MSL and the ellipsoid alike
 
-inline display::EyeInput own_ship_at(double latitude_deg, double longitude_deg, double above_ground_m = 1500) {
-    display::EyeInput input;
-    input.msl_m = kEyeGround_m + above_ground_m;
+inline display::CameraInput own_ship_at(double latitude_deg, double longitude_deg, double above_ground_m = 1500) {
+    display::CameraInput input;
+    input.msl_m = kViewGround_m + above_ground_m;
     input.own_ship = {base::radians(latitude_deg), base::radians(longitude_deg), {input.msl_m}};
     input.above_ground_m = above_ground_m;
     input.heading_rad = base::radians(40);
@@ -26,11 +26,11 @@ inline display::EyeInput own_ship_at(double latitude_deg, double longitude_deg, 
     return input;
 }
 
-struct EyePixel {
+struct ViewPixel {
     double x = 0, y = 0, depth = 0;
 };
 
-inline EyePixel project(const terrain::View& view, const glm::dvec3& ecef) {
+inline ViewPixel project(const terrain::View& view, const glm::dvec3& ecef) {
     const glm::dvec3 from = ecef - view.eye;
     const double depth = glm::dot(from, view.forward);
     return {0.5 * view.width + view.focal_px * glm::dot(from, view.right) / depth,
@@ -38,7 +38,7 @@ inline EyePixel project(const terrain::View& view, const glm::dvec3& ecef) {
 }
 
 /// As a vertex goes through the shader: whole metres from the eye in float, then a matrix of floats.
-inline EyePixel project_as_drawn(const terrain::View& view, const glm::dvec3& ecef) {
+inline ViewPixel project_as_drawn(const terrain::View& view, const glm::dvec3& ecef) {
     const glm::dvec3 eye_whole = glm::round(view.eye), fraction = view.eye - eye_whole;
     const glm::dvec3 chunk = glm::round(ecef / 4096.0) * 4096.0;
     const glm::vec3 relative = glm::vec3(chunk - eye_whole) + glm::vec3(ecef - chunk);
@@ -58,9 +58,10 @@ inline glm::dvec3 ecef_of(double latitude_deg, double longitude_deg, double heig
     return ecef;
 }
 
-struct EyePlace {
+struct ViewPlace {
     double latitude_deg, longitude_deg;
 };
-inline constexpr EyePlace kEyePlaces[] = {{0, 0}, {46.8, 9.9}, {-33.9, 179.9999}, {71, -180}, {89.99, 45}, {90, 30}, {-90, -70}};
+inline constexpr ViewPlace kViewPlaces[] = {{0, 0},      {46.8, 9.9}, {-33.9, 179.9999}, {71, -180},
+                                            {89.99, 45}, {90, 30},    {-90, -70}};
 
 }  // namespace tedavis::test_support

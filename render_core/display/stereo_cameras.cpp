@@ -1,4 +1,4 @@
-#include "render_core/display/eye_pair.hpp"
+#include "render_core/display/stereo_cameras.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace tedavis::display {
 
-double EyePair::screen_m(double focal_px) const {
+double StereoCameras::screen_m(double focal_px) const {
     return shift_px > 0 ? 0.5 * focal_px * base_m / shift_px : std::numeric_limits<double>::infinity();
 }
 
@@ -15,8 +15,8 @@ std::uint32_t eye_margin_px(double horizontal_field_of_view_rad, std::uint32_t w
     return static_cast<std::uint32_t>(std::ceil(0.5 * focal_px / kScreenOfBase));
 }
 
-EyePair eye_pair(const design::Stereo& stereo, double focal_px, double near_m, std::uint32_t margin_px) noexcept {
-    EyePair pair;
+StereoCameras stereo_cameras(const design::Stereo& stereo, double focal_px, double near_m, std::uint32_t margin_px) noexcept {
+    StereoCameras pair;
     pair.base_m = std::fmin(stereo.base_m, std::fmin(stereo.screen_m / kScreenOfBase, near_m / kNearestOfBase));
     const double shift_px = 0.5 * focal_px * pair.base_m / stereo.screen_m;
     // A free view may have a longer lens than the margin was made for.
@@ -24,7 +24,7 @@ EyePair eye_pair(const design::Stereo& stereo, double focal_px, double near_m, s
     return pair;
 }
 
-terrain::View seen_by_both(const terrain::View& middle, const EyePair& pair) noexcept {
+terrain::View seen_by_both(const terrain::View& middle, const StereoCameras& pair) noexcept {
     terrain::View seen = middle;
     // The parallax of what is nearest; of what is farthest it is no greater than the shift, which is smaller.
     const double nearest_px = 0.5 * middle.focal_px * pair.base_m / middle.near_m;
@@ -32,14 +32,14 @@ terrain::View seen_by_both(const terrain::View& middle, const EyePair& pair) noe
     return seen;
 }
 
-Eye eye_of(const Eye& middle, const EyePair& pair, draw::EyeSide side, std::uint32_t margin_px) noexcept {
-    Eye eye = middle;
-    eye.view.eye += (side == draw::EyeSide::left ? -0.5 : 0.5) * pair.base_m * middle.view.right;
-    eye.view.width += 2 * margin_px;
-    return eye;
+Camera camera_of(const Camera& middle, const StereoCameras& pair, draw::EyeSide side, std::uint32_t margin_px) noexcept {
+    Camera camera = middle;
+    camera.view.eye += (side == draw::EyeSide::left ? -0.5 : 0.5) * pair.base_m * middle.view.right;
+    camera.view.width += 2 * margin_px;
+    return camera;
 }
 
-double parallax_bound_px(const EyePair& pair, double focal_px, double nearest_m, double farthest_m) noexcept {
+double parallax_bound_px(const StereoCameras& pair, double focal_px, double nearest_m, double farthest_m) noexcept {
     if (!(pair.base_m > 0)) return 0;
     const auto parallax_px = [&](double depth_m) {
         return std::abs(focal_px * pair.base_m / std::fmax(depth_m, 1e-3) - 2.0 * pair.shift_px);

@@ -23,7 +23,7 @@
 
 namespace tedavis::display {
 
-class ClutterControl {
+class DeclutterControl {
 public:
     static constexpr base::Duration kHeld = base::Duration::seconds(2);
     static constexpr int kMaxTries = 3;
@@ -94,6 +94,6 @@ private:
     base::Time last_now_{0};
     glm::dvec3 last_eye_{0}, last_forward_{0};
 };
-static_assert(std::is_trivially_copyable_v<ClutterControl>);
+static_assert(std::is_trivially_copyable_v<DeclutterControl>);
 
 }  // namespace tedavis::display

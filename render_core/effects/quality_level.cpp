@@ -1,4 +1,4 @@
-#include "render_core/effects/quality_ladder.hpp"
+#include "render_core/effects/quality_level.hpp"
 
 #include <cmath>
 
@@ -16,17 +16,17 @@ double glyph_share(double detail) { return std::pow(scene::kCoarsestGlyphs, -2 *
 
 }  // namespace
 
-EffectSet given_up_on(std::size_t rung) noexcept {
+EffectSet given_up_on(std::size_t quality_level) noexcept {
     EffectSet effects;
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectRow& row = row_of(static_cast<Effect>(n));
-        if (row.given_up_from <= rung) effects.add(row.effect);
+        if (row.given_up_from <= quality_level) effects.add(row.effect);
     }
     return effects;
 }
 
-double tau_px_on(std::size_t rung, double design_px, double coarse_px) noexcept {
-    return std::fmax(design_px, std::fmin(design_px * kLadder[rung].tau_factor, coarse_px));
+double tau_px_on(std::size_t quality_level, double design_px, double coarse_px) noexcept {
+    return std::fmax(design_px, std::fmin(design_px * kQualityLevels[quality_level].tau_factor, coarse_px));
 }
 
 FrameCounters counters_at(const FrameCounters& counters, const Quality& from, const Quality& to) noexcept {

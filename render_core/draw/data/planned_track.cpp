@@ -1,4 +1,4 @@
-#include "render_core/draw/data/planned_way.hpp"
+#include "render_core/draw/data/planned_track.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ bool has_times(const scene::ScenePoint& a, const scene::ScenePoint& b) {
 
 /// Nearer than `least_m`, which then is its distance.
 void take_if_nearer(const scene::Layer& layer, const scene::Run& run, const Surroundings& map, double& least_m,
-                    PlannedWay& nearest) {
+                    PlannedTrack& nearest) {
     for (std::uint32_t leg = 0; leg + 1 < run.count; ++leg) {
         const glm::dvec2 from = map.at(layer.points[run.first + leg]), to = map.at(layer.points[run.first + leg + 1]);
         const double part = nearest_part(from, to), distance_m = glm::length(glm::mix(from, to, part));
@@ -52,7 +52,7 @@ void take_if_nearer(const scene::Layer& layer, const scene::Run& run, const Surr
     }
 }
 
-void follow_time(const Surroundings& map, std::int64_t time_ns, double farthest_m, PlannedWay& way) {
+void follow_time(const Surroundings& map, std::int64_t time_ns, double farthest_m, PlannedTrack& way) {
     for (std::uint32_t leg = 0; leg + 1 < way.run.count; ++leg) {
         const scene::ScenePoint &from = way.layer->points[way.run.first + leg], &to = way.layer->points[way.run.first + leg + 1];
         if (!has_times(from, to) || time_ns < from.time_ns || time_ns > to.time_ns) continue;
@@ -66,10 +66,10 @@ void follow_time(const Surroundings& map, std::int64_t time_ns, double farthest_
 
 }  // namespace
 
-PlannedWay planned_way(const scene::Scene& scene, const earth::Geodetic& own_ship, std::int64_t time_ns, bool has_date,
-                       double farthest_m) {
+PlannedTrack planned_track(const scene::Scene& scene, const earth::Geodetic& own_ship, std::int64_t time_ns, bool has_date,
+                           double farthest_m) {
     const Surroundings map(own_ship);
-    PlannedWay nearest;
+    PlannedTrack nearest;
     double least_m = farthest_m;
     for (const scene::Layer& layer : scene.layers()) {
         if (layer.entry->role != scene::LayerRole::trajectory || layer.entry->shape != scene::LayerShape::lines) continue;
@@ -80,7 +80,7 @@ PlannedWay planned_way(const scene::Scene& scene, const earth::Geodetic& own_shi
     return nearest;
 }
 
-scene::ScenePoint point_on(const PlannedWay& way, std::uint32_t leg, double part) {
+scene::ScenePoint point_on(const PlannedTrack& way, std::uint32_t leg, double part) {
     const scene::ScenePoint &from = way.layer->points[way.run.first + leg], &to = way.layer->points[way.run.first + leg + 1];
     scene::ScenePoint point = from;
     point.latitude_rad += part * (to.latitude_rad - from.latitude_rad);

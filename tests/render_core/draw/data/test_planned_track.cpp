@@ -1,11 +1,11 @@
-#include "render_core/draw/data/planned_way.hpp"
+#include "render_core/draw/data/planned_track.hpp"
 
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
 #include "tests/support/loaded_scene.hpp"
 
-namespace tedavis::draw::test_planned_way {
+namespace tedavis::draw::test_planned_track {
 namespace {
 
 using base::radians;
@@ -30,9 +30,9 @@ host_sim::LayerDraft out_and_back(bool has_times) {
 
 earth::Geodetic at(double latitude_deg, double longitude_deg) { return {radians(latitude_deg), radians(longitude_deg), {0}}; }
 
-TEST(PlannedWay, IsTheNearestPlaceOfATrajectory) {
+TEST(PlannedTrack, IsTheNearestPlaceOfATrajectory) {
     const LoadedScene scene(out_and_back(false));
-    const PlannedWay way = planned_way(scene.scene(), at(46.81, 9.825), 0, false, 5000);
+    const PlannedTrack way = planned_track(scene.scene(), at(46.81, 9.825), 0, false, 5000);
     ASSERT_NE(way.layer, nullptr);
     EXPECT_EQ(way.leg, 2u);
     EXPECT_NEAR(way.part, 0.5, 1e-3);
@@ -40,27 +40,27 @@ TEST(PlannedWay, IsTheNearestPlaceOfATrajectory) {
     EXPECT_NEAR(here.longitude_rad, radians(9.825), 1e-7);
     EXPECT_NEAR(here.height_m, 2025, 0.1);
     EXPECT_EQ(here.time_ns, scene::kNoTime);
-    EXPECT_EQ(planned_way(scene.scene(), at(46.86, 9.825), 0, false, 5000).layer, nullptr) << "6 km away";
+    EXPECT_EQ(planned_track(scene.scene(), at(46.86, 9.825), 0, false, 5000).layer, nullptr) << "6 km away";
 }
 
 /// The way is there twice; the time says which of them.
-TEST(PlannedWay, TheTimeTellsTheWayBackFromTheWayOut) {
+TEST(PlannedTrack, TheTimeTellsTheWayBackFromTheWayOut) {
     const LoadedScene scene(out_and_back(true));
-    EXPECT_EQ(planned_way(scene.scene(), at(46.8, 9.825), 150 * kSecond_ns, true, 5000).leg, 2u);
-    const PlannedWay back = planned_way(scene.scene(), at(46.8, 9.825), (17 * 60 + 30) * kSecond_ns, true, 5000);
+    EXPECT_EQ(planned_track(scene.scene(), at(46.8, 9.825), 150 * kSecond_ns, true, 5000).leg, 2u);
+    const PlannedTrack back = planned_track(scene.scene(), at(46.8, 9.825), (17 * 60 + 30) * kSecond_ns, true, 5000);
     EXPECT_EQ(back.leg, 17u);
     EXPECT_NEAR(back.part, 0.5, 1e-9);
     EXPECT_EQ(point_on(back, back.leg, back.part).time_ns, (17 * 60 + 30) * kSecond_ns);
-    EXPECT_EQ(planned_way(scene.scene(), at(46.8, 9.825), 10 * 60 * kSecond_ns, true, 5000).leg, 2u)
+    EXPECT_EQ(planned_track(scene.scene(), at(46.8, 9.825), 10 * 60 * kSecond_ns, true, 5000).leg, 2u)
         << "who is not where the plan has him is where he is nearest";
 }
 
-TEST(PlannedWay, OtherLinesAreNone) {
+TEST(PlannedTrack, OtherLinesAreNone) {
     host_sim::LayerDraft road = out_and_back(false);
     road.role = scene::LayerRole::road;
     const LoadedScene scene(road);
-    EXPECT_EQ(planned_way(scene.scene(), at(46.8, 9.82), 0, false, 5000).layer, nullptr);
+    EXPECT_EQ(planned_track(scene.scene(), at(46.8, 9.82), 0, false, 5000).layer, nullptr);
 }
 
 }  // namespace
-}  // namespace tedavis::draw::test_planned_way
+}  // namespace tedavis::draw::test_planned_track

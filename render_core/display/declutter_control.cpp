@@ -1,4 +1,4 @@
-#include "render_core/display/clutter_control.hpp"
+#include "render_core/display/declutter_control.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ constexpr double kSpared = 1;  // budgets of excess, of all regions together, fo
 
 }  // namespace
 
-void ClutterControl::start(effects::Lane lane, draw::DrawnDesigns designs) {
+void DeclutterControl::start(effects::Lane lane, draw::DrawnDesigns designs) {
     constexpr std::int64_t kIntervals[] = {2, 1};
     interval_.ns = flight::kDecisionInterval.ns * kIntervals[lane == effects::Lane::es2 ? 0 : 1];
     for (const draw::DrawnDesign& drawn : designs) {
@@ -21,49 +21,49 @@ void ClutterControl::start(effects::Lane lane, draw::DrawnDesigns designs) {
     }
 }
 
-bool ClutterControl::can_show(const design::DesignSettings& design) const {
+bool DeclutterControl::can_show(const design::DesignSettings& design) const {
     const bool is_viewed = design.effects.clutter != design::ClutterView::none;
     return (has_budget_ || design.priority.held_clutter() >= 1) && (shows_ || !is_viewed);
 }
 
-std::int64_t ClutterControl::interval_of(base::Time now) const {
+std::int64_t DeclutterControl::interval_of(base::Time now) const {
     const std::int64_t interval = now.ns / interval_.ns;
     return now.ns % interval_.ns < 0 ? interval - 1 : interval;
 }
 
-ClutterControl::Held& ClutterControl::place_of(std::int64_t interval) {
+DeclutterControl::Held& DeclutterControl::place_of(std::int64_t interval) {
     constexpr auto kPlaces = static_cast<std::int64_t>(kMaxHeld + 1);
     return held_[static_cast<std::size_t>((interval % kPlaces + kPlaces) % kPlaces)];
 }
 
-void ClutterControl::follow(base::Time now, const terrain::View& view) {
+void DeclutterControl::follow(base::Time now, const terrain::View& view) {
     if (now == last_now_ && (last_eye_ != view.eye || last_forward_ != view.forward)) forget();
     last_now_ = now;
     last_eye_ = view.eye;
     last_forward_ = view.forward;
 }
 
-void ClutterControl::forget() {
+void DeclutterControl::forget() {
     for (Held& held : held_) held.is_known = false;
 }
 
 /// Of an interval before this time's, not too long ago.
-bool ClutterControl::counts(const Held& held, base::Time now, std::size_t design) const {
+bool DeclutterControl::counts(const Held& held, base::Time now, std::size_t design) const {
     const std::int64_t age = interval_of(now) - held.interval;
     return held.is_known && held.design == design && age >= 1 && age * interval_.ns <= kHeld.ns;
 }
 
-bool ClutterControl::is_own(const Held& held, base::Time now, std::size_t design) const {
+bool DeclutterControl::is_own(const Held& held, base::Time now, std::size_t design) const {
     return held.is_known && held.design == design && held.interval == interval_of(now);
 }
 
-bool ClutterControl::follows(base::Time now, std::size_t design) const {
+bool DeclutterControl::follows(base::Time now, std::size_t design) const {
     for (const Held& held : held_)
         if (counts(held, now, design)) return true;
     return false;
 }
 
-ClutterControl::Deciding ClutterControl::deciding(base::Time now, std::size_t design) const {
+DeclutterControl::Deciding DeclutterControl::deciding(base::Time now, std::size_t design) const {
     Deciding all;
     const bool has_before = follows(now, design);
     for (const Held& held : held_)
@@ -71,21 +71,21 @@ ClutterControl::Deciding ClutterControl::deciding(base::Time now, std::size_t de
     return all;
 }
 
-scene::DetailRegions ClutterControl::regions(base::Time now, std::size_t design) const {
+scene::DetailRegions DeclutterControl::regions(base::Time now, std::size_t design) const {
     scene::DetailRegions left;
     for (const Held* held : deciding(now, design))
         for (std::size_t n = 0; n < left.factor.size(); ++n) left.factor[n] = std::min(left.factor[n], held->left.factor[n]);
     return left;
 }
 
-ClutterControl::Measured ClutterControl::measured(base::Time now, std::size_t design) const {
+DeclutterControl::Measured DeclutterControl::measured(base::Time now, std::size_t design) const {
     const Held* newest = nullptr;
     for (const Held* held : deciding(now, design))
         if (newest == nullptr || held->interval > newest->interval) newest = held;
     return newest == nullptr ? Measured() : newest->measured;
 }
 
-void ClutterControl::plan(bool runs, base::Time now, std::size_t design, double budget) {
+void DeclutterControl::plan(bool runs, base::Time now, std::size_t design, double budget) {
     now_ = now;
     design_ = design;
     budget_ = budget;
@@ -94,12 +94,12 @@ void ClutterControl::plan(bool runs, base::Time now, std::size_t design, double 
     if (!is_own(place_of(interval_of(now)), now, design)) ask_for(Step::whole, {});
 }
 
-base::Time ClutterControl::needed_since(base::Time time) const {
+base::Time DeclutterControl::needed_since(base::Time time) const {
     if (!has_budget_) return time;
     return base::Time{interval_of(time) * interval_.ns - kHeld.ns};
 }
 
-void ClutterControl::take(const effects::ClutterMap& map) {
+void DeclutterControl::take(const effects::ClutterMap& map) {
     Held& held = place_of(interval_of(now_));
     if (step_ == Step::whole) {
         held = Held();
@@ -119,7 +119,7 @@ void ClutterControl::take(const effects::ClutterMap& map) {
 }
 
 /// The best so far stays; of equals the first, which leaves more. Where none of them is good enough all keep the least.
-void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
+void DeclutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
     const effects::ClutterMeasures& clutter = held.measured.clutter;
     const double excess = effects::excess(reached, clutter, budget_);
     if (tries_ == 0 || excess < effects::excess(held.measured.reached, clutter, budget_)) {
@@ -137,7 +137,7 @@ void ClutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
     ask_for(is_over ? Step::none : Step::tried, less);
 }
 
-void ClutterControl::ask_for(Step step, const scene::DetailRegions& regions) {
+void DeclutterControl::ask_for(Step step, const scene::DetailRegions& regions) {
     step_ = step;
     step_regions_ = regions;
 }

@@ -24,7 +24,7 @@
 
 namespace tedavis::display {
 
-struct EyeInput {
+struct CameraInput {
     earth::Geodetic own_ship;
     double msl_m = 0;           ///< own ship's height above MSL
     double above_ground_m = 0;  ///< own ship's height above the terrain; above MSL where that is not known
@@ -34,15 +34,15 @@ struct EyeInput {
     std::uint32_t width_px = 1, height_px = 1;
 };
 
-struct Eye {
+struct Camera {
     terrain::View view;
     double haze_per_m = 0;     ///< 1 / distance at which haze hides 1 - 1/e; 0 for none, as on the map
     double height_weight = 0;  ///< how much errors of height count where they displace nothing; 1 on the map
 };
-static_assert(std::is_trivially_copyable_v<Eye>);
+static_assert(std::is_trivially_copyable_v<Camera>);
 
 /// `haze_distance_m`: of the 3D picture, 0 for none.
-[[nodiscard]] Eye make_eye(const EyeInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept;
+[[nodiscard]] Camera make_camera(const CameraInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept;
 
 /// Pixels a metre on the map's ground, and across the orthographic view.
 [[nodiscard]] double map_scale_px_per_m(const design::ViewSettings& design, std::uint32_t width_px,

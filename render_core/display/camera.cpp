@@ -1,4 +1,4 @@
-#include "render_core/display/eye.hpp"
+#include "render_core/display/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,11 @@ constexpr double kNearPlaneOfHeight = 0.02;
 // A summit of 1 km is then displaced by less than a thousandth of the range. Beyond 2^24 m whole metres are no longer exact in
 // float, on which the seams between chunks rely.
 constexpr double kMapDistanceOfRange = 1000;
-constexpr double kFarthestMapEye_m = 15'000'000;
+constexpr double kFarthestMapCamera_m = 15'000'000;
 
 // What is shown over the ground, as columns of time, in the orthographic view.
 constexpr double kHighestElement_m = 20'000;
-constexpr double kNearestObliqueEye_m = 3'000'000;
+constexpr double kNearestObliqueCamera_m = 3'000'000;
 
 // Shares of the way in which the eye turns and in which it rises.
 constexpr double kTurned = 0.6;
@@ -54,7 +54,7 @@ void aim(terrain::View& view, const earth::Geodetic& place, double heading_rad, 
     view.down = body[2];
 }
 
-terrain::View perspective_view(const EyeInput& input, const design::ViewSettings& design) {
+terrain::View perspective_view(const CameraInput& input, const design::ViewSettings& design) {
     terrain::View view;
     aim(view, input.own_ship, input.heading_rad, input.pitch_rad, input.roll_rad);
     view.eye = earth::to_ecef(input.own_ship) + glm::dmat3(view.forward, view.right, view.down) *
@@ -67,15 +67,15 @@ terrain::View perspective_view(const EyeInput& input, const design::ViewSettings
 
 /// So far that a summit in a small picture hardly has another scale, no farther than floats place vertices.
 double oblique_distance_m(const design::ViewSettings& design) {
-    return std::fmin(std::fmax(kMapDistanceOfRange * design.map_range_m, kNearestObliqueEye_m), kFarthestMapEye_m);
+    return std::fmin(std::fmax(kMapDistanceOfRange * design.map_range_m, kNearestObliqueCamera_m), kFarthestMapCamera_m);
 }
 
 double map_distance_m(const design::ViewSettings& design) {
-    return std::fmin(kMapDistanceOfRange * design.map_range_m, kFarthestMapEye_m);
+    return std::fmin(kMapDistanceOfRange * design.map_range_m, kFarthestMapCamera_m);
 }
 
 /// How far the ground has fallen below the middle's level at the corners of the map.
-double drop_at_corner_m(const EyeInput& input, const design::ViewSettings& design) {
+double drop_at_corner_m(const CameraInput& input, const design::ViewSettings& design) {
     const double half_diagonal_px = 0.5 * std::hypot(input.width_px, input.height_px);
     const double corner_m = half_diagonal_px / map_scale_px_per_m(design, input.width_px, input.height_px);
     const double aside = std::fmin(corner_m, 0.9 * kRadius_m);
@@ -98,38 +98,38 @@ void set_planes_on_the_way(terrain::View& view, double msl_m, double climb_m, do
 }
 
 /// From the own ship's eye a share of the way to the map's.
-void travel(Eye& eye, const EyeInput& input, const design::ViewSettings& design) {
+void travel(Camera& camera, const CameraInput& input, const design::ViewSettings& design) {
     const double turn = eased(input.map_share, 0, kTurned), rise = eased(input.map_share, kRiseBegins, 1);
     const double above_m = std::clamp(input.above_ground_m, kMinAboveGround_m, kMaxAboveGround_m);
     const double growth = geometric(1, map_distance_m(design) / above_m, rise), climb_m = above_m * (growth - 1);
-    const glm::dvec3 seat = (1 - turn) * (eye.view.eye - earth::to_ecef(input.own_ship));
+    const glm::dvec3 seat = (1 - turn) * (camera.view.eye - earth::to_ecef(input.own_ship));
     earth::Geodetic place = input.own_ship;
     place.height.m += climb_m;
-    eye.view.eye = earth::to_ecef(place) + seat;
-    aim(eye.view, place, input.heading_rad + turn * earth::angle_difference(input.map_up_rad, input.heading_rad),
+    camera.view.eye = earth::to_ecef(place) + seat;
+    aim(camera.view, place, input.heading_rad + turn * earth::angle_difference(input.map_up_rad, input.heading_rad),
         input.pitch_rad + turn * (-0.5 * base::kPi - input.pitch_rad), (1 - turn) * earth::angle_difference(input.roll_rad, 0));
     const double map_focal_px = map_scale_px_per_m(design, input.width_px, input.height_px) * map_distance_m(design);
-    eye.view.focal_px = geometric(eye.view.focal_px, map_focal_px, rise);
+    camera.view.focal_px = geometric(camera.view.focal_px, map_focal_px, rise);
     if (input.map_share < 1)
-        set_planes_on_the_way(eye.view, input.msl_m, climb_m, growth);
+        set_planes_on_the_way(camera.view, input.msl_m, climb_m, growth);
     else
-        set_map_planes(eye.view, input.msl_m + climb_m, drop_at_corner_m(input, design));
-    eye.haze_per_m *= (1 - rise) / growth;
-    eye.height_weight = turn;
+        set_map_planes(camera.view, input.msl_m + climb_m, drop_at_corner_m(input, design));
+    camera.haze_per_m *= (1 - rise) / growth;
+    camera.height_weight = turn;
 }
 
 /// Half of the picture's height, and of its diagonal, at the own ship.
 struct Reach {
     double half_height_m = 0, half_diagonal_m = 0;
 };
-Reach reach_of(const EyeInput& input, const design::ViewSettings& design) {
+Reach reach_of(const CameraInput& input, const design::ViewSettings& design) {
     const double px_per_m = map_scale_px_per_m(design, input.width_px, input.height_px);
     return {0.5 * input.height_px / px_per_m, 0.5 * std::hypot(input.width_px, input.height_px) / px_per_m};
 }
 
 /// Round what the picture can show between the lowest ground and the highest element. Of a picture's place v over its middle what
 /// lies z below the own ship's level is (z + v cos(down)) / sin(down) behind the own ship.
-void set_oblique_planes(terrain::View& view, const EyeInput& input, const design::ViewSettings& design, double distance_m) {
+void set_oblique_planes(terrain::View& view, const CameraInput& input, const design::ViewSettings& design, double distance_m) {
     const Reach reach = reach_of(input, design);
     const double sine = std::sin(design.look_down_rad), rise_m = reach.half_height_m * std::cos(design.look_down_rad);
     const double below_m = input.msl_m - kLowestGround_m + 2 * kMaxUndulation_m;
@@ -142,14 +142,14 @@ void set_oblique_planes(terrain::View& view, const EyeInput& input, const design
     view.far_m = distance_m + behind_m + fallen_m / sine + rounding_m;
 }
 
-void stand_far_away(Eye& eye, const EyeInput& input, const design::ViewSettings& design) {
+void move_far_away(Camera& camera, const CameraInput& input, const design::ViewSettings& design) {
     const double distance_m = oblique_distance_m(design);
-    aim(eye.view, input.own_ship, input.map_up_rad + design.look_turn_rad, -design.look_down_rad, 0);
-    eye.view.eye = earth::to_ecef(input.own_ship) - distance_m * eye.view.forward;
-    eye.view.focal_px = map_scale_px_per_m(design, input.width_px, input.height_px) * distance_m;
-    set_oblique_planes(eye.view, input, design, distance_m);
-    eye.haze_per_m = 0;
-    eye.height_weight = 1;
+    aim(camera.view, input.own_ship, input.map_up_rad + design.look_turn_rad, -design.look_down_rad, 0);
+    camera.view.eye = earth::to_ecef(input.own_ship) - distance_m * camera.view.forward;
+    camera.view.focal_px = map_scale_px_per_m(design, input.width_px, input.height_px) * distance_m;
+    set_oblique_planes(camera.view, input, design, distance_m);
+    camera.haze_per_m = 0;
+    camera.height_weight = 1;
 }
 
 }  // namespace
@@ -158,15 +158,15 @@ double map_scale_px_per_m(const design::ViewSettings& design, std::uint32_t widt
     return 0.5 * std::min(width_px, height_px) / design.map_range_m;
 }
 
-Eye make_eye(const EyeInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept {
-    Eye eye;
-    eye.view = perspective_view(input, design);
-    eye.view.width = input.width_px;
-    eye.view.height = input.height_px;
-    eye.haze_per_m = haze_distance_m > 0 ? 1 / haze_distance_m : 0;
-    if (input.map_share <= 0) return eye;
-    design.mode == design::ViewMode::orthographic ? stand_far_away(eye, input, design) : travel(eye, input, design);
-    return eye;
+Camera make_camera(const CameraInput& input, const design::ViewSettings& design, double haze_distance_m) noexcept {
+    Camera camera;
+    camera.view = perspective_view(input, design);
+    camera.view.width = input.width_px;
+    camera.view.height = input.height_px;
+    camera.haze_per_m = haze_distance_m > 0 ? 1 / haze_distance_m : 0;
+    if (input.map_share <= 0) return camera;
+    design.mode == design::ViewMode::orthographic ? move_far_away(camera, input, design) : travel(camera, input, design);
+    return camera;
 }
 
 }  // namespace tedavis::display

@@ -1,5 +1,5 @@
 // Every place of a shown way, moved back by itself, lies on one of the parts, and the parts hold nothing else.
-#include "render_core/earth/magnified_way.hpp"
+#include "render_core/earth/magnified_segment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "render_core/base/units.hpp"
 
-namespace tedavis::earth::test_magnified_way {
+namespace tedavis::earth::test_magnified_segment {
 namespace {
 
 using base::radians;
@@ -25,23 +25,23 @@ Magnifiers two() {
     return all;
 }
 
-std::vector<TrueWay> parts_of(const Magnifiers& all, const TrueWay& shown) {
-    std::vector<TrueWay> parts;
-    EXPECT_FALSE(any_true_way(all, shown, [&](const TrueWay& part) {
+std::vector<TrueSegment> parts_of(const Magnifiers& all, const TrueSegment& shown) {
+    std::vector<TrueSegment> parts;
+    EXPECT_FALSE(any_true_segment(all, shown, [&](const TrueSegment& part) {
         parts.push_back(part);
         return false;
     }));
     return parts;
 }
 
-double distance_m(const Ecef& place, const TrueWay& way) {
+double distance_m(const Ecef& place, const TrueSegment& way) {
     const glm::dvec3 along = way.end - way.begin;
     const double share = std::fmin(std::fmax(glm::dot(place - way.begin, along) / glm::dot(along, along), 0.0), 1.0);
     return glm::distance(place, way.begin + along * share);
 }
 
 /// Through both, from far above or from one valley to another.
-TrueWay some_way(std::mt19937_64& random, const Magnifiers& all) {
+TrueSegment some_segment(std::mt19937_64& random, const Magnifiers& all) {
     std::uniform_real_distribution<double> aside(-9000, 9000), along(-15'000, 40'000), height(0, 4000);
     const Magnifier& first = *all.begin();
     const auto place = [&](double up_m) {
@@ -52,30 +52,30 @@ TrueWay some_way(std::mt19937_64& random, const Magnifiers& all) {
     return {end + first.up() * 2e6 - first.north() * 1.5e6 + first.east() * aside(random), end};
 }
 
-TEST(MagnifiedWay, PartsHoldEveryPlaceMovedBack) {
+TEST(MagnifiedSegment, PartsHoldEveryPlaceMovedBack) {
     const Magnifiers all = two();
     std::mt19937_64 random(3);
     std::size_t most = 0;
     for (int k = 0; k < 400; ++k) {
-        const TrueWay shown = some_way(random, all);
-        const std::vector<TrueWay> parts = parts_of(all, shown);
+        const TrueSegment shown = some_segment(random, all);
+        const std::vector<TrueSegment> parts = parts_of(all, shown);
         most = std::max(most, parts.size());
         for (int n = 0; n <= 200; ++n) {
             const Ecef place = all.moved_back(shown.begin + (shown.end - shown.begin) * (n / 200.0));
             double nearest = 1e9;
-            for (const TrueWay& part : parts) nearest = std::fmin(nearest, distance_m(place, part));
+            for (const TrueSegment& part : parts) nearest = std::fmin(nearest, distance_m(place, part));
             ASSERT_LT(nearest, 1e-3) << k << ' ' << n;
         }
     }
     EXPECT_GT(most, 8u);
 }
 
-TEST(MagnifiedWay, PartsEndWhereOthersBegin) {
+TEST(MagnifiedSegment, PartsEndWhereOthersBegin) {
     const Magnifiers all = two();
     std::mt19937_64 random(4);
     for (int k = 0; k < 400; ++k) {
-        const TrueWay shown = some_way(random, all);
-        std::vector<TrueWay> parts = parts_of(all, shown);
+        const TrueSegment shown = some_segment(random, all);
+        std::vector<TrueSegment> parts = parts_of(all, shown);
         Ecef at = all.moved_back(shown.begin);
         const Ecef last = all.moved_back(shown.end);
         while (!parts.empty()) {
@@ -90,22 +90,22 @@ TEST(MagnifiedWay, PartsEndWhereOthersBegin) {
     }
 }
 
-TEST(MagnifiedWay, AWayBesideThemIsOnePart) {
+TEST(MagnifiedSegment, AWayBesideThemIsOnePart) {
     const Magnifiers all = two();
     const Magnifier& first = *all.begin();
-    const TrueWay shown{first.middle() - first.north() * 9000.0 - first.east() * 20'000.0,
-                        first.middle() - first.north() * 9000.0 + first.east() * 20'000.0};
-    const std::vector<TrueWay> parts = parts_of(all, shown);
+    const TrueSegment shown{first.middle() - first.north() * 9000.0 - first.east() * 20'000.0,
+                            first.middle() - first.north() * 9000.0 + first.east() * 20'000.0};
+    const std::vector<TrueSegment> parts = parts_of(all, shown);
     ASSERT_EQ(parts.size(), 1u);
     EXPECT_EQ(parts[0].begin, shown.begin);
     EXPECT_EQ(parts[0].end, shown.end);
 }
 
-TEST(MagnifiedWay, AnAnswerEndsTheSearch) {
+TEST(MagnifiedSegment, AnAnswerEndsTheSearch) {
     const Magnifiers all = two();
     const Magnifier& first = *all.begin();
     int asked = 0;
-    EXPECT_TRUE(any_true_way(all, {first.middle(), first.middle() + first.north() * 9000.0}, [&](const TrueWay&) {
+    EXPECT_TRUE(any_true_segment(all, {first.middle(), first.middle() + first.north() * 9000.0}, [&](const TrueSegment&) {
         ++asked;
         return true;
     }));
@@ -113,4 +113,4 @@ TEST(MagnifiedWay, AnAnswerEndsTheSearch) {
 }
 
 }  // namespace
-}  // namespace tedavis::earth::test_magnified_way
+}  // namespace tedavis::earth::test_magnified_segment

@@ -1,10 +1,10 @@
-#include "render_core/earth/magnified_way.hpp"
+#include "render_core/earth/magnified_segment.hpp"
 
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <utility>
 
-namespace tedavis::earth::magnified_way {
+namespace tedavis::earth::magnified_segment {
 
 Shares within(const Magnifier::Cell& cell, const glm::dvec2& begin, const glm::dvec2& by) {
     Shares shares;
@@ -20,7 +20,7 @@ Shares within(const Magnifier::Cell& cell, const glm::dvec2& begin, const glm::d
     return shares;
 }
 
-bool part_over(const Magnifier& magnifier, const Magnifier::Cell& cell, const TrueWay& shown, TrueWay& part) {
+bool part_over(const Magnifier& magnifier, const Magnifier::Cell& cell, const TrueSegment& shown, TrueSegment& part) {
     const glm::dmat2 back = glm::inverse(cell.slope);
     const glm::dvec2 begin = back * (magnifier.in_plane(shown.begin) - cell.shift);
     const glm::dvec2 by = back * (magnifier.in_plane(shown.end) - magnifier.in_plane(shown.begin));
@@ -35,7 +35,7 @@ bool part_over(const Magnifier& magnifier, const Magnifier::Cell& cell, const Tr
     return true;
 }
 
-Moved moved_shares(const Magnifiers& magnifiers, const TrueWay& shown) {
+Moved moved_shares(const Magnifiers& magnifiers, const TrueSegment& shown) {
     Moved moved;
     for (const Magnifier& magnifier : magnifiers) {
         const glm::dvec2 begin = magnifier.in_plane(shown.begin);
@@ -48,4 +48,4 @@ Moved moved_shares(const Magnifiers& magnifiers, const TrueWay& shown) {
     return moved;
 }
 
-}  // namespace tedavis::earth::magnified_way
+}  // namespace tedavis::earth::magnified_segment

@@ -1,16 +1,16 @@
-#include "render_core/effects/quality_ladder.hpp"
+#include "render_core/effects/quality_level.hpp"
 
 #include <gtest/gtest.h>
 
-namespace tedavis::effects::test_quality_ladder {
+namespace tedavis::effects::test_quality_level {
 namespace {
 
-TEST(QualityLadder, EveryRungAsksForNoMoreThanTheOneBefore) {
-    EXPECT_EQ(kLadder[0].tau_factor, 1);
-    EXPECT_EQ(kLadder[0].detail_factor, 1);
-    for (std::size_t n = 1; n < kRungs; ++n) {
-        EXPECT_GE(kLadder[n].tau_factor, kLadder[n - 1].tau_factor);
-        EXPECT_LE(kLadder[n].detail_factor, kLadder[n - 1].detail_factor);
+TEST(QualityLevels, EveryQualityLevelAsksForNoMoreThanTheOneBefore) {
+    EXPECT_EQ(kQualityLevels[0].tau_factor, 1);
+    EXPECT_EQ(kQualityLevels[0].detail_factor, 1);
+    for (std::size_t n = 1; n < kQualityLevelCount; ++n) {
+        EXPECT_GE(kQualityLevels[n].tau_factor, kQualityLevels[n - 1].tau_factor);
+        EXPECT_LE(kQualityLevels[n].detail_factor, kQualityLevels[n - 1].detail_factor);
         for (std::size_t e = 0; e < kEffectCount; ++e) {
             const auto effect = static_cast<Effect>(e);
             EXPECT_LE(given_up_on(n - 1).has(effect), given_up_on(n).has(effect)) << row_of(effect).name;
@@ -18,30 +18,30 @@ TEST(QualityLadder, EveryRungAsksForNoMoreThanTheOneBefore) {
     }
 }
 
-TEST(QualityLadder, WhatSafetyNeedsIsOnNoRung) {
+TEST(QualityLevels, WhatSafetyNeedsIsGivenUpAtNoQualityLevel) {
     for (const Effect effect : {Effect::terrain, Effect::warning_colors, Effect::ground_data, Effect::adjacent, Effect::haze}) {
         EXPECT_EQ(row_of(effect).given_up_from, kNeverGivenUp) << row_of(effect).name;
-        EXPECT_FALSE(given_up_on(kRungs - 1).has(effect));
+        EXPECT_FALSE(given_up_on(kQualityLevelCount - 1).has(effect));
     }
 }
 
-TEST(QualityLadder, WhatEmbellishesGoesFirst) {
+TEST(QualityLevels, WhatEmbellishesGoesFirst) {
     EXPECT_LT(row_of(Effect::depth_of_field).given_up_from, row_of(Effect::antialiasing).given_up_from);
     EXPECT_LT(row_of(Effect::antialiasing).given_up_from, row_of(Effect::silhouettes).given_up_from);
 }
 
-TEST(QualityLadder, NothingIsGivenUpThatTheDesignGetsWhole) {
+TEST(QualityLevels, NothingIsGivenUpThatTheDesignGetsWhole) {
     for (std::size_t e = 0; e < kEffectCount; ++e) EXPECT_FALSE(given_up_on(0).has(static_cast<Effect>(e)));
 }
 
-TEST(QualityLadder, TerrainIsNeverSoCoarseThatItWouldLoseItsWarningColors) {
+TEST(QualityLevels, TerrainIsNeverSoCoarseThatItWouldLoseItsWarningColors) {
     EXPECT_EQ(tau_px_on(0, 1, 4), 1);
     EXPECT_EQ(tau_px_on(2, 1, 4), 2);
-    EXPECT_EQ(tau_px_on(kRungs - 1, 1.5, 4), 4) << "not 6";
-    EXPECT_EQ(tau_px_on(kRungs - 1, 5, 4), 5) << "a design that asks for more is not made finer";
+    EXPECT_EQ(tau_px_on(kQualityLevelCount - 1, 1.5, 4), 4) << "not 6";
+    EXPECT_EQ(tau_px_on(kQualityLevelCount - 1, 5, 4), 5) << "a design that asks for more is not made finer";
 }
 
-TEST(QualityLadder, CountersThereAndBackAreNeverTooSmall) {
+TEST(QualityLevels, CountersThereAndBackAreNeverTooSmall) {
     FrameCounters counters;
     counters.megapixels = 1;
     counters.triangles = 100'000;
@@ -62,4 +62,4 @@ TEST(QualityLadder, CountersThereAndBackAreNeverTooSmall) {
 }
 
 }  // namespace
-}  // namespace tedavis::effects::test_quality_ladder
+}  // namespace tedavis::effects::test_quality_level

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "render_core/design/view_effects.hpp"
-#include "render_core/display/eye.hpp"
+#include "render_core/display/camera.hpp"
 #include "render_core/draw/stereo_pass.hpp"
 
 namespace tedavis::display {
@@ -15,7 +15,7 @@ namespace tedavis::display {
 /// many times all that is drawn.
 inline constexpr double kScreenOfBase = 30, kNearestOfBase = 6;
 
-struct EyePair {
+struct StereoCameras {
     double base_m = 0;          ///< 0: both are the middle one
     std::int32_t shift_px = 0;  ///< of each eye's picture towards its own side
 
@@ -27,15 +27,17 @@ struct EyePair {
 [[nodiscard]] std::uint32_t eye_margin_px(double horizontal_field_of_view_rad, std::uint32_t width_px) noexcept;
 
 /// Of a view whose near plane is at `near_m`.
-[[nodiscard]] EyePair eye_pair(const design::Stereo& stereo, double focal_px, double near_m, std::uint32_t margin_px) noexcept;
+[[nodiscard]] StereoCameras stereo_cameras(const design::Stereo& stereo, double focal_px, double near_m,
+                                           std::uint32_t margin_px) noexcept;
 
 /// The middle eye's view, so wide that it has all that either eye shows.
-[[nodiscard]] terrain::View seen_by_both(const terrain::View& middle, const EyePair& pair) noexcept;
+[[nodiscard]] terrain::View seen_by_both(const terrain::View& middle, const StereoCameras& pair) noexcept;
 
 /// An eye of the pair, with the wider picture.
-[[nodiscard]] Eye eye_of(const Eye& middle, const EyePair& pair, draw::EyeSide side, std::uint32_t margin_px) noexcept;
+[[nodiscard]] Camera camera_of(const Camera& middle, const StereoCameras& pair, draw::EyeSide side,
+                               std::uint32_t margin_px) noexcept;
 
 /// The greatest parallax, in pixels, of what lies between these depths.
-[[nodiscard]] double parallax_bound_px(const EyePair& pair, double focal_px, double nearest_m, double farthest_m) noexcept;
+[[nodiscard]] double parallax_bound_px(const StereoCameras& pair, double focal_px, double nearest_m, double farthest_m) noexcept;
 
 }  // namespace tedavis::display
