@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <type_traits>
 
 #include "render_core/display/display.hpp"
 #include "render_core/effects/design_effects.hpp"
@@ -16,6 +17,16 @@ using effects::Effect;
 using test_support::HeadlessDisplay;
 
 constexpr std::uint32_t kWidth = 320, kHeight = 200;
+
+template <class T, class = void>
+constexpr bool kPlans = false;
+template <class T>
+constexpr bool
+    kPlans<T, std::void_t<decltype(std::declval<T&>().plan(std::declval<const flight::FrameInput&>(),
+                                                           std::declval<PlannerMemory&>(), std::declval<PlannedFrame&>()))>> =
+        true;
+static_assert(!kPlans<FramePainter>, "a painter that is asked to plan does not compile");
+static_assert(kPlans<FramePlanner>, "control");
 
 design::DesignSettings stereo_design(StereoMode mode) {
     design::DesignSettings design = test_support::shipped_design("default");
