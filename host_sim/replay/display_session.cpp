@@ -23,7 +23,7 @@ effects::DeviceSettings load_device(const std::string& name) {
 /// Memory, programs and their limits come from the device file.
 std::string message_of(const platform::HostFault& fault, const PictureOptions& options) {
     using platform::HostPart;
-    const std::string message(fault.error.message.view());
+    std::string message(fault.error.message.view());
     if (fault.part == HostPart::context)
         return "the drawing surface cannot be made current; try another --gl, or another screen for --window";
     if (fault.part == HostPart::memory || fault.part == HostPart::display)

@@ -116,11 +116,13 @@ int out_of_neighbourhood(const std::vector<std::uint8_t>& soft, const std::vecto
                 int least = 255, most = 0;
                 for (int dy = std::max(y - 1, 0); dy <= std::min(y + 1, kHeight - 1); ++dy)
                     for (int dx = std::max(x - 1, 0); dx <= std::min(x + 1, kWidth - 1); ++dx) {
-                        const int value = sharp[static_cast<std::size_t>((dy * kWidth + dx) * 4 + channel)];
+                        const int value = sharp[(static_cast<std::size_t>(dy) * kWidth + static_cast<std::size_t>(dx)) * 4 +
+                                                static_cast<std::size_t>(channel)];
                         least = std::min(least, value);
                         most = std::max(most, value);
                     }
-                const int value = soft[static_cast<std::size_t>((y * kWidth + x) * 4 + channel)];
+                const int value = soft[(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 4 +
+                                       static_cast<std::size_t>(channel)];
                 count += value < least - 1 || value > most + 1 ? 1 : 0;
             }
     return count;
