@@ -1,6 +1,7 @@
 // This program is linked with the planner, and with no GL module: what a plan calls needs none. It flies without terrain.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -36,7 +37,7 @@ protected:
     }
 
     std::vector<unsigned char> bytes = std::vector<unsigned char>(kSymbologyBytes);
-    base::Arena arena{base::Span<unsigned char>(bytes.data(), bytes.size())}, scene, slices;
+    base::Arena arena{bytes.data(), bytes.size()}, scene, slices;
     display::PlannerMemory memory;
     display::FramePlanner planner;
     std::unique_ptr<display::PlannedFrame> frame = std::make_unique<display::PlannedFrame>();
