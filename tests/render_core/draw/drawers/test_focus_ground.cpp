@@ -81,30 +81,6 @@ TEST(FocusGround, NumbersOfTheTableAreExactToAUnit) {
     }
 }
 
-TEST(FocusGround, ProgramsForMoreShowLess) {
-    GroundFocusKind built{2, true, false, true};
-    EXPECT_TRUE(covers(built, built));
-    EXPECT_TRUE(covers(built, {1, false, false, true}));
-    EXPECT_FALSE(covers(built, {3, true})) << "more foci";
-    EXPECT_FALSE(covers(built, {1, false, true})) << "squares";
-    EXPECT_FALSE(covers(built, {})) << "those without foci are others";
-    built.blurs = true;
-    EXPECT_FALSE(covers(built, {2, true})) << "what they write into alpha differs";
-}
-
-TEST(FocusGround, ADesignWithoutALookOrRimOfItsFociHasNone) {
-    design::DesignSettings design;
-    FocusRegions regions;
-    ASSERT_TRUE(regions.try_push_back(scene::focus_region_at(0.8, 0.2)));
-    ask_for(design, regions);
-    EXPECT_EQ(ground_focus_kind(design.foci).foci, 1);
-    EXPECT_TRUE(drawn_as(design, true, true).has_focus);
-    EXPECT_FALSE(drawn_as(design, true, false).has_focus);
-    design.foci[0].terrain = {};
-    EXPECT_EQ(ground_focus_kind(design.foci).foci, 0);
-    EXPECT_FALSE(drawn_as(design, true, true).has_focus);
-}
-
 TEST(FocusGround, SharpGroundHasTheSharpDistancesCode) {
     EXPECT_NEAR(distance_code(sharp_distance_m()), kSharpCode / 255, 1e-12);
     EXPECT_NEAR(sharp_distance_m() / 50, 1.0273678, 1e-7);  // shaders/focus.frag

@@ -83,16 +83,5 @@ TEST(StereoPass, SideBySideEachHalfHoldsOneEyesScreen) {
     }
 }
 
-TEST(StereoPass, ShiftsStayWithinTheMargin) {
-    test_support::GlSession session("egl", "es3-mid", kWidth, kHeight);
-    StereoPass pass;
-    ASSERT_EQ(pass.start(session.gl, session.device.budget, kWidth, kHeight, kMargin).message.view(), "");
-    EXPECT_EQ(screen_begins_px(pass.margin_px(), EyeSide::left, 2), 7);
-    EXPECT_EQ(screen_begins_px(pass.margin_px(), EyeSide::right, 2), 3);
-    EXPECT_EQ(screen_begins_px(pass.margin_px(), EyeSide::left, 100), 10);
-    EXPECT_EQ(screen_begins_px(pass.margin_px(), EyeSide::right, 100), 0);
-    pass.destroy(session.gl);
-}
-
 }  // namespace
 }  // namespace tedavis::draw::test_stereo_pass

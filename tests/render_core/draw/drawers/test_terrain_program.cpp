@@ -107,25 +107,6 @@ TEST(TerrainProgram, WhatTheStyleDoesNotAskForIsNotCompiled) {
     EXPECT_EQ(terrain_defines(bare, variant).view(), "#define BAKED 1\n");  // no technique reads a map
 }
 
-TEST(TerrainProgram, TheCheapestOutputThatShowsTheStyle) {
-    design::DesignSettings design;
-    TerrainStyle& style = design.terrain.style;
-    style.sketch.silhouettes = 1;
-    EXPECT_EQ(output_of(design, true), TerrainOutput::code);
-    design.sky.air.is_shown = true;
-    EXPECT_EQ(output_of(design, true), TerrainOutput::color_and_distance);
-    design.sky.air.is_shown = false;
-    EXPECT_EQ(output_of(design, false), TerrainOutput::color);
-    style.sketch.contours = 1;
-    EXPECT_EQ(output_of(design, true), TerrainOutput::color_and_distance);
-    style.sketch.silhouettes = 0;
-    EXPECT_EQ(output_of(design, true), TerrainOutput::color);
-    style.sketch.contours = 0;
-    EXPECT_EQ(output_of(design, true), TerrainOutput::code);
-    EXPECT_EQ(output_of(design, true, any_focus(0)), TerrainOutput::color) << "codes know no degrees";
-    EXPECT_EQ(output_of(design, true, any_focus(1)), TerrainOutput::color_and_distance) << "blurred";
-}
-
 /// Chunks in focus are drawn as if there were none, but for what they say of how sharp they are.
 TEST(TerrainProgram, WhatIsInFocusHasNothingOfIt) {
     TerrainVariant variant;

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <GeographicLib/Geodesic.hpp>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -332,22 +331,6 @@ TEST_F(TerrainUniformValues, StrokesMeetAtTheBordersOfChunks) {
     EXPECT_NEAR(double{west[2] + 32 * west[0]}, double{east[2]}, 0.01);
     EXPECT_NEAR(double{west[3]}, double{coarse[3] + 32 * coarse[1]}, 0.01);
     EXPECT_NEAR(double{west[0]}, 1 / 1200.0 * 111320 * std::cos(base::radians(47 - 64 / 1200.0)), 0.3) << "metres a post";
-}
-
-TEST(TexelSize, IsTheGeodesicDistanceBetweenTexels) {
-    const auto& geodesic = GeographicLib::Geodesic::WGS84();
-    const terrain::Lattice& lattice = hills().lattice();
-    for (std::uint32_t level = 1; level < lattice.levels(); ++level) {
-        const terrain::ChunkKey owner{level, 0, 0};
-        const terrain::PostRange posts = lattice.posts_of(owner);
-        const double lat = 47 - (posts.j0 + posts.j1) / 2 / 1200.0, spacing = std::exp2(level - 1.0) / 1200;
-        double east = 0, north = 0;
-        geodesic.Inverse(lat, 9, lat, 9 + spacing, east);
-        geodesic.Inverse(lat, 9, lat + spacing, 9, north);
-        const GroundSize size = texel_size(lattice, owner);
-        EXPECT_NEAR(size.east_m, east, 1e-3 * east);
-        EXPECT_NEAR(size.north_m, north, 1e-3 * north);
-    }
 }
 
 }  // namespace

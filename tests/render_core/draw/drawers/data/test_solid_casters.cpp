@@ -2,24 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/gl_session.hpp"
+
 namespace tedavis::draw::test_solid_casters {
 namespace {
 
 /// What it draws is held against places on the ground in test_shadow_map.cpp.
-TEST(SolidCasters, ThingsOverTheGroundCastShadowsAndNothingElseDoes) {
-    SolidPiece thing;
-    thing.look.group = 3;
-    const CasterGroups shown{1u << 3, 0};
-    EXPECT_TRUE(casts_shadow(thing, shown));
-    EXPECT_FALSE(casts_shadow(thing, {1u << 2, 0})) << "not of a role that is named";
-    SolidPiece margin = thing, rim = thing, strip = thing, nothing = thing, faint = thing;
-    margin.look.is_thing = false;
-    rim.look.halo_px = 1;
-    strip.look.raised_px = 1;
-    nothing.look.opacity = 0;
-    faint.look.opacity = 0.1f;
-    for (const SolidPiece& piece : {margin, rim, strip, nothing}) EXPECT_FALSE(casts_shadow(piece, shown));
-    EXPECT_TRUE(casts_shadow(faint, shown)) << "faintly";
+TEST(SolidCasters, StartAndEndInEveryLaneThatHasThem) {
+    for (const char* const device : {"es2-small", "es3-mid"}) {
+        test_support::GlSession session("egl", device);
+        SolidCasters casters;
+        EXPECT_FALSE(casters.is_started());
+        EXPECT_EQ(casters.start(session.gl).message.view(), "") << device;
+        EXPECT_TRUE(casters.is_started());
+        casters.destroy(session.gl);
+        EXPECT_FALSE(casters.is_started());
+    }
 }
 
 }  // namespace
