@@ -22,9 +22,10 @@ base::Error differing(const design::DesignSettings& one, const design::DesignSet
 base::Error FramePlanner::take_designs(const DisplaySettings& settings, PlannerMemory& memory) {
     settings_ = settings;
     memory_ = &memory;
+    const std::size_t count = settings.phases != nullptr ? settings.phases->size() : 0;
     if (settings.phases != nullptr) phases_ = *settings.phases;
     settings_.phases = nullptr;
-    for (std::size_t place = 0; place <= phases_.size(); ++place) {
+    for (std::size_t place = 0; place <= count; ++place) {
         const design::DesignSettings& asked = place == 0 ? settings.design : settings.phases->at(place);
         if (const auto order = effects::replacement_order(asked.effects.instead); !order.ok())
             return base::make_error("the design's ", order.error().view());
