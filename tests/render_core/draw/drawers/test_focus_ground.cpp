@@ -10,8 +10,6 @@
 namespace tedavis::draw::test_focus_ground {
 namespace {
 
-using design::FocusBorderKind;
-using scene::FocusRegion;
 using scene::FocusRegions;
 using test_support::ask_for;
 using test_support::make_path;

@@ -26,12 +26,13 @@ namespace {
 
 constexpr int kColumns = 257, kCellsAWave = 32;
 constexpr double kStep_deg = 0.001, kWest_deg = 9.6, kNorth_deg = 47.1;
-constexpr std::uint32_t kSide_px = 320;
+constexpr std::uint32_t kSide_px = 320, kFirstRow = kSide_px * 2 / 3, kEndRow = kSide_px * 5 / 6;  ///< rows that are looked at
 constexpr double kRange_m = 4000;
-constexpr int kMiddleWave = 4;  ///< the ridge that the aircraft stands over
+constexpr double kMiddleColumn = 128;  ///< of kColumns
+constexpr int kMiddleWave = 4;         ///< the ridge that the aircraft stands over
 
 double ridge_longitude_deg(int wave) { return kWest_deg + (wave * kCellsAWave + 0.5) * kStep_deg; }
-double latitude_deg() { return kNorth_deg - (kColumns / 2) * kStep_deg; }
+double latitude_deg() { return kNorth_deg - kMiddleColumn * kStep_deg; }
 
 /// Ridges from north to south, 32 posts from one to the next, 500 m above the valleys between them.
 class RidgedGround {
@@ -45,8 +46,8 @@ public:
         const std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, state, host_sim::kPosedTime);
         std::vector<double> columns(kSide_px);
         for (std::uint32_t x = 0; x < kSide_px; ++x)
-            for (std::uint32_t y = kSide_px * 2 / 3; y < kSide_px * 5 / 6; ++y)  // bottom row first
-                columns[x] += (1 - rgba[(std::size_t{y} * kSide_px + x) * 4] / 255.0) / (kSide_px * 5 / 6 - kSide_px * 2 / 3);
+            for (std::uint32_t y = kFirstRow; y < kEndRow; ++y)  // bottom row first
+                columns[x] += (1 - rgba[(std::size_t{y} * kSide_px + x) * 4] / 255.0) / double{kEndRow - kFirstRow};
         return columns;
     }
 
