@@ -49,9 +49,9 @@ HostFault DisplayHost::start(const DisplayHostSettings& settings) {
     if (const HostFault fault = reserve(settings)) return fault;
     if (const HostFault fault = start_workers(settings)) return fault;
     ProgramFolder folder;
-    if (const HostFault fault = open_programs(settings, folder)) return fault;
-    const bool has_folder = !settings.programs.empty() && !gl::has_compiler(settings.display.device.capability);
-    return start_display(settings, has_folder ? &folder : settings.display.programs);
+    base::ProgramStore* programs = settings.display.programs;
+    if (const HostFault fault = open_programs(settings, folder, programs)) return fault;
+    return start_display(settings, programs);
 }
 
 HostFault DisplayHost::open_databases(const DisplayHostSettings& settings) {
@@ -116,11 +116,12 @@ HostFault DisplayHost::start_workers(const DisplayHostSettings& settings) {
     return {};
 }
 
-HostFault DisplayHost::open_programs(const DisplayHostSettings& settings, ProgramFolder& programs) {
+HostFault DisplayHost::open_programs(const DisplayHostSettings& settings, ProgramFolder& folder, base::ProgramStore*& programs) {
     if (settings.programs.empty() || gl::has_compiler(settings.display.device.capability)) return {};
     auto opened = open_program_folder(settings.programs);
     if (!opened.ok()) return {HostPart::programs, opened.error()};
-    programs = std::move(opened.value());
+    folder = std::move(opened.value());
+    programs = &folder;
     return {};
 }
 

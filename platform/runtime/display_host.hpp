@@ -6,8 +6,7 @@
 /// Memory   all of it at start().
 /// Thread   one. Hosts of one thread draw in turn: one must have released its surface before another one makes its own current.
 /// Failure  start() says what could not be started and why; the host may then only be destroyed. Where the settings say so,
-/// terrain
-///          that cannot be used (no file, not readable, damaged) does not prevent the start: terrain_fault() gives the reason.
+///          terrain that cannot be used (no file, not readable, damaged) does not prevent it: terrain_fault() gives the reason.
 #pragma once
 
 #include <memory>
@@ -66,7 +65,8 @@ private:
     [[nodiscard]] HostFault open_surface(const DisplayHostSettings& settings);
     [[nodiscard]] HostFault reserve(const DisplayHostSettings& settings);
     [[nodiscard]] HostFault start_workers(const DisplayHostSettings& settings);
-    [[nodiscard]] HostFault open_programs(const DisplayHostSettings& settings, ProgramFolder& programs);
+    [[nodiscard]] HostFault open_programs(const DisplayHostSettings& settings, ProgramFolder& folder,
+                                          base::ProgramStore*& programs);
     [[nodiscard]] HostFault start_display(const DisplayHostSettings& settings, base::ProgramStore* programs);
     [[nodiscard]] base::Error start_core(const DisplayHostSettings& settings, base::ProgramStore* programs);
     void give_up_terrain(const base::Error& why);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include "render_core/base/span.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/ground_focus_kind.hpp"

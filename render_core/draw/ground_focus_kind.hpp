@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include "render_core/design/focus_settings.hpp"
 
 namespace tedavis::draw {

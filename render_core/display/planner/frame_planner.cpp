@@ -68,7 +68,7 @@ void FramePlanner::follow_painter(const PainterAbilities& painter, draw::DrawnDe
     if (terrain_.is_started()) terrain_.follow_painter(painter.reads_pages, painter.tracer);
     terrain_.set_design(designs[0]);
     terrain_look_key_ = look_key_;
-    record_intervals();
+    find_intervals();
 }
 
 void FramePlanner::plan(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame) {

@@ -166,7 +166,7 @@ private:
     void widen_bands();
     void plan_data();
     void set_elements(std::size_t shown);
-    void record_intervals();
+    void find_intervals();
     void decide_labels();
     void plan_elements();
     void plan_detail_again(bool is_shown);

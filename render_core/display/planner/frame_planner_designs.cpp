@@ -58,7 +58,7 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
     show_design(0);
     memory.labels.forget();
     memory.boost.forget();
-    record_intervals();
+    find_intervals();
 }
 
 void FramePlanner::show_design(std::size_t place) {

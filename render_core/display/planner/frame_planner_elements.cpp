@@ -29,7 +29,7 @@ bool FramePlanner::accepts(const scene::Scene& scene) const {
 
 bool FramePlanner::take_scene(const scene::Scene& scene, PlannerMemory& memory) {
     if (!data_.take(scene)) return false;
-    record_intervals();
+    find_intervals();
     memory.clutter.forget();
     if (!elements_.is_started()) return true;
     set_elements(memory.shown);
@@ -38,7 +38,7 @@ bool FramePlanner::take_scene(const scene::Scene& scene, PlannerMemory& memory) 
 }
 
 /// Of other designs, or another scene.
-void FramePlanner::record_intervals() {
+void FramePlanner::find_intervals() {
     has_intervals_ = terrain_.is_started();  // it may be ahead
     for (std::size_t place = 0; place < design_count(); ++place) {
         const design::DesignSettings& design = design_at(place);

@@ -43,7 +43,7 @@ enum class Probe : std::uint8_t {
 /// What the painter found of a planned picture: plain input of FramePlanner::plan_again().
 struct PainterFindings {
     bool terrain_failed = false;  ///< it could not be drawn; then nothing was measured
-    effects::ClutterMap edges;    ///< of the picture that PlannedFrame::probe asks for
+    effects::ClutterMap edges;    ///< of the picture that PlannedClutter::probe asks for
 };
 
 struct PlannedSaliency {
@@ -76,7 +76,7 @@ struct PlannedFrame : FrameStatement {
     StereoCameras stereo_cameras;
     double eye_msl_m = 0;
     double map_share = 0;       ///< of the way from 3D to the map, 0..1
-    bool is_free_view = false;  ///< the camera is nobody's
+    bool is_free_view = false;  ///< the camera is not the own ship's
     bool terrain_has_void = false;
     draw::HeightSpan heights;  ///< of the whole database
 

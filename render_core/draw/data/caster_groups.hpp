@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include "render_core/draw/data/solid_batch.hpp"
 
 namespace tedavis::draw {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include "render_core/draw/data/glyph_batch.hpp"
 #include "render_core/draw/data/glyph_shapes.hpp"
 
