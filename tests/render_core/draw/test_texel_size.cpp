@@ -25,7 +25,7 @@ TEST(TexelSize, IsTheGeodesicDistanceBetweenTexels) {
     for (std::uint32_t level = 1; level < lattice.levels(); ++level) {
         const terrain::ChunkKey owner{level, 0, 0};
         const terrain::PostRange posts = lattice.posts_of(owner);
-        const double lat = 47 - (posts.j0 + posts.j1) / 2 / 1200.0, spacing = std::exp2(level - 1.0) / 1200;
+        const double lat = 47 - 0.5 * (posts.j0 + posts.j1) / 1200, spacing = std::exp2(level - 1.0) / 1200;
         double east = 0, north = 0;
         geodesic.Inverse(lat, 9, lat, 9 + spacing, east);
         geodesic.Inverse(lat, 9, lat + spacing, 9, north);
