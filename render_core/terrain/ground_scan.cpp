@@ -27,9 +27,12 @@ struct Polygon {
     }
 };
 
-/// What lies where `inside` is not below zero: Sutherland and Hodgman, Reentrant polygon clipping (CACM 17, 1974).
+/// Leaves what lies where `inside` is not below zero: Sutherland and Hodgman, Reentrant polygon clipping (CACM 17, 1974).
 template <class Inside>
-Polygon clipped(const Polygon& polygon, const Inside& inside) {
+void clip(Polygon& polygon, const Inside& inside) {
+    bool is_cut = false;
+    for (int n = 0; n < polygon.count; ++n) is_cut = is_cut || !(inside(polygon.corner[n]) >= 0);
+    if (!is_cut) return;
     Polygon part{{}, 0, polygon.overflown};
     for (int n = 0; n < polygon.count; ++n) {
         const glm::dvec3 &a = polygon.corner[n], &b = polygon.corner[n + 1 < polygon.count ? n + 1 : 0];
@@ -37,7 +40,7 @@ Polygon clipped(const Polygon& polygon, const Inside& inside) {
         if (of_a >= 0) part.add(a);
         if ((of_a >= 0) != (of_b >= 0)) part.add(a + (b - a) * (of_a / (of_a - of_b)));
     }
-    return part;
+    polygon = part;
 }
 
 double from_axis(double tangent) { return std::sqrt(1 + tangent * tangent); }
@@ -87,9 +90,9 @@ double GroundScan::px_per_m(const glm::dvec3& a, const glm::dvec3& b, const glm:
     for (int axis = 0; axis < 2; ++axis)
         for (const double sign : {-1.0, 1.0}) {
             const Side& side = side_[axis];
-            part = clipped(part, [&](const glm::dvec3& p) { return side.tangent * p.z + side.margin_m - sign * p[axis]; });
+            clip(part, [&](const glm::dvec3& p) { return side.tangent * p.z + side.margin_m - sign * p[axis]; });
         }
-    part = clipped(part, [this](const glm::dvec3& p) { return p.z - (near_m_ - aside_m_); });
+    clip(part, [this](const glm::dvec3& p) { return p.z - (near_m_ - aside_m_); });
     if (part.overflown) return std::numeric_limits<double>::infinity();
     double farthest_m = 0, length[Polygon::kMaxCorners], nearness[Polygon::kMaxCorners];
     for (int n = 0; n < part.count; ++n) farthest_m = std::max(farthest_m, glm::length(part.corner[n]));

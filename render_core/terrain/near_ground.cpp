@@ -127,6 +127,10 @@ private:
         ChunkKey key;
         double px_per_m;  ///< no more than that in it
     };
+    struct BlockBound {
+        std::uint32_t block;
+        double px_per_m;  ///< no more than that in it
+    };
     struct Blocks {
         ChunkKey key = kNoChunk;
         ViewBox boxes[kBlocks * kBlocks];
@@ -169,13 +173,24 @@ private:
         const ChunkPosts posts(heights_.lattice(), chunk, view_);
         const GroundScan scan(view_, down_, margin_m_, std::max(double{entry.above_m}, double{entry.below_m}));
         double px_per_m = most_;
-        for (std::uint32_t n = 0; n < kBlocks * kBlocks; ++n) {
-            if (blocks->boxes[n].is_empty()) continue;
-            const double of_box = scan.px_per_m(blocks->boxes[n]);
-            if (of_box > px_per_m)
-                px_per_m = std::max(px_per_m, std::min(of_box, px_per_m_of_cells(posts, block_of(posts, n), scan)));
+        const std::uint32_t count = find_greater(*blocks, scan, px_per_m);
+        for (std::uint32_t n = 0; n < count && greater_[n].px_per_m > px_per_m; ++n) {
+            const double of_cells = px_per_m_of_cells(posts, block_of(posts, greater_[n].block), scan);
+            px_per_m = std::max(px_per_m, std::min(greater_[n].px_per_m, of_cells));
         }
         return px_per_m;
+    }
+
+    /// Into `greater_`: the blocks whose boxes allow more than `least`, the greatest first. Returns how many there are.
+    std::uint32_t find_greater(const Blocks& blocks, const GroundScan& scan, double least) {
+        std::uint32_t count = 0;
+        for (std::uint32_t n = 0; n < kBlocks * kBlocks; ++n) {
+            if (blocks.boxes[n].is_empty()) continue;
+            const double px_per_m = scan.px_per_m(blocks.boxes[n]);
+            if (px_per_m > least) greater_[count++] = {n, px_per_m};
+        }
+        std::sort(greater_, greater_ + count, [](const BlockBound& a, const BlockBound& b) { return a.px_per_m > b.px_per_m; });
+        return count;
     }
 
     ExactChunk chunk_of(const ChunkEntry& entry) {
@@ -205,6 +220,7 @@ private:
     Candidate stack_[3 * kMaxLevels + 1];  // of each look but the last at most three others wait
     std::uint32_t waiting_ = 0, looks_ = 0, known_ = 0;
     Blocks blocks_[kMaxChunks];
+    BlockBound greater_[kBlocks * kBlocks];
 };
 
 }  // namespace
