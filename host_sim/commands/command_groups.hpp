@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/commands/accuracy.hpp"
 #include "host_sim/commands/calibrate.hpp"
 #include "host_sim/commands/check.hpp"
 #include "host_sim/commands/contract.hpp"
@@ -48,6 +49,7 @@ struct CommandLine {
     EvaluateOptions evaluate;
     ContractOptions contract;
     CalibrateOptions calibrate;
+    AccuracyOptions accuracy;
     ShadersOptions shaders;
     std::string replay_config;
     std::vector<CLI::Option*> replay_config_holds;  ///< options that must not be combined with --config
@@ -79,7 +81,7 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 
 /// convert, scenario, scene, terrain: commands that make the files that the display reads.
 void add_builders(CLI::App& app, CommandLine& line);
-/// shot, trace, sheet, sweep, calibrate, shaders, replay: commands that draw.
+/// shot, trace, sheet, sweep, calibrate, accuracy, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

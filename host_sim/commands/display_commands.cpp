@@ -138,6 +138,24 @@ void add_trace(CLI::App& app, CommandLine& line) {
     command->add_option("-o", o.output, "the picture to write (.png); X.json beside it says what it took")->required();
 }
 
+void add_accuracy(CLI::App& app, CommandLine& line) {
+    AccuracyOptions& o = line.accuracy;
+    CLI::App* command =
+        add_command(app, line, "accuracy", "what accuracy costs in time: errors and times of every setting's levels",
+                    [&o](Console& console) { return run_accuracy(o, console); });
+    command->add_option("-o", o.output, "folder for accuracy.json and accuracy.csv; a run that was stopped goes on there")
+        ->required();
+    command->add_flag("--quick", o.is_quick, "fewer samples and rounds");
+    command->add_option("--knob", o.knobs, "only this setting; may be repeated; default: all")->allow_extra_args(false);
+    command->add_option("--terrain", o.terrain, "terrain database (.tdb); default: built from the shipped raster");
+    add_optional(command, "--budget-ms", o.budget_ms,
+                 "also says the most accurate level of each setting within so many milliseconds")
+        ->check(above_zero());
+    command->add_option(
+        "--target-error", o.target_error,
+        "also says the quickest level that keeps to an error, such as \"0.5 px\", of each setting with this unit");
+}
+
 void add_calibrate(CLI::App& app, CommandLine& line) {
     CalibrateOptions& o = line.calibrate;
     CLI::App* command = add_command(app, line, "calibrate", "what every effect costs on this machine, as a file for --costs",
@@ -292,6 +310,7 @@ void add_displays(CLI::App& app, CommandLine& line) {
     add_sweep(app, line);
     add_trace(app, line);
     add_calibrate(app, line);
+    add_accuracy(app, line);
     add_shaders(app, line);
     add_replay(app, line);
 }

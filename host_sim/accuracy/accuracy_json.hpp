@@ -1,0 +1,18 @@
+/// `accuracy.json`, which is also what `accuracy --json` prints, and `accuracy.csv`, a line a level. README.md lists the keys.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host_sim/accuracy/accuracy_report.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr char kAccuracySchema[] = "tedavis.accuracy/1";
+
+[[nodiscard]] nlohmann::ordered_json accuracy_json(const AccuracyReport& report);
+/// Reads what accuracy_json() wrote. Throws UserError, which begins with `name`: no JSON, another schema, keys that are missing.
+[[nodiscard]] AccuracyReport read_accuracy(const std::string& text, const std::string& name);
+[[nodiscard]] std::string accuracy_csv(const AccuracyReport& report);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,79 @@
+#include "host_sim/accuracy/accuracy_text.hpp"
+
+#include <cstdio>
+
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+template <class... Values>
+std::string printed(const char* format, Values... values) {
+    char text[240];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+std::string level_line(const MeasuredLevel& level) {
+    const char* const remark = level.is_dominated ? "  dominated" : level.is_near_reference ? "  at the reference" : "";
+    return printed("\n  %-24s %10.3f %10.3f %10.3f  %10.3g %10.3g %10.3g %10llu%s", level.name.c_str(), level.ms.median,
+                   level.ms.p5, level.ms.p95, level.error.mean, level.error.p99, level.error.max,
+                   static_cast<unsigned long long>(level.bytes), remark);
+}
+
+std::string law_text(const char* what, const FittedLaw& law) {
+    if (!law.holds) return std::string("\n  ") + what + ": no law, " + law.reason;
+    return printed("\n  %s ~ amount^%.2f (R2 %.3f, points within a factor of %.2f)", what, law.exponent, law.r2,
+                   law.worst_residual);
+}
+
+std::string knob_text(const MeasuredKnob& knob) {
+    std::string text = "\n\n" + knob.name + ": " + knob.title + "\n  error: " + knob.metric + ", " + knob.unit + "; against " +
+                       knob.reference + printed(" (itself within %.2g)", knob.reference_bound) +
+                       printed("\n  %zu rounds of %zu samples; medians that differ by less than %.1f %% are not ranked",
+                               knob.rounds, knob.samples, 100 * knob.noise) +
+                       printed("\n  %-24s %10s %10s %10s  %10s %10s %10s %10s", "level", "ms median", "p5", "p95", "mean", "p99",
+                               "max", "bytes");
+    for (const MeasuredLevel& level : knob.levels) text += level_line(level);
+    text += law_text("error", knob.error_law) + law_text("time", knob.time_law);
+    if (!knob.law_expected.empty()) text += "\n  expected: " + knob.law_expected + (knob.law_agrees ? ": agrees" : ": differs");
+    return text;
+}
+
+std::string choice_text(const MeasuredKnob& knob, const MeasuredLevel* level) {
+    const std::string name = "\n  " + knob.name + ": ";
+    if (level == nullptr) return name + "no level keeps to it";
+    return name + level->name + printed(" (%.3f ms, at most %.3g ", level->ms.median, level->error.max) + knob.unit + ")";
+}
+
+}  // namespace
+
+std::string accuracy_text(const AccuracyReport& report) {
+    const MeasuringConditions& on = report.conditions;
+    std::string text = "tedavis " + on.version + (on.is_quick ? ", quick" : "") + ", " + on.processor + " x " +
+                       std::to_string(on.processors) + printed(", load %.1f", on.load) + ", " + on.terrain;
+    for (const MeasuredKnob& knob : report.knobs) text += knob_text(knob);
+    for (const std::string& name : report.not_measured) text += "\n\n" + name + ": not measured";
+    return text;
+}
+
+std::string budget_text(const AccuracyReport& report, double budget_ms) {
+    std::string text = printed("\n\nthe most accurate within %g ms", budget_ms);
+    for (const MeasuredKnob& knob : report.knobs) text += choice_text(knob, best_within(knob, budget_ms));
+    return text;
+}
+
+std::string target_text(const AccuracyReport& report, double target_error, const std::string& unit, const std::string& option) {
+    std::string text = printed("\n\nthe quickest with at most %g ", target_error) + unit, units;
+    bool any = false;
+    for (const MeasuredKnob& knob : report.knobs) {
+        if (units.find(knob.unit) == std::string::npos) units += (units.empty() ? "" : ", ") + knob.unit;
+        if (knob.unit != unit) continue;
+        any = true;
+        text += choice_text(knob, cheapest_for(knob, target_error));
+    }
+    if (!any) throw UserError(option + ": no measured knob has errors in '" + unit + "'; the units are " + units);
+    return text;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,92 @@
+/// A setting of the product whose accuracy costs time: its levels, what they are measured against, and how one is run.
+///
+/// Everything that a reader of the report needs to believe a figure is a member that has no default, so a knob that does not
+/// state it does not compile; knob_registry.hpp refuses what is stated but empty or not credible.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+/// A text that must be given.
+class Statement {
+public:
+    Statement(const char* text) : text_(text) {}             // NOLINT(google-explicit-constructor): stands where a text does
+    Statement(std::string text) : text_(std::move(text)) {}  // NOLINT(google-explicit-constructor)
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+/// What counts as the truth, and by how much it may be wrong itself, in the metric's unit.
+class KnobReference {
+public:
+    KnobReference(Statement what, double error_bound, Statement reason)
+        : what_(std::move(what)), reason_(std::move(reason)), error_bound_(error_bound) {}
+
+    [[nodiscard]] const std::string& what() const { return what_.text(); }
+    [[nodiscard]] const std::string& reason() const { return reason_.text(); }  ///< of the bound
+    [[nodiscard]] double error_bound() const { return error_bound_; }
+
+private:
+    Statement what_, reason_;
+    double error_bound_;
+};
+
+/// error ~ amount^exponent, as the literature or an earlier measurement has it.
+struct ExpectedLaw {
+    double exponent, tolerance;
+    Statement source;
+};
+
+struct KnobLevel {
+    Statement name;  ///< as the user writes it
+    double amount;   ///< that laws are fitted over; 0: on no scale
+};
+
+struct KnobFacts {
+    Statement name;          ///< of --knob; lower case, underscores
+    Statement title;         ///< for people
+    Statement setting;       ///< where the product has it
+    Statement metric, unit;  ///< what an error is
+    KnobReference reference;
+    Statement second_oracle;         ///< another way to the truth, or "none: " and why
+    Statement never_trades;          ///< what stays as it is at every level
+    Statement amount;                ///< what KnobLevel::amount counts
+    std::optional<ExpectedLaw> law;  ///< nothing: none is known
+    std::vector<KnobLevel> levels;   ///< the cheapest first
+};
+
+/// A knob over inputs that were prepared when it was made. One thread.
+class Knob {
+public:
+    explicit Knob(KnobFacts facts) : facts_(std::move(facts)) {}
+    virtual ~Knob() = default;
+    Knob(const Knob&) = delete;
+    Knob& operator=(const Knob&) = delete;
+
+    [[nodiscard]] const KnobFacts& facts() const { return facts_; }
+    /// How many pieces of work there are; each is timed for itself.
+    [[nodiscard]] virtual std::size_t samples() const = 0;
+    /// Does the work of a sample at a level: this is what is timed, and nothing else.
+    virtual void run(std::size_t level, std::size_t sample) = 0;
+    /// Appends the errors of what run() would give, not negative, in the metric's unit.
+    virtual void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) = 0;
+    /// Where an error of find_errors() is, for people: a ray, a pixel, a pose.
+    [[nodiscard]] virtual std::string place_of(std::size_t sample, std::size_t error) const = 0;
+    /// Memory that a level takes besides what all levels take.
+    [[nodiscard]] virtual std::uint64_t bytes(std::size_t /*level*/) const { return 0; }
+    /// Time for what is made once before the first sample.
+    [[nodiscard]] virtual double build_ms(std::size_t /*level*/) const { return 0; }
+
+private:
+    KnobFacts facts_;
+};
+
+}  // namespace tedavis::host_sim

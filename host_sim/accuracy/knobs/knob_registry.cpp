@@ -1,0 +1,61 @@
+#include "host_sim/accuracy/knobs/knob_registry.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
+#include "host_sim/accuracy/knobs/surface_knob.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+/// The first statement of a knob without a word.
+const char* empty_statement(const KnobFacts& facts) {
+    const std::pair<const char*, const std::string&> all[] = {{"name", facts.name.text()},
+                                                              {"title", facts.title.text()},
+                                                              {"setting", facts.setting.text()},
+                                                              {"metric", facts.metric.text()},
+                                                              {"unit", facts.unit.text()},
+                                                              {"amount", facts.amount.text()},
+                                                              {"reference", facts.reference.what()},
+                                                              {"reason of its bound", facts.reference.reason()},
+                                                              {"second oracle", facts.second_oracle.text()},
+                                                              {"never trades", facts.never_trades.text()}};
+    for (const auto& [what, text] : all)
+        if (text.empty()) return what;
+    return nullptr;
+}
+
+}  // namespace
+
+const std::vector<RegisteredKnob>& knob_registry() {
+    static const std::vector<RegisteredKnob> kKnobs = {
+        {"ray_steps", make_ray_steps_knob}, {"ray_halvings", make_ray_halvings_knob}, {"smooth_surface", make_surface_knob}};
+    return kKnobs;
+}
+
+std::vector<RegisteredKnob> chosen_knobs(const std::vector<std::string>& names) {
+    if (names.empty()) return knob_registry();
+    std::string known;
+    for (const RegisteredKnob& knob : knob_registry()) known += (known.empty() ? "" : ", ") + std::string(knob.name);
+    for (const std::string& name : names)
+        if (std::none_of(knob_registry().begin(), knob_registry().end(), [&](const auto& knob) { return knob.name == name; }))
+            throw UserError("--knob " + name + ": is unknown; choose of " + known);
+    std::vector<RegisteredKnob> chosen;
+    for (const RegisteredKnob& knob : knob_registry())
+        if (std::find(names.begin(), names.end(), knob.name) != names.end()) chosen.push_back(knob);
+    return chosen;
+}
+
+std::string fault_of(const KnobFacts& facts) {
+    if (const char* const what = empty_statement(facts)) return std::string("its ") + what + " is empty";
+    if (facts.levels.size() < 2) return "it has fewer than two levels";
+    if (!(facts.reference.error_bound() >= 0)) return "its reference has no bound";
+    std::set<std::string> names;
+    for (const KnobLevel& level : facts.levels)
+        if (!names.insert(level.name.text()).second) return "it has two levels '" + level.name.text() + "'";
+    return "";
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,73 @@
+/// A square part of a terrain with rays over it: what the knobs of the ray tracer are measured on.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "host_sim/tracing/traced_ground.hpp"
+#include "render_core/raytrace/height_mipmap.hpp"
+#include "render_core/raytrace/ray.hpp"
+#include "render_core/raytrace/surface/surface_settings.hpp"
+
+namespace tedavis::host_sim {
+
+/// The same numbers on every machine, which the distributions of the standard library are not.
+class SampleNumbers {
+public:
+    explicit SampleNumbers(std::uint64_t seed) : bits_(seed) {}
+    [[nodiscard]] double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+    }
+
+private:
+    std::mt19937_64 bits_;
+};
+
+class TracedSquare {
+public:
+    static constexpr std::uint32_t kMaxSide = 769;
+
+    /// The middle of the ground, at most kMaxSide posts along a side.
+    explicit TracedSquare(const TracedGround& ground);
+
+    /// Metres above MSL, grid space (height_grid.hpp).
+    [[nodiscard]] raytrace::HeightGrid<float> grid() const { return {posts_.data(), columns_, rows_, columns_}; }
+    [[nodiscard]] double cell_m() const { return cell_m_; }  ///< spacing of columns in the middle row
+
+private:
+    template <class Height>
+    void take(const raytrace::HeightGrid<Height>& all, double step_m);
+
+    std::vector<float> posts_;
+    std::uint32_t columns_ = 0, rows_ = 0;
+    double cell_m_ = 0;
+};
+
+/// The bounds of a surface over a square.
+class BoundedSurface {
+public:
+    BoundedSurface(const TracedSquare& square, const raytrace::SurfaceSettings& surface);
+    BoundedSurface(const BoundedSurface&) = delete;
+    BoundedSurface& operator=(const BoundedSurface&) = delete;
+
+    [[nodiscard]] const raytrace::HeightMipmap<float>& maxima() const { return maxima_; }
+    [[nodiscard]] const raytrace::SurfaceSettings& settings() const { return settings_; }
+    [[nodiscard]] std::uint64_t bytes() const { return memory_.size(); }
+    [[nodiscard]] double build_ms() const { return build_ms_; }
+
+private:
+    raytrace::SurfaceSettings settings_;
+    std::vector<unsigned char> memory_;
+    raytrace::HeightMipmap<float> maxima_;
+    double build_ms_ = 0;
+};
+
+/// From over the western border, 150 to 900 m above the ground, eastwards and 0.5 to 8 degrees down.
+[[nodiscard]] std::vector<raytrace::Ray> rays_over(const TracedSquare& square, std::size_t count, std::uint64_t seed);
+/// Where a ray of rays_over() leaves the square, t.
+[[nodiscard]] double end_over(const TracedSquare& square, const raytrace::Ray& ray);
+/// "the ray from column 0, row 17.2, height 812 m, along (1, 0.21, -3.1)"
+[[nodiscard]] std::string ray_text(const raytrace::Ray& ray);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,49 @@
+/// What was measured of a knob: times with their spread, errors with their distribution, what follows from both.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/accuracy/knobs/knob.hpp"
+#include "host_sim/accuracy/statistics.hpp"
+
+namespace tedavis::host_sim {
+
+struct MeasuredLevel {
+    std::string name;
+    double amount = 0;
+    TimeSpread ms;            ///< of all samples, once
+    ErrorDistribution error;  ///< in the metric's unit
+    std::uint64_t bytes = 0;
+    double build_ms = 0;
+    std::string worst_place;         ///< where the greatest error is
+    bool is_dominated = false;       ///< another level is more accurate and no slower, or as accurate and quicker
+    bool is_near_reference = false;  ///< its greatest error is less than ten times the reference's own bound
+};
+
+struct MeasuredKnob {
+    std::string name, title, setting, metric, unit, amount;
+    std::string reference, reference_reason, second_oracle, never_trades;
+    double reference_bound = 0;
+    std::size_t rounds = 0, samples = 0;
+    /// The greatest ratio of two medians of the same level, from the odd rounds and the even ones, less 1.
+    double noise = 0;
+    std::vector<MeasuredLevel> levels;  ///< as the knob has them
+    FittedLaw error_law, time_law;      ///< over the amount: mean error, median time
+    std::string law_expected;           ///< in words; empty: none is known
+    bool law_agrees = false;            ///< with what is expected
+};
+
+/// True where the noise does not hide which of both is quicker.
+[[nodiscard]] bool is_quicker(const MeasuredKnob& knob, const MeasuredLevel& a, const MeasuredLevel& b);
+
+/// Fills in what follows from times and errors: dominated levels and laws.
+void judge(const KnobFacts& facts, MeasuredKnob& knob);
+
+/// The most accurate level whose median time keeps to the budget; null where none does.
+[[nodiscard]] const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms);
+/// The quickest level whose greatest error keeps to the target; null where none does.
+[[nodiscard]] const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,166 @@
+#include "host_sim/commands/accuracy.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "host_sim/accuracy/accuracy_json.hpp"
+#include "host_sim/accuracy/accuracy_text.hpp"
+#include "host_sim/accuracy/knobs/knob_registry.hpp"
+#include "host_sim/accuracy/measure_knob.hpp"
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/interrupt.hpp"
+#include "host_sim/json_text.hpp"
+#include "host_sim/new_folder.hpp"
+#include "host_sim/temporary_folder.hpp"
+#include "host_sim/user_error.hpp"
+#include "platform/clock/monotonic_clock.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr const char* kJsonName = "/accuracy.json";
+constexpr const char* kCsvName = "/accuracy.csv";
+constexpr std::size_t kRounds = 31, kQuickRounds = 11;
+constexpr double kKnob_s = 120, kQuickKnob_s = 8;  ///< for the rounds of a knob
+
+double clock_ms() { return static_cast<double>(platform::monotonic_now().ns) * 1e-6; }
+
+/// That makes such a report again.
+std::string command_of(const AccuracyOptions& options) {
+    std::string command = "tedavis accuracy -o " + options.output;
+    if (options.is_quick) command += " --quick";
+    if (!options.terrain.empty()) command += " --terrain " + options.terrain;
+    for (const std::string& knob : options.knobs) command += " --knob " + knob;
+    return command;
+}
+
+/// What an earlier run has left in the folder; empty where there is none.
+AccuracyReport earlier_run(const std::string& folder, const MeasuringConditions& now) {
+    const std::string path = folder + kJsonName;
+    if (!std::filesystem::exists(path)) return {};
+    AccuracyReport earlier = read_accuracy(read_file(path), path);
+    if (!are_comparable(earlier.conditions, now))
+        throw UserError(path +
+                        ": was measured with another program, machine, terrain or extent, which cannot stand in one report; "
+                        "name another folder with -o");
+    return earlier;
+}
+
+const MeasuredKnob* knob_of(const AccuracyReport& report, const std::string& name) {
+    const auto found =
+        std::find_if(report.knobs.begin(), report.knobs.end(), [&](const auto& knob) { return knob.name == name; });
+    return found == report.knobs.end() ? nullptr : &*found;
+}
+
+void write_report(const AccuracyReport& report, const std::string& folder) {
+    AtomicFile json(folder + kJsonName), csv(folder + kCsvName);
+    json.stream() << json_text(accuracy_json(report), 1) << "\n";
+    csv.stream() << accuracy_csv(report);
+    json.seal();
+    csv.seal();
+    json.commit();
+    csv.commit();
+}
+
+/// Takes the place of the knob's earlier figures, in the registry's order.
+void put(MeasuredKnob measured, AccuracyReport& report) {
+    std::vector<MeasuredKnob> ordered;
+    for (const RegisteredKnob& known : knob_registry())
+        if (known.name == measured.name)
+            ordered.push_back(measured);
+        else if (const MeasuredKnob* const kept = knob_of(report, known.name))
+            ordered.push_back(*kept);
+    report.knobs = std::move(ordered);
+}
+
+class AccuracyRun {
+public:
+    AccuracyRun(const AccuracyOptions& options, Console& console) : options_(options), console_(console) {}
+
+    /// False where the user has stopped it.
+    bool measure(const std::vector<RegisteredKnob>& knobs, const KnobGround& ground, AccuracyReport& report) {
+        const InterruptGuard interrupt;
+        for (std::size_t n = 0; n < knobs.size(); ++n) {
+            if (knob_of(report, knobs[n].name) != nullptr) continue;
+            try {
+                put(measured(knobs[n], ground, n, knobs.size(), interrupt), report);
+            } catch (const Interrupted&) {
+                report.interrupted = true;
+                break;
+            }
+            write_report(report, options_.output);
+        }
+        console_.progress_done();
+        return !report.interrupted;
+    }
+
+private:
+    MeasuredKnob measured(const RegisteredKnob& registered, const KnobGround& ground, std::size_t number, std::size_t count,
+                          const InterruptGuard& interrupt) {
+        const std::unique_ptr<Knob> knob = registered.make(ground);
+        MeasuringPlan plan;
+        plan.rounds = options_.is_quick ? kQuickRounds : kRounds;
+        plan.most_s = options_.is_quick ? kQuickKnob_s : kKnob_s;
+        plan.clock_ms = clock_ms;
+        plan.progress = [&](std::size_t done, std::size_t total) {
+            console_.progress("knobs", number * total + done, count * total);
+            if (interrupt.requested()) throw Interrupted("interrupted");
+        };
+        return measure_knob(*knob, plan);
+    }
+
+    const AccuracyOptions& options_;
+    Console& console_;
+};
+
+std::string answers(const AccuracyOptions& options, const AccuracyReport& report) {
+    std::string text;
+    if (options.budget_ms) text += budget_text(report, *options.budget_ms);
+    if (options.target_error.empty()) return text;
+    const TargetError target = target_from(options.target_error);
+    return text + target_text(report, target.value, target.unit, "--target-error " + options.target_error);
+}
+
+void list_unmeasured(const std::vector<RegisteredKnob>& knobs, AccuracyReport& report) {
+    report.not_measured.clear();
+    for (const RegisteredKnob& knob : knobs)
+        if (knob_of(report, knob.name) == nullptr) report.not_measured.push_back(knob.name);
+}
+
+}  // namespace
+
+TargetError target_from(const std::string& text) {
+    char* end = nullptr;
+    TargetError target;
+    target.value = std::strtod(text.c_str(), &end);
+    const std::string rest = end;
+    const std::size_t unit = rest.find_first_not_of(' ');
+    if (!(target.value > 0) || unit == std::string::npos)
+        throw UserError("--target-error " + text + ": is no error above 0 with its unit; write it as \"0.5 px\"");
+    target.unit = rest.substr(unit);
+    return target;
+}
+
+int run_accuracy(const AccuracyOptions& options, Console& console) {
+    const std::vector<RegisteredKnob> knobs = chosen_knobs(options.knobs);
+    if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
+    const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
+    AccuracyReport report;
+    report.conditions = conditions_now(command_of(options), name, options.is_quick);
+    report.knobs = earlier_run(options.output, report.conditions).knobs;
+    const TemporaryFolder temporary;
+    const std::unique_ptr<base::Workers> workers = trace_workers(0);
+    const TracedGround ground(database_of({options.terrain, ""}, temporary.path(), console), *workers);
+    NewFolder folder(options.output);
+    const bool is_whole = AccuracyRun(options, console).measure(knobs, {ground, options.is_quick}, report);
+    list_unmeasured(knobs, report);
+    write_report(report, options.output);
+    folder.keep();
+    console.result(accuracy_text(report) + answers(options, report) + "\n\n" + options.output + kJsonName,
+                   json_text(accuracy_json(report)));
+    return is_whole ? 0 : kInterruptedExitCode;
+}
+
+}  // namespace tedavis::host_sim

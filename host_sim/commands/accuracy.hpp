@@ -1,0 +1,32 @@
+/// `tedavis accuracy`: what every knob's accuracy costs in time on this machine.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/commands/trace.hpp"
+
+namespace tedavis::host_sim {
+
+struct AccuracyOptions {
+    std::string output;               ///< folder
+    std::string terrain;              ///< .tdb; empty: built from the shipped raster
+    bool is_quick = false;            ///< fewer samples and rounds
+    std::vector<std::string> knobs;   ///< empty: all
+    std::optional<double> budget_ms;  ///< asks for the most accurate levels within it
+    std::string target_error;         ///< such as "0.5 px": asks for the quickest levels that keep to it; empty: nothing
+};
+
+/// Leaves accuracy.json and accuracy.csv in the folder, after each knob, so that a run that was stopped goes on where it was.
+/// Returns the exit code; throws UserError and Interrupted.
+[[nodiscard]] int run_accuracy(const AccuracyOptions& options, Console& console);
+
+struct TargetError {
+    double value = 0;
+    std::string unit;
+};
+/// A number above 0 and its unit, with or without a space between them. Throws UserError.
+[[nodiscard]] TargetError target_from(const std::string& text);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,66 @@
+#include "host_sim/accuracy/knobs/knob_registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/host_sim/accuracy/made_knob.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+
+namespace tedavis::host_sim::test_knob_registry {
+namespace {
+
+/// Every level of every knob does its work, and finds errors at places that can be named.
+TEST(KnobRegistry, EveryKnobStatesWhatAFigureNeedsAndRuns) {
+    const test_support::FlownFiles files;
+    base::SerialWorkers workers;
+    const TracedGround ground(files.terrain, workers);
+    std::set<std::string> names;
+    for (const RegisteredKnob& registered : knob_registry()) {
+        const auto knob = registered.make({ground, true});
+        EXPECT_EQ(knob->facts().name.text(), registered.name);
+        EXPECT_TRUE(names.insert(registered.name).second) << registered.name;
+        EXPECT_EQ(fault_of(knob->facts()), "") << registered.name;
+        ASSERT_GT(knob->samples(), 0u) << registered.name;
+        for (std::size_t level = 0; level < knob->facts().levels.size(); ++level) {
+            std::vector<double> errors;
+            knob->run(level, 0);
+            knob->find_errors(level, 0, errors);
+            ASSERT_FALSE(errors.empty()) << registered.name;
+            for (const double error : errors) EXPECT_GE(error, 0) << registered.name;
+            EXPECT_FALSE(knob->place_of(0, errors.size() - 1).empty());
+        }
+    }
+}
+
+TEST(KnobRegistry, RefusesWhatIsNotCredible) {
+    const auto facts = [](auto change) {
+        KnobFacts made = test_support::made_facts({{"a", 1}, {"b", 2}});
+        change(made);
+        return fault_of(made);
+    };
+    EXPECT_EQ(facts([](KnobFacts&) {}), "") << "control";
+    EXPECT_EQ(facts([](KnobFacts& f) { f.metric = ""; }), "its metric is empty");
+    EXPECT_EQ(facts([](KnobFacts& f) { f.never_trades = ""; }), "its never trades is empty");
+    EXPECT_EQ(facts([](KnobFacts& f) { f.levels.pop_back(); }), "it has fewer than two levels");
+    EXPECT_EQ(facts([](KnobFacts& f) { f.levels[1].name = "a"; }), "it has two levels 'a'");
+    EXPECT_EQ(facts([](KnobFacts& f) { f.reference = {"the truth", -1, "unknown"}; }), "its reference has no bound");
+}
+
+TEST(KnobRegistry, ChoosesByNameInItsOwnOrder) {
+    EXPECT_EQ(chosen_knobs({}).size(), knob_registry().size());
+    const auto chosen = chosen_knobs({"smooth_surface", "ray_steps"});
+    ASSERT_EQ(chosen.size(), 2u);
+    EXPECT_STREQ(chosen[0].name, "ray_steps");
+    test_support::expect_user_error([] { static_cast<void>(chosen_knobs({"rays"})); },
+                                    "--knob rays: is unknown; choose of ray_steps");
+}
+
+/// What a knob cannot leave out: its facts have no default.
+static_assert(!std::is_default_constructible_v<KnobFacts>);
+static_assert(!std::is_default_constructible_v<KnobReference>);
+static_assert(!std::is_default_constructible_v<KnobLevel>);
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_knob_registry

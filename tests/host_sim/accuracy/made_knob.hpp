@@ -1,0 +1,67 @@
+/// A knob whose errors and times are made up, and a clock that only its work moves.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host_sim/accuracy/accuracy_report.hpp"
+#include "host_sim/accuracy/measure_knob.hpp"
+
+namespace tedavis::test_support {
+
+inline host_sim::KnobFacts made_facts(std::vector<host_sim::KnobLevel> levels) {
+    return {"made",
+            "A made-up knob",
+            "nowhere",
+            "distance",
+            "m",
+            {"the truth", 1e-9, "it is made up"},
+            "none: there is only one truth",
+            "nothing",
+            "steps",
+            host_sim::ExpectedLaw{-1, 0.1, "made up"},
+            std::move(levels)};
+}
+
+/// Level n has 2^n steps: errors are 1 / steps and half of it, and a sample takes steps milliseconds.
+class MadeKnob final : public host_sim::Knob {
+public:
+    explicit MadeKnob(std::size_t levels) : Knob(made_facts(levels_of(levels))) {}
+
+    [[nodiscard]] std::size_t samples() const override { return 3; }
+    void run(std::size_t level, std::size_t sample) override {
+        runs.emplace_back(level, sample);
+        now_ms += steps(level) * slowness(runs.size() / (samples() * facts().levels.size()));
+    }
+    void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
+        errors = {0.5 / steps(level), (sample == 1 ? 1.0 : 0.75) / steps(level)};
+    }
+    [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
+        return "sample " + std::to_string(sample) + ", error " + std::to_string(error);
+    }
+
+    [[nodiscard]] host_sim::MeasuringPlan plan(std::size_t rounds) {
+        host_sim::MeasuringPlan plan;
+        plan.rounds = rounds;
+        plan.clock_ms = [this] { return now_ms; };
+        plan.progress = [](std::size_t, std::size_t) {};
+        return plan;
+    }
+
+    double now_ms = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    std::function<double(std::size_t round)> slowness = [](std::size_t) { return 1.0; };
+
+private:
+    static double steps(std::size_t level) { return std::ldexp(1.0, static_cast<int>(level)); }
+    static std::vector<host_sim::KnobLevel> levels_of(std::size_t count) {
+        std::vector<host_sim::KnobLevel> levels;
+        for (std::size_t n = 0; n < count; ++n) levels.push_back({std::to_string(1u << n) + " steps", steps(n)});
+        return levels;
+    }
+};
+
+}  // namespace tedavis::test_support

@@ -1,0 +1,54 @@
+#include "host_sim/accuracy/accuracy_json.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/host_sim/accuracy/made_knob.hpp"
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_accuracy_json {
+namespace {
+
+AccuracyReport made_report() {
+    test_support::MadeKnob knob(5);
+    AccuracyReport report;
+    report.conditions = conditions_now("tedavis accuracy -o x", "alps.tdb", false);
+    report.knobs.push_back(measure_knob(knob, knob.plan(7)));
+    report.not_measured = {"another"};
+    report.interrupted = true;
+    return report;
+}
+
+TEST(AccuracyJson, IsReadAsItWasWritten) {
+    const auto json = accuracy_json(made_report());
+    EXPECT_EQ(accuracy_json(read_accuracy(json.dump(), "x.json")), json);
+    EXPECT_EQ(json.at("knobs")[0].at("levels")[2].at("error").at("max"), 0.25);
+    EXPECT_EQ(json.at("knobs")[0].at("reference").at("bound"), 1e-9);
+    EXPECT_EQ(json.at("not_measured"), (std::vector<std::string>{"another"}));
+}
+
+TEST(AccuracyJson, RefusesWhatItCannotRead) {
+    const auto whole = accuracy_json(made_report());
+    const auto read = [](const std::string& text) { return [text] { static_cast<void>(read_accuracy(text, "x.json")); }; };
+    test_support::expect_user_error(read("[1, 2"), "x.json: is no JSON object");
+    auto other = whole;
+    other["schema"] = "tedavis.accuracy/0";
+    test_support::expect_user_error(read(other.dump()), "'tedavis.accuracy/0'");
+    auto cut = whole;
+    cut.at("knobs")[0].at("levels")[1].erase("ms");
+    test_support::expect_user_error(read(cut.dump()), "x.json: is not whole");
+    EXPECT_NO_THROW(read(whole.dump())()) << "control";
+}
+
+TEST(AccuracyCsv, HasALineForEveryLevel) {
+    const std::string csv = accuracy_csv(made_report());
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+    EXPECT_THAT(csv, ::testing::HasSubstr("\nmade,\"4 steps\",4,12,12,12,\"m\","));
+    const std::size_t head = static_cast<std::size_t>(std::count(csv.begin(), std::find(csv.begin(), csv.end(), '\n'), ','));
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ',')), 6 * head) << "as many cells in every line";
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_accuracy_json

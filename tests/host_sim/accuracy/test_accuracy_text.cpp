@@ -1,0 +1,45 @@
+#include "host_sim/accuracy/accuracy_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/host_sim/accuracy/made_knob.hpp"
+#include "tests/support/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_accuracy_text {
+namespace {
+
+using ::testing::HasSubstr;
+
+AccuracyReport made_report() {
+    test_support::MadeKnob knob(5);
+    AccuracyReport report;
+    report.conditions = conditions_now("tedavis accuracy -o x", "alps.tdb", true);
+    report.knobs.push_back(measure_knob(knob, knob.plan(7)));
+    return report;
+}
+
+TEST(AccuracyText, HasATableAndTheLaws) {
+    const std::string text = accuracy_text(made_report());
+    EXPECT_THAT(text, HasSubstr("quick"));
+    EXPECT_THAT(text, HasSubstr("alps.tdb"));
+    EXPECT_THAT(text, HasSubstr("\n  4 steps                      12.000"));
+    EXPECT_THAT(text, HasSubstr("error ~ amount^-1.00 (R2 1.000"));
+    EXPECT_THAT(text, HasSubstr("made up): agrees"));
+}
+
+TEST(AccuracyText, AnswersByBudget) {
+    const AccuracyReport report = made_report();
+    EXPECT_THAT(budget_text(report, 13), HasSubstr("made: 4 steps (12.000 ms, at most 0.25 m)"));
+    EXPECT_THAT(budget_text(report, 1), HasSubstr("made: no level keeps to it"));
+}
+
+TEST(AccuracyText, AnswersByErrorInTheKnobsUnit) {
+    const AccuracyReport report = made_report();
+    EXPECT_THAT(target_text(report, 0.3, "m", "--target-error 0.3m"), HasSubstr("made: 4 steps"));
+    test_support::expect_user_error([&] { static_cast<void>(target_text(report, 0.3, "px", "--target-error 0.3px")); },
+                                    "--target-error 0.3px: no measured knob has errors in 'px'; the units are m");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_accuracy_text

@@ -1,0 +1,70 @@
+#include "host_sim/accuracy/measure_knob.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "host_sim/user_error.hpp"
+#include "tests/host_sim/accuracy/made_knob.hpp"
+
+namespace tedavis::host_sim::test_measure_knob {
+namespace {
+
+using test_support::MadeKnob;
+
+TEST(MeasureKnob, FindsErrorsTimesAndTheLaw) {
+    MadeKnob knob(5);
+    const MeasuredKnob measured = measure_knob(knob, knob.plan(10));
+    ASSERT_EQ(measured.levels.size(), 5u);
+    const MeasuredLevel& third = measured.levels[2];
+    EXPECT_EQ(third.name, "4 steps");
+    EXPECT_DOUBLE_EQ(third.error.max, 0.25);
+    EXPECT_EQ(third.error.count, 6u);
+    EXPECT_EQ(third.worst_place, "sample 1, error 1");
+    EXPECT_DOUBLE_EQ(third.ms.median, 12) << "three samples of four milliseconds";
+    EXPECT_NEAR(measured.error_law.exponent, -1, 1e-12);
+    EXPECT_NEAR(measured.time_law.exponent, 1, 1e-12);
+    EXPECT_TRUE(measured.law_agrees);
+    EXPECT_EQ(measured.rounds, 10u);
+    EXPECT_EQ(measured.reference, "the truth");
+}
+
+TEST(MeasureKnob, TakesLevelsInTurnsThatChange) {
+    MadeKnob knob(4);
+    static_cast<void>(measure_knob(knob, knob.plan(8)));
+    std::set<std::size_t> first;
+    for (std::size_t round = 0; round < 8; ++round) {
+        std::set<std::size_t> in_round;
+        for (std::size_t n = 0; n < 12; ++n) in_round.insert(knob.runs[round * 12 + n].first);
+        EXPECT_EQ(in_round.size(), 4u) << "every level in every round";
+        first.insert(knob.runs[round * 12].first);
+    }
+    EXPECT_EQ(first.size(), 4u) << "each is the first one in turn";
+}
+
+TEST(MeasureKnob, WhatDiffersBetweenOddAndEvenRoundsIsNoise) {
+    MadeKnob quiet(3), noisy(3);
+    EXPECT_DOUBLE_EQ(measure_knob(quiet, quiet.plan(8)).noise, 0) << "control: a clock without noise";
+    noisy.slowness = [](std::size_t round) { return round % 2 == 0 ? 1.0 : 1.3; };
+    EXPECT_GT(measure_knob(noisy, noisy.plan(8)).noise, 0.2);
+}
+
+TEST(MeasureKnob, StopsAfterItsTimeButNotBeforeTheLeastRounds) {
+    MadeKnob knob(3);
+    MeasuringPlan plan = knob.plan(100);
+    plan.most_s = 1e-3;
+    EXPECT_EQ(measure_knob(knob, plan).rounds, MeasuringPlan::kMinRounds);
+}
+
+TEST(MeasureKnob, LetsTheCallerStopIt) {
+    MadeKnob knob(3);
+    MeasuringPlan plan = knob.plan(100);
+    plan.progress = [](std::size_t done, std::size_t) {
+        if (done == 2) throw Interrupted("stopped");
+    };
+    EXPECT_THROW(static_cast<void>(measure_knob(knob, plan)), Interrupted);
+    EXPECT_EQ(knob.runs.size(), 2u * 3u * 3u);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_measure_knob

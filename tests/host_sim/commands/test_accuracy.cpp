@@ -1,0 +1,86 @@
+#include "host_sim/commands/accuracy.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "host_sim/input_file.hpp"
+#include "host_sim/user_error.hpp"
+#include "tests/support/command_run.hpp"
+#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flown_circle.hpp"
+
+namespace tedavis::host_sim::test_accuracy {
+namespace {
+
+using test_support::expect_user_error;
+using ::testing::HasSubstr;
+
+const test_support::FlownFiles& files() {
+    static const test_support::FlownFiles kFiles;
+    return kFiles;
+}
+
+AccuracyOptions quick(const std::string& folder) {
+    AccuracyOptions options;
+    options.output = files().folder.file(folder);
+    options.terrain = files().terrain;
+    options.is_quick = true;
+    options.knobs = {"ray_halvings"};
+    return options;
+}
+
+test_support::CommandRun run(const AccuracyOptions& options, bool json) {
+    return test_support::run_command([&](Console& console) { return run_accuracy(options, console); }, json);
+}
+
+TEST(Accuracy, LeavesItsFilesAndAnswers) {
+    AccuracyOptions options = quick("report");
+    options.budget_ms = 1e6;
+    options.target_error = "1e-3 cells of the grid";
+    const auto said = run(options, false);
+    EXPECT_EQ(said.code, 0);
+    EXPECT_THAT(said.results, HasSubstr("the most accurate within 1e+06 ms\n  ray_halvings: 15 halvings"));
+    EXPECT_THAT(said.results, HasSubstr("the quickest with at most 0.001 cells of the grid\n  ray_halvings: 9 halvings"));
+    const auto json = nlohmann::json::parse(read_file(options.output + "/accuracy.json"));
+    EXPECT_EQ(json.at("knobs").size(), 1u);
+    EXPECT_FALSE(json.at("interrupted"));
+    EXPECT_THAT(read_file(options.output + "/accuracy.csv"), HasSubstr("\nray_halvings,\"0 halvings\","));
+}
+
+TEST(Accuracy, GoesOnWhereItWas) {
+    AccuracyOptions options = quick("resumed");
+    const auto first = run(options, true).json();
+    options.knobs = {"ray_steps", "ray_halvings"};
+    const auto both = run(options, true).json();
+    ASSERT_EQ(both.at("knobs").size(), 2u);
+    EXPECT_EQ(both.at("knobs")[0].at("name"), "ray_steps") << "the registry's order";
+    EXPECT_EQ(both.at("knobs")[1], first.at("knobs")[0]) << "was not measured again";
+    options.is_quick = false;
+    expect_user_error([&] { static_cast<void>(run(options, true)); }, "accuracy.json: was measured with another");
+}
+
+TEST(Accuracy, RefusesWrongUsageBeforeItMeasures) {
+    AccuracyOptions options = quick("never");
+    options.knobs = {"nothing"};
+    expect_user_error([&] { static_cast<void>(run(options, false)); }, "--knob nothing: is unknown");
+    options = quick("never");
+    options.target_error = "much";
+    expect_user_error([&] { static_cast<void>(run(options, false)); }, "--target-error much: is no error above 0 with its unit");
+    options = quick("never");
+    options.terrain = files().folder.file("none.tdb");
+    EXPECT_THROW(static_cast<void>(run(options, false)), UserError);
+    EXPECT_FALSE(std::filesystem::exists(options.output)) << "nothing is left";
+}
+
+TEST(TargetFrom, ReadsANumberAndItsUnit) {
+    EXPECT_EQ(target_from("0.5px").unit, "px");
+    EXPECT_EQ(target_from("0.5 px").value, 0.5);
+    EXPECT_EQ(target_from("2 cells of the grid").unit, "cells of the grid");
+    for (const char* const wrong : {"", "5", "-1 m", "px", "0 m"})
+        EXPECT_THROW(static_cast<void>(target_from(wrong)), UserError) << wrong;
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_accuracy
