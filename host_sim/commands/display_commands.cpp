@@ -128,6 +128,12 @@ void add_trace(CLI::App& app, CommandLine& line) {
         "--time", [&o](const std::string& text) { o.plan.time = time_from(text); },
         "UTC such as 2026-06-01T14:00:00Z, by which the sun stands and data are valid; default: light from the north-west, data "
         "of their own first time");
+    command
+        ->add_option(
+            "--memory", o.memory_mb,
+            "MB that heights and their bounds may take, without pixels and rays: where all heights take more, they are read in "
+            "chunks as rays need them, which --preset time allows; default: no limit")
+        ->check(above_zero());
     command->add_option("--workers", o.workers, "threads; default: as many as there are processors")->check(CLI::Range(1u, 64u));
     command->add_option("--block-size", o.plan.block_words, "words in a block of the token stream: 64 to 4096, a power of two")
         ->capture_default_str();

@@ -1,6 +1,6 @@
 #include "host_sim/commands/trace.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -9,6 +9,7 @@
 #include "host_sim/json_text.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/temporary_folder.hpp"
+#include "host_sim/tracing/require_pageable.hpp"
 #include "host_sim/tracing/trace_report.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/threads/thread_workers.hpp"
@@ -17,18 +18,12 @@
 namespace tedavis::host_sim {
 namespace {
 
-/// By the post next to it.
-template <class Height>
-bool is_below(const raytrace::HeightGrid<Height>& grid, const glm::dvec3& place) {
-    const double column = std::round(place.x), row = std::round(place.y);
-    if (!(column >= 0 && row >= 0 && column < grid.columns && row < grid.rows)) return false;
-    const Height height = grid.at(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-    return height != raytrace::HeightGrid<Height>::kVoid && place.z < height;
-}
+constexpr double kMaxMemory_mb = 1e12;  // more counts as this
 
 void add_faults_note(const TracedGround& ground, const TracedShotPlan& plan, const TracedShot& shot, Console& console) {
     const glm::dvec3 eye = ground.space().place(view_of(ground, plan).eye);
-    if (ground.is_whole() ? is_below(ground.grid<std::int16_t>(), eye) : is_below(ground.grid<float>(), eye))
+    const std::optional<double> height_m = ground.height_near(eye);
+    if (height_m && eye.z * ground.space().step_m() < *height_m)
         console.note("note: the eye is below the ground, and sees it from below; name a higher --pose");
     if (shot.is_sun_too_low)
         console.note("note: the sun is lower than 3 degrees then; the picture is lit from the north-west, 45 degrees high");
@@ -76,6 +71,13 @@ int trace_chosen(const TraceOptions& options, const TracedShotPlan& plan, const 
     return 0;
 }
 
+GroundMemory memory_of(const TraceOptions& options) {
+    GroundMemory memory;
+    memory.settings = options.choice ? choice_levels() : std::vector{settings_of(options.preset)};
+    if (options.memory_mb) memory.bytes = static_cast<std::uint64_t>(std::min(*options.memory_mb, kMaxMemory_mb) * 1e6);
+    return memory;
+}
+
 }  // namespace
 
 std::string database_of(const TraceTerrain& terrain, const std::string& folder, Console& console) {
@@ -105,7 +107,9 @@ std::unique_ptr<base::Workers> trace_workers(std::uint32_t count) {
 int run_trace(const TraceOptions& options, Console& console) {
     const TemporaryFolder temporary;
     const std::unique_ptr<base::Workers> workers = trace_workers(options.workers);
-    const TracedGround ground(database_of(options.terrain, temporary.path(), console), *workers);
+    const TracedGround ground(database_of(options.terrain, temporary.path(), console), *workers, memory_of(options));
+    require_pageable(ground, options.choice ? "settings by region" : std::string("--preset ") + to_string(options.preset),
+                     ground.memory().settings);
     TracedShotPlan plan = options.plan;
     plan.pose = options.pose.value_or(usual_pose(ground));
     std::optional<TracedData> data;

@@ -23,6 +23,7 @@ struct TraceOptions {
     std::optional<AircraftPose> pose;  ///< nothing: over the south of the terrain, northwards
     TracePreset preset = TracePreset::time;
     std::optional<ChoicePlan> choice;  ///< in place of a preset: settings are chosen by region
+    std::optional<double> memory_mb;   ///< that heights and what is prepared from them may take; where it is less, they are paged
     TracedShotPlan plan;               ///< but for its pose
     std::uint32_t workers = 0;         ///< 0: as many as there are processors
     std::string output;                ///< X.png; X.json beside it says what it took

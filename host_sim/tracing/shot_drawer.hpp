@@ -20,23 +20,19 @@ template <class Height>
 class ShotDrawer {
 public:
     ShotDrawer(const TracedGround& ground, const std::vector<raytrace::TraceSettings>& settings, const TracedShotPlan& plan)
-        : settings_(settings), view_(view_of(ground, plan)) {
-        for (raytrace::TraceSettings& each : settings_) each.has_data = plan.data != nullptr;
-        if (!raytrace::can_trace(ground.space(), view_))
-            throw UserError("the pose is too close to a pole, or too far from the terrain, for the tracer; name another one");
-        stream_.block_words = plan.block_words;
-        raytrace::SceneSize size;
-        size.width = plan.width;
-        size.height = plan.height;
+        : ShotDrawer(ground, plan, settings) {
         const raytrace::HeightGrid<Height> grid = ground.grid<Height>();
-        memory_.resize((raytrace::TracedScene<Height>::bytes_needed(grid, settings_) +
-                        raytrace::TracePicture<Height>::bytes_needed(plan.width, plan.height, stream_)) /
-                           8 +
-                       64);
-        base::Arena arena(memory_.data(), memory_.size() * 8);
-        require(scene_.start(grid, scale_at(ground, view_), settings_, size, arena));
-        require(picture_.start(plan.width, plan.height, stream_, arena));
-        rgb_.resize(std::size_t{3} * plan.width * plan.height);
+        base::Arena arena = reserve(raytrace::TracedScene<Height>::bytes_needed(grid, settings_));
+        require(scene_.start(grid, scale_at(ground, view_), settings_, size_, arena));
+        require(picture_.start(size_.width, size_.height, stream_, arena));
+    }
+    /// Over a terrain that is traced elsewhere, and that must outlive the drawer.
+    ShotDrawer(const TracedGround& ground, const raytrace::TracedTerrain& terrain, const raytrace::TraceSettings& settings,
+               const TracedShotPlan& plan)
+        : ShotDrawer(ground, plan, {settings}) {
+        base::Arena arena = reserve(0);
+        require(scene_.start(terrain, scale_at(ground, view_), settings_.front(), size_));
+        require(picture_.start(size_.width, size_.height, stream_, arena));
     }
 
     void build(const TracedGround& ground, base::Workers& workers) {
@@ -73,7 +69,24 @@ public:
         for (std::size_t n = 0; n < rgb_.size() / 3; ++n) std::copy_n(&rgb_[3 * n], 3, &shot.pixels.pixels[4 * n]);
     }
 
+    [[nodiscard]] const raytrace::PictureSight& sight() const { return scene_.sight(); }
+
 private:
+    ShotDrawer(const TracedGround& ground, const TracedShotPlan& plan, const std::vector<raytrace::TraceSettings>& settings)
+        : settings_(settings), view_(view_of(ground, plan)) {
+        for (raytrace::TraceSettings& each : settings_) each.has_data = plan.data != nullptr;
+        if (!raytrace::can_trace(ground.space(), view_))
+            throw UserError("the pose is too close to a pole, or too far from the terrain, for the tracer; name another one");
+        stream_.block_words = plan.block_words;
+        size_.width = plan.width;
+        size_.height = plan.height;
+        rgb_.resize(std::size_t{3} * plan.width * plan.height);
+    }
+    /// Memory for a picture and `scene_bytes`.
+    base::Arena reserve(std::uint64_t scene_bytes) {
+        memory_.resize((scene_bytes + raytrace::TracePicture<Height>::bytes_needed(size_.width, size_.height, stream_)) / 8 + 64);
+        return {memory_.data(), memory_.size() * 8};
+    }
     template <class Answer>
     static void require(const Answer& answer) {
         if (!answer.ok()) throw UserError(std::string(answer.error().view()));
@@ -82,6 +95,7 @@ private:
     std::vector<raytrace::TraceSettings> settings_;
     terrain::View view_;
     raytrace::StreamSettings stream_;
+    raytrace::SceneSize size_;
     std::vector<std::uint64_t> memory_;
     raytrace::TracedScene<Height> scene_;
     raytrace::TracePicture<Height> picture_;

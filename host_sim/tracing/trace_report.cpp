@@ -11,6 +11,21 @@ std::string milliseconds(double ms) {
     return text;
 }
 
+/// Of heights with their bounds as they were held: in memory, or in chunks.
+std::uint64_t heights_bytes(const TracedGround& ground, const TracedShot& shot) {
+    return shot.paged ? shot.paged->held_bytes : ground.bytes();
+}
+
+nlohmann::ordered_json paging_json(const PagedUse& use) {
+    return {{"memory_bytes", use.memory_bytes},
+            {"held_bytes", use.held_bytes},
+            {"read_bytes", use.read_bytes},
+            {"chunks", use.chunks},
+            {"slots", use.slots},
+            {"chunks_read", use.chunks_read},
+            {"passes", use.passes}};
+}
+
 }  // namespace
 
 std::string megabytes(std::uint64_t bytes) {
@@ -19,32 +34,43 @@ std::string megabytes(std::uint64_t bytes) {
     return text;
 }
 
+std::string megabytes_up(std::uint64_t bytes) {
+    const std::uint64_t tenths = (bytes + 99'999) / 100'000;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
 std::string shot_line(const TracedGround& ground, const std::string& operators, const TracedShot& shot) {
+    const std::uint64_t heights = heights_bytes(ground, shot);
     std::string line = operators + "; " + milliseconds(shot.picture_ms) + " a picture (after " + milliseconds(shot.build_ms) +
-                       " of preparing), " + megabytes(ground.bytes() + shot.bytes()) + ": heights " + megabytes(ground.bytes());
+                       " of preparing), " + megabytes(heights + shot.bytes()) + ": heights " + megabytes(heights);
     for (const TracedShot::Item& item : shot.items) line += ", " + item.name + " " + megabytes(item.bytes);
-    return line;
+    if (!shot.paged) return line;
+    return line + "; paged: " + std::to_string(shot.paged->chunks_read) + " chunks read (" + megabytes(shot.paged->read_bytes) +
+           ") of " + std::to_string(shot.paged->chunks) + ", " + std::to_string(shot.paged->slots) + " in memory at a time";
 }
 
 nlohmann::ordered_json shot_json(const TracedGround& ground, const std::string& operators, const TracedShot& shot,
                                  std::uint32_t workers) {
-    nlohmann::ordered_json bytes = {{"heights", ground.bytes()}};
+    const std::uint64_t heights = heights_bytes(ground, shot);
+    nlohmann::ordered_json bytes = {{"heights", heights}};
     for (const TracedShot::Item& item : shot.items) bytes[item.name] = item.bytes;
-    bytes["all"] = ground.bytes() + shot.bytes();
-    return {{"operators", operators},
-            {"picture_ms", shot.picture_ms},
-            {"prepare_ms", shot.build_ms},
-            {"bytes", bytes},
-            {"posts",
-             {{"columns", ground.columns()},
-              {"rows", ground.rows()},
-              {"type", ground.is_whole() ? "int16" : "float32"},
-              {"void", ground.void_posts()}}},
-            {"kernel", shot.kernel},
-            {"workers", workers},
-            {"pieces", shot.pieces},
-            {"stream_rounds", shot.rounds},
-            {"ground_share", shot.ground_share}};
+    bytes["all"] = heights + shot.bytes();
+    nlohmann::ordered_json posts = {
+        {"columns", ground.columns()}, {"rows", ground.rows()}, {"type", ground.is_whole() ? "int16" : "float32"}};
+    if (!shot.paged) posts["void"] = ground.void_posts();
+    nlohmann::ordered_json json = {{"operators", operators},
+                                   {"picture_ms", shot.picture_ms},
+                                   {"prepare_ms", shot.build_ms},
+                                   {"bytes", bytes},
+                                   {"posts", posts},
+                                   {"kernel", shot.kernel},
+                                   {"workers", workers},
+                                   {"pieces", shot.pieces},
+                                   {"stream_rounds", shot.rounds},
+                                   {"ground_share", shot.ground_share},
+                                   {"paged", shot.paged.has_value()}};
+    if (shot.paged) json["paging"] = paging_json(*shot.paged);
+    return json;
 }
 
 std::string choice_line(const TracedGround& ground, const ChosenShot& chosen) {

@@ -10,10 +10,15 @@ namespace tedavis::host_sim {
 
 /// "12.3 MB"
 [[nodiscard]] std::string megabytes(std::uint64_t bytes);
-/// "two triangles a cell, Lambert; 12.1 ms a picture (after 5.0 ms of preparing), 24.9 MB: heights 18.7, maximum mipmap 6.2"
+/// "12.4", rounded up, as a number for --memory.
+[[nodiscard]] std::string megabytes_up(std::uint64_t bytes);
+/// "two triangles a cell, Lambert; 12.1 ms a picture (after 5.0 ms of preparing), 24.9 MB: heights 18.7, maximum mipmap 6.2"; of
+/// paged ground it ends with "; paged: 41 chunks read (0.9 MB) of 49, 12 in memory at a time"
 [[nodiscard]] std::string shot_line(const TracedGround& ground, const std::string& operators, const TracedShot& shot);
 /// Keys that scripts may rely on: `operators`, `picture_ms`, `prepare_ms`, `bytes` {`heights`, one for each item, `all`}, `posts`
-/// {`columns`, `rows`, `type`, `void`}, `kernel`, `workers`, `pieces`, `stream_rounds`, `ground_share`.
+/// {`columns`, `rows`, `type`, `void`}, `kernel`, `workers`, `pieces`, `stream_rounds`, `ground_share`, `paged`. Where that is
+/// true, `posts` has no `void`, and `paging` has `memory_bytes`, `held_bytes`, `read_bytes`, `chunks`, `slots`, `chunks_read`,
+/// `passes`.
 [[nodiscard]] nlohmann::ordered_json shot_json(const TracedGround& ground, const std::string& operators, const TracedShot& shot,
                                                std::uint32_t workers);
 /// "chosen by region: 131 two triangles a cell, Lambert; ...; error 0.0101; 48.2 ms a picture (...)"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host_sim/tracing/ground_look.hpp"
+#include "host_sim/tracing/paged_drawer.hpp"
 #include "host_sim/tracing/shot_drawer.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/raytrace/picture/trace_presets.hpp"
@@ -21,11 +22,11 @@ double milliseconds_since(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-template <class Height>
-TracedShot draw_shot(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan,
-                     base::Workers& workers) {
+/// `rounds` is how often it is drawn at most.
+template <class Drawer>
+TracedShot draw_by(Drawer& drawer, const TracedGround& ground, const TracedShotPlan& plan, std::uint32_t rounds,
+                   base::Workers& workers) {
     TracedShot shot;
-    ShotDrawer<Height> drawer(ground, {settings}, plan);
     const auto begin = Clock::now();
     drawer.build(ground, workers);
     shot.build_ms = milliseconds_since(begin);
@@ -33,7 +34,7 @@ TracedShot draw_shot(const TracedGround& ground, const TraceSettings& settings, 
     shot.is_sun_too_low = sun.is_too_low;
     const GroundLook look(ground, sun, plan.data);
     std::vector<double> times;
-    while (times.size() < plan.rounds && (times.empty() || times.front() < kLong_ms)) {
+    while (times.size() < rounds && (times.empty() || times.front() < kLong_ms)) {
         const auto drawn = Clock::now();
         shot.rounds = drawer.draw(look.look(), {}, plan.is_direct, workers);
         times.push_back(milliseconds_since(drawn));
@@ -42,6 +43,20 @@ TracedShot draw_shot(const TracedGround& ground, const TraceSettings& settings, 
     shot.picture_ms = times[times.size() / 2];
     drawer.tell(shot);
     return shot;
+}
+
+template <class Height>
+TracedShot draw_in_memory(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan,
+                          base::Workers& workers) {
+    ShotDrawer<Height> drawer(ground, {settings}, plan);
+    return draw_by(drawer, ground, plan, plan.rounds, workers);
+}
+
+/// Once, so that its time includes all reading.
+TracedShot draw_paged(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan,
+                      base::Workers& workers) {
+    PagedDrawer drawer(ground, settings, plan, workers);
+    return draw_by(drawer, ground, plan, 1, workers);
 }
 
 }  // namespace
@@ -111,8 +126,9 @@ std::uint64_t TracedShot::bytes() const {
 
 TracedShot draw_traced_shot(const TracedGround& ground, const TraceSettings& settings, const TracedShotPlan& plan,
                             base::Workers& workers) {
-    return ground.is_whole() ? draw_shot<std::int16_t>(ground, settings, plan, workers)
-                             : draw_shot<float>(ground, settings, plan, workers);
+    if (ground.is_paged()) return draw_paged(ground, settings, plan, workers);
+    return ground.is_whole() ? draw_in_memory<std::int16_t>(ground, settings, plan, workers)
+                             : draw_in_memory<float>(ground, settings, plan, workers);
 }
 
 }  // namespace tedavis::host_sim

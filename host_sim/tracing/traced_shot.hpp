@@ -32,6 +32,17 @@ struct TracedShotPlan {
     bool is_direct = false;            ///< the stages are called directly, not by the token stream
 };
 
+/// How paged ground was read for a picture.
+struct PagedUse {
+    std::uint64_t memory_bytes = 0;       ///< that heights might take
+    std::uint64_t held_bytes = 0;         ///< that they took: bounds, chunks, and what reads them
+    std::uint64_t ray_bytes = 0;          ///< of rays and their hits, by the number of pixels
+    std::uint64_t read_bytes = 0;         ///< from the file
+    std::uint32_t chunks = 0, slots = 0;  ///< of the ground, and in memory at a time
+    std::uint32_t chunks_read = 0;        ///< a chunk counts each time that it is read
+    std::uint32_t passes = 0;
+};
+
 struct TracedShot {
     struct Item {
         std::string name;
@@ -42,15 +53,17 @@ struct TracedShot {
     double picture_ms = 0;  ///< the median
     std::vector<Item> items;
     std::string kernel;
-    std::uint32_t pieces = 0;     ///< in which rays are cut, for the Earth's curvature
-    std::uint32_t rounds = 0;     ///< of the token stream; 0: called directly
-    double ground_share = 0;      ///< of the pixels
-    bool is_sun_too_low = false;  ///< at that time: it stands where it does without one
+    std::uint32_t pieces = 0;       ///< in which rays are cut, for the Earth's curvature
+    std::uint32_t rounds = 0;       ///< of the token stream; 0: called directly
+    double ground_share = 0;        ///< of the pixels
+    std::optional<PagedUse> paged;  ///< nothing: the ground was in memory
+    bool is_sun_too_low = false;    ///< at that time: it stands where it does without one
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
 [[nodiscard]] terrain::View view_of(const TracedGround& ground, const TracedShotPlan& plan);
-/// Throws UserError: from there the tracer cannot see, or there is no memory.
+/// Throws UserError: from there the tracer cannot see, or there is no memory. Paged ground is drawn once, whatever
+/// `plan.rounds` is; require_pageable() must hold for its settings.
 [[nodiscard]] TracedShot draw_traced_shot(const TracedGround& ground, const raytrace::TraceSettings& settings,
                                           const TracedShotPlan& plan, base::Workers& workers);
 

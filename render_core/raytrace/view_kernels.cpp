@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "render_core/raytrace/hit_place.hpp"
 #include "render_core/raytrace/kernel/view_kernel_list.hpp"
-#include "render_core/raytrace/kernel/view_slopes.hpp"
 
 namespace tedavis::raytrace {
 namespace {
@@ -75,12 +75,9 @@ void trace_pixel(const ViewJob<Height>& job, std::uint32_t x, std::uint32_t y) {
     if (!picture.side.empty()) picture.side[to] = hit.side;
     if (!picture.cell.empty()) picture.cell[to] = hit.side == HitSide::none ? HitPicture::kNoCell : cell;
     if (picture.u.empty()) return;
-    using Axis = RayAxis<ScalarLanes>;
-    const ViewOrigin origin = ViewOrigin::of(ray.origin);
-    const Axis column = Axis::make(origin.column, origin.column_fraction, ray.direction.x);
-    const Axis row = Axis::make(origin.row, origin.row_fraction, ray.direction.y);
-    picture.u[to] = Axis::place_in(column, static_cast<std::int32_t>(hit.column), hit.t);
-    picture.v[to] = Axis::place_in(row, static_cast<std::int32_t>(hit.row), hit.t);
+    const HitPlace place = hit_place(ray, hit);
+    picture.u[to] = place.u;
+    picture.v[to] = place.v;
 }
 
 template base::Span<const ViewKernel<std::int16_t>> view_kernels();

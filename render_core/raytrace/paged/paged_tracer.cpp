@@ -43,6 +43,7 @@ struct PagedTracer<Height>::Job {
     const PagedRays* rays;
     const PacketKernel<Height>* kernel;
     base::Span<Hit> hits;
+    base::Span<HitCell<Height>> cells;
     CellSurface surface;
     bool from_below;
     TracedNodes<Height> highest, lowest;  // of chunks
@@ -191,12 +192,12 @@ void PagedTracer<Height>::cross(const Job& job, const Task& task, const std::uin
                           packet);
     packet.pass = inside & ~packet.hit;
     for (std::uint32_t lane = 0; lane < RayPacket::kMaxLanes; ++lane)
-        if ((packet.hit >> lane & 1) != 0) keep_hit(job, rays[lane], lane, packet);
+        if ((packet.hit >> lane & 1) != 0) keep_hit(job, task, rays[lane], lane, packet);
 }
 
 /// A ray that is beyond the surface turns and begins again there, as trace_ray() has it.
 template <class Height>
-void PagedTracer<Height>::keep_hit(const Job& job, std::uint32_t ray, std::uint32_t lane, RayPacket& packet) {
+void PagedTracer<Height>::keep_hit(const Job& job, const Task& task, std::uint32_t ray, std::uint32_t lane, RayPacket& packet) {
     RayState& state = states_[ray];
     if ((packet.beyond >> lane & 1) != 0) {
         if (!job.from_below || ++state.side_changes >= max_side_changes_) return;
@@ -206,6 +207,19 @@ void PagedTracer<Height>::keep_hit(const Job& job, std::uint32_t ray, std::uint3
     }
     job.hits[ray] = {side_of(state.side_changes), packet.hit_t[lane], static_cast<std::uint32_t>(packet.hit_column[lane]),
                      static_cast<std::uint32_t>(packet.hit_row[lane])};
+    if (!job.cells.empty()) job.cells[ray] = cell_of(job, task, ray);
+}
+
+/// Of a ray that has its hit, in the chunk that it waited for.
+template <class Height>
+HitCell<Height> PagedTracer<Height>::cell_of(const Job& job, const Task& task, std::uint32_t ray) const {
+    constexpr std::uint32_t kCells = ChunkHeights<Height>::kCells;
+    const Hit& hit = job.hits[ray];
+    const HeightGrid<Height>& grid = slots_.maxima(task.slot).grid();
+    const std::uint32_t column = hit.column - task.chunk % chunk_columns_ * kCells;
+    const std::uint32_t row = hit.row - task.chunk / chunk_columns_ * kCells;
+    return {hit_place(job.rays->at(ray), hit),
+            {grid.at(column, row), grid.at(column + 1, row), grid.at(column, row + 1), grid.at(column + 1, row + 1)}};
 }
 
 /// To the next chunk; those that end without one have met nothing.
@@ -291,9 +305,11 @@ void PagedTracer<Height>::load_chunks(PagedWork& work, base::Workers& workers) {
 
 template <class Height>
 PagedWork PagedTracer<Height>::trace(const PagedRays& rays, CellSurface surface, bool from_below,
-                                     const PacketKernel<Height>& kernel, base::Workers& workers, base::Span<Hit> hits) {
+                                     const PacketKernel<Height>& kernel, base::Workers& workers, base::Span<Hit> hits,
+                                     base::Span<HitCell<Height>> cells) {
     constexpr std::uint32_t kCells = ChunkHeights<Height>::kCells, kPosts = ChunkHeights<Height>::kPosts;
     TEDAVIS_CHECK(rays.count() <= states_.size() && hits.size() == rays.count());
+    TEDAVIS_CHECK(cells.empty() || cells.size() == hits.size());
     TEDAVIS_CHECK(rays.cameras.size() <= 1 || rays.cameras.size() == ViewTiles(rays.width, rays.height).count());
     PagedWork work;
     if (!rays.goes_on) std::fill(hits.begin(), hits.end(), Hit{});
@@ -302,6 +318,7 @@ PagedWork PagedTracer<Height>::trace(const PagedRays& rays, CellSurface surface,
     const Job job{&rays,
                   &kernel,
                   hits,
+                  cells,
                   surface,
                   from_below,
                   TracedNodes<Height>(bounds_.layout(), bounds_.maxima()),

@@ -12,6 +12,7 @@
 
 #include "render_core/base/ports/workers.hpp"
 #include "render_core/raytrace/paged/chunk_slots.hpp"
+#include "render_core/raytrace/paged/hit_cell.hpp"
 #include "render_core/raytrace/paged/paged_rays.hpp"
 #include "render_core/raytrace/paged/ray_packet.hpp"
 
@@ -39,9 +40,9 @@ public:
     /// `heights` must outlive the tracer.
     [[nodiscard]] Started start(ChunkHeights<Height>& heights, const PagedSettings& settings, base::Arena& arena);
     /// Writes one hit per ray. `from_below` enables hits from below, as TracedField::minima does. A damaged chunk counts as
-    /// without heights while it is in memory.
+    /// without heights while it is in memory. `cells` receives the cells of hits, one per ray, or is empty.
     PagedWork trace(const PagedRays& rays, CellSurface surface, bool from_below, const PacketKernel<Height>& kernel,
-                    base::Workers& workers, base::Span<Hit> hits);
+                    base::Workers& workers, base::Span<Hit> hits, base::Span<HitCell<Height>> cells = {});
 
     [[nodiscard]] const ChunkSlots<Height>& slots() const { return slots_; }
 
@@ -71,7 +72,8 @@ private:
     void load_packet(const Job& job, const std::uint32_t* rays, std::uint32_t count, RayPacket& packet) const;
     void cross(const Job& job, const Task& task, const std::uint32_t* rays, std::uint32_t inside, RayPacket& packet);
     [[nodiscard]] TracedNodes<Height> nodes_of(const HeightMipmap<Height>& bounds, std::int32_t column, std::int32_t row) const;
-    void keep_hit(const Job& job, std::uint32_t ray, std::uint32_t lane, RayPacket& packet);
+    void keep_hit(const Job& job, const Task& task, std::uint32_t ray, std::uint32_t lane, RayPacket& packet);
+    [[nodiscard]] HitCell<Height> cell_of(const Job& job, const Task& task, std::uint32_t ray) const;
     void seek(const Job& job, const std::uint32_t* rays, std::uint32_t inside, RayPacket& packet);
     void queue_rays(std::uint32_t count);
     std::uint32_t take_pass(const Job& job, PagedWork& work, base::Workers& workers);

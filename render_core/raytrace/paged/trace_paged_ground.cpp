@@ -34,7 +34,7 @@ void add_work(const PagedWork& piece, PagedWork& all) {
 template <class Height>
 PagedWork trace_paged_ground(PagedTracer<Height>& tracer, const GroundSpace& space, const terrain::View& view,
                              CellSurface surface, bool from_below, const PacketKernel<Height>& kernel, base::Workers& workers,
-                             base::Span<GridCamera> cameras, base::Span<Hit> hits) {
+                             base::Span<GridCamera> cameras, base::Span<Hit> hits, base::Span<HitCell<Height>> cells) {
     CameraWork work{space, view, cameras, ViewTiles(view.width, view.height)};
     TEDAVIS_CHECK(can_trace(space, view) && cameras.size() == work.tiles.count());
     const PieceEnds ends = cut_view(view);
@@ -50,14 +50,16 @@ PagedWork trace_paged_ground(PagedTracer<Height>& tracer, const GroundSpace& spa
         const double gap = gap_before(space, view, work.from);
         rays.span = {static_cast<float>(work.from), static_cast<float>(work.to), static_cast<float>(gap)};
         rays.goes_on = piece > 0;
-        add_work(tracer.trace(rays, surface, from_below, kernel, workers, hits), all);
+        add_work(tracer.trace(rays, surface, from_below, kernel, workers, hits, cells), all);
     }
     return all;
 }
 
 template PagedWork trace_paged_ground(PagedTracer<std::int16_t>&, const GroundSpace&, const terrain::View&, CellSurface, bool,
-                                      const PacketKernel<std::int16_t>&, base::Workers&, base::Span<GridCamera>, base::Span<Hit>);
+                                      const PacketKernel<std::int16_t>&, base::Workers&, base::Span<GridCamera>, base::Span<Hit>,
+                                      base::Span<HitCell<std::int16_t>>);
 template PagedWork trace_paged_ground(PagedTracer<float>&, const GroundSpace&, const terrain::View&, CellSurface, bool,
-                                      const PacketKernel<float>&, base::Workers&, base::Span<GridCamera>, base::Span<Hit>);
+                                      const PacketKernel<float>&, base::Workers&, base::Span<GridCamera>, base::Span<Hit>,
+                                      base::Span<HitCell<float>>);
 
 }  // namespace tedavis::raytrace

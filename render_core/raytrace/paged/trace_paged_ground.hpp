@@ -11,10 +11,11 @@
 namespace tedavis::raytrace {
 
 /// `space` is that of the tracer's window, and can_trace() must hold. `from_below` is as in PagedTracer::trace(). `cameras` is
-/// scratch memory, one for each of ViewTiles(view.width, view.height). Writes one hit per pixel, with t as in trace_ground().
+/// scratch memory, one for each of ViewTiles(view.width, view.height). Writes one hit per pixel, with t as in trace_ground(), and
+/// `cells` as PagedTracer::trace() does.
 template <class Height>
 PagedWork trace_paged_ground(PagedTracer<Height>& tracer, const GroundSpace& space, const terrain::View& view,
                              CellSurface surface, bool from_below, const PacketKernel<Height>& kernel, base::Workers& workers,
-                             base::Span<GridCamera> cameras, base::Span<Hit> hits);
+                             base::Span<GridCamera> cameras, base::Span<Hit> hits, base::Span<HitCell<Height>> cells = {});
 
 }  // namespace tedavis::raytrace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render_core/raytrace/picture/span_cells.hpp"
 #include "render_core/raytrace/picture/wide_loops.hpp"
 #include "render_core/raytrace/surface/cell_patch.hpp"
 
@@ -10,12 +11,10 @@ namespace {
 
 constexpr std::uint32_t kMaxInSpan = PixelSpan::kMax;
 
-/// Cells of a span with places in them, and the heights of their posts.
-struct SpanCells {
+/// Where the cells of a span are in the grid.
+struct SpanPlaces {
     std::uint32_t post[kMaxInSpan];  ///< row * cells + column
     std::int32_t row[kMaxInSpan];
-    float corner[4][kMaxInSpan];
-    float u[kMaxInSpan], v[kMaxInSpan];
 };
 
 /// A ray that meets nothing leaves no place: it counts as the cell's corner, so that nothing made of it is out of range.
@@ -29,7 +28,8 @@ TEDAVIS_WIDE_LOOPS void read_places(const std::int32_t* __restrict cell, const f
 
 /// Rows of cells by a multiplication: with half a cell added it is right for every number of 31 bits.
 TEDAVIS_WIDE_LOOPS void find_places(const std::int32_t* __restrict cell, std::int32_t across, double part,
-                                    SpanSurface& __restrict out, SpanCells& __restrict found) {
+                                    const SpanCells& __restrict cells, SpanSurface& __restrict out,
+                                    SpanPlaces& __restrict found) {
     const double cells_part = 1.0 / across;
     const std::uint32_t count = out.count;
     for (std::uint32_t n = 0; n < count; ++n) out.is_hit[n] = cell[n] >= 0;
@@ -37,48 +37,23 @@ TEDAVIS_WIDE_LOOPS void find_places(const std::int32_t* __restrict cell, std::in
         const std::int32_t place = std::max(cell[n], 0);
         const auto row = static_cast<std::int32_t>((place + 0.5) * cells_part);
         const std::int32_t column = place - row * across;
-        out.x[n] = (column + double{found.u[n]}) * part;
-        out.y[n] = (row + double{found.v[n]}) * part;
+        out.x[n] = (column + double{cells.u[n]}) * part;
+        out.y[n] = (row + double{cells.v[n]}) * part;
         found.row[n] = row;
         found.post[n] = static_cast<std::uint32_t>(place);
     }
 }
 
 template <class Height>
-void find_corners(const HeightGrid<Height>& grid, std::uint32_t count, SpanCells& __restrict cells) {
+void find_corners(const HeightGrid<Height>& grid, std::uint32_t count, const SpanPlaces& __restrict places,
+                  SpanCells& __restrict cells) {
     const std::size_t stride = grid.stride, skipped = stride - (grid.columns - 1);
     for (std::uint32_t n = 0; n < count; ++n) {
-        const Height* const post = grid.posts + cells.post[n] + static_cast<std::size_t>(cells.row[n]) * skipped;
+        const Height* const post = grid.posts + places.post[n] + static_cast<std::size_t>(places.row[n]) * skipped;
         cells.corner[0][n] = static_cast<float>(post[0]);
         cells.corner[1][n] = static_cast<float>(post[1]);
         cells.corner[2][n] = static_cast<float>(post[stride]);
         cells.corner[3][n] = static_cast<float>(post[stride + 1]);
-    }
-}
-
-TEDAVIS_WIDE_LOOPS void find_bilinear(const SpanCells& __restrict cells, float parts, SpanSurface& __restrict out) {
-    const std::uint32_t count = out.count;
-    for (std::uint32_t n = 0; n < count; ++n) {
-        const float a = cells.corner[0][n], b = cells.corner[1][n], c = cells.corner[2][n], d = cells.corner[3][n];
-        const float u = cells.u[n], v = cells.v[n];
-        const float slope_x = (1 - v) * (b - a) + v * (d - c), slope_y = (1 - u) * (c - a) + u * (d - b);
-        out.height[n] = a + u * (b - a) + v * slope_y;
-        out.slope_x[n] = slope_x * parts;
-        out.slope_y[n] = slope_y * parts;
-    }
-}
-
-TEDAVIS_WIDE_LOOPS void find_triangles(const SpanCells& __restrict cells, float parts, SpanSurface& __restrict out) {
-    const std::uint32_t count = out.count;
-    for (std::uint32_t n = 0; n < count; ++n) {
-        const float a = cells.corner[0][n], b = cells.corner[1][n], c = cells.corner[2][n], d = cells.corner[3][n];
-        const float u = cells.u[n], v = cells.v[n];
-        const bool is_first = u + v <= 1;
-        const float slope_x = is_first ? b - a : d - c, slope_y = is_first ? c - a : d - b;
-        const float base = is_first ? a : d, along_x = is_first ? u : u - 1, along_y = is_first ? v : v - 1;
-        out.height[n] = base + along_x * slope_x + along_y * slope_y;
-        out.slope_x[n] = slope_x * parts;
-        out.slope_y[n] = slope_y * parts;
     }
 }
 
@@ -127,12 +102,12 @@ void KernelTerrain<Height>::find_surface(const PixelSpan& span, const HitPicture
     std::copy_n(hits.t.data() + span.first, span.count, surface.t);
     const HeightGrid<Height>& grid = field_.grid();
     SpanCells cells;
+    SpanPlaces places;
     const std::int32_t* const cell = hits.cell.data() + span.first;
     read_places(cell, hits.u.data() + span.first, hits.v.data() + span.first, span.count, cells);
-    find_places(cell, static_cast<std::int32_t>(grid.columns - 1), 1.0 / parts_, surface, cells);
-    find_corners(grid, span.count, cells);
-    const auto find = field_.surface == CellSurface::bilinear ? find_bilinear : find_triangles;
-    find(cells, static_cast<float>(parts_), surface);
+    find_places(cell, static_cast<std::int32_t>(grid.columns - 1), 1.0 / parts_, cells, surface, places);
+    find_corners(grid, span.count, places, cells);
+    find_cell_surface(cells, field_.surface, static_cast<float>(parts_), surface);
 }
 
 template <class Height>

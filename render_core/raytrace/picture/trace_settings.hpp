@@ -45,4 +45,11 @@ struct TraceSettings {
     return settings.is_surface_stored || (!is_cubic(settings.surface.kind) && settings.surface.micro.kind == MicroKind::none);
 }
 
+/// True where a picture needs only the first hits of its pixels' rays and the cells of these hits: no secondary rays, and
+/// nothing that is prepared from all heights but their bounds. Such a picture can be drawn of paged ground.
+[[nodiscard]] constexpr bool needs_primary_hits_only(const TraceSettings& settings) {
+    return is_kernel_surface(settings) && !settings.is_surface_stored && settings.antialiasing == Antialiasing::none &&
+           settings.ambient == Ambient::none && !settings.has_shadows && settings.mirrors == 0 && settings.paths == 0;
+}
+
 }  // namespace tedavis::raytrace

@@ -118,15 +118,34 @@ bool TracedScene<Height>::start_maps(const Needs& needs, base::Arena& arena) {
 }
 
 template <class Height>
+typename TracedScene<Height>::Answer TracedScene<Height>::check_size(const SceneSize& size) {
+    if (size.width == 0 || size.height == 0 || size.width > SceneSize::kMaxSide || size.height > SceneSize::kMaxSide)
+        return base::fail(base::FaultText("a traced picture is 1 to 16384 pixels wide and high; change its size"));
+    return std::uint64_t{0};
+}
+
+template <class Height>
+typename TracedScene<Height>::Answer TracedScene<Height>::start(const TracedTerrain& terrain, const GridScale& scale,
+                                                                const TraceSettings& settings, const SceneSize& size) {
+    if (!needs_primary_hits_only(settings))
+        return base::fail(base::FaultText("settings need secondary rays or maps, which paged ground has not; choose others"));
+    *this = TracedScene();
+    other_terrain_ = &terrain;
+    scale_ = scale;
+    size_ = size;
+    return check_size(size);
+}
+
+template <class Height>
 typename TracedScene<Height>::Answer TracedScene<Height>::start(const HeightGrid<Height>& grid, const GridScale& scale,
                                                                 base::Span<const TraceSettings> settings, const SceneSize& size,
                                                                 base::Arena& arena) {
     const Needs needs = needs_of(settings);
     if (settings.empty()) return base::fail(base::FaultText("a traced scene needs at least one setting; give one"));
-    if (size.width == 0 || size.height == 0 || size.width > SceneSize::kMaxSide || size.height > SceneSize::kMaxSide)
-        return base::fail(base::FaultText("a traced picture is 1 to 16384 pixels wide and high; change its size"));
+    if (const Answer checked = check_size(size); !checked.ok()) return checked;
     if (!needs.is_of_one_surface)
         return base::fail(base::FaultText("settings ask for two different stored or smooth surfaces; give them one"));
+    other_terrain_ = nullptr;
     grid_ = grid;
     scale_ = scale;
     size_ = size;
@@ -173,6 +192,7 @@ void TracedScene<Height>::set_view(const PictureSight& sight, const ViewKernel<H
 
 template <class Height>
 const TracedTerrain& TracedScene<Height>::terrain(const TraceSettings& settings) const {
+    if (other_terrain_ != nullptr) return *other_terrain_;
     const bool is_posts = is_kernel_surface(settings) && !settings.is_surface_stored;
     const bool is_triangles = settings.surface.kind == SurfaceKind::two_triangles;
     TEDAVIS_CHECK(is_posts ? (is_triangles ? has_triangles_ : has_bilinear_)

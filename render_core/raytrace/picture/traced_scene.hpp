@@ -46,6 +46,10 @@ public:
     /// surface. The grid must outlive the scene. Returns the allocated bytes, or one sentence.
     [[nodiscard]] Answer start(const HeightGrid<Height>& grid, const GridScale& scale, base::Span<const TraceSettings> settings,
                                const SceneSize& size, base::Arena& arena);
+    /// Prepares pictures over another terrain, which must outlive the scene; `settings` need primary hits only
+    /// (needs_primary_hits_only). Nothing is allocated; returns 0, or one sentence.
+    [[nodiscard]] Answer start(const TracedTerrain& terrain, const GridScale& scale, const TraceSettings& settings,
+                               const SceneSize& size);
     void build(base::Workers& workers);
     /// Sets the view. `kernel` and `fine_kernel` are from view_kernels().
     void set_view(const PictureSight& sight, const ViewKernel<Height>& kernel, const ViewKernel<float>& fine_kernel);
@@ -62,12 +66,14 @@ public:
 
 private:
     struct Needs;
+    [[nodiscard]] static Answer check_size(const SceneSize& size);
     [[nodiscard]] static Needs needs_of(base::Span<const TraceSettings> settings);
     [[nodiscard]] bool start_posts(base::Arena& arena);
     [[nodiscard]] bool start_stored(base::Arena& arena);
     [[nodiscard]] bool start_maps(const Needs& needs, base::Arena& arena);
     void note(const char* name, std::uint64_t before, const base::Arena& arena);
 
+    const TracedTerrain* other_terrain_ = nullptr;  ///< null: one of those below
     HeightGrid<Height> grid_;
     GridScale scale_;
     SceneSize size_;

@@ -79,6 +79,45 @@ TEST(Trace, SaysWhenTheEyeIsBelowTheGround) {
     EXPECT_THAT(notes(), ::testing::HasSubstr("below the ground"));
 }
 
+TEST(Trace, ThePictureOfPagedGroundIsThatOfTheGroundInMemory) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = 200;
+    options.plan.height = 150;
+    options.workers = 2;
+    options.output = files.folder.file("traced.png");
+    const auto run = [&] { return test_support::run_command([&](Console& c) { return run_trace(options, c); }, true).json(); };
+    EXPECT_EQ(run().at("paged"), false);
+    const RgbaPicture whole = read_png(options.output);
+    options.memory_mb = 0.195;
+    const nlohmann::json paged = run();
+    EXPECT_EQ(read_png(options.output).pixels, whole.pixels);
+    EXPECT_EQ(paged.at("paged"), true);
+    EXPECT_GT(paged.at("paging").at("chunks_read"), 10);
+    EXPECT_LE(paged.at("paging").at("held_bytes"), 195'000);
+    EXPECT_LT(paged.at("paging").at("slots"), paged.at("paging").at("chunks"));
+    options.memory_mb = 1000;
+    EXPECT_EQ(run().at("paged"), false);
+}
+
+TEST(Trace, RefusesMemoryThatDoesNotDoAndWritesNothing) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = options.plan.height = 40;
+    options.output = files.folder.file("none.png");
+    options.memory_mb = 0.01;
+    const auto run = [&] { (void)test_support::run_command([&](Console& console) { return run_trace(options, console); }); };
+    test_support::expect_user_error(run, "give --memory 0.");
+    options.preset = TracePreset::memory;
+    test_support::expect_user_error(run, "supersampling and cast shadows of --preset memory need all heights in memory");
+    options.choice = ChoicePlan();
+    test_support::expect_user_error(run, "settings by region");
+    EXPECT_FALSE(std::filesystem::exists(options.output));
+    EXPECT_FALSE(std::filesystem::exists(files.folder.file("none.json")));
+}
+
 TEST(Trace, RefusesTwoTerrainsAndNone) {
     const test_support::FlownFiles files;
     TraceOptions options;

@@ -18,6 +18,26 @@ TEST(TracePresets, MemoryTakesLeastAndQualityMost) {
     EXPECT_FALSE(is_kernel_surface(quality_preset()));
 }
 
+TEST(TracePresets, TimeAloneNeedsPrimaryHitsOnly) {
+    EXPECT_TRUE(needs_primary_hits_only(time_preset()));
+    EXPECT_FALSE(needs_primary_hits_only(memory_preset()));
+    EXPECT_FALSE(needs_primary_hits_only(quality_preset()));
+    const auto changed = [](auto change) {
+        TraceSettings settings = time_preset();
+        change(settings);
+        return needs_primary_hits_only(settings);
+    };
+    EXPECT_TRUE(changed([](TraceSettings& s) { s.surface.kind = SurfaceKind::bilinear; }));
+    EXPECT_TRUE(changed([](TraceSettings& s) { s.has_data = s.has_capsules = true; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.surface.kind = SurfaceKind::bicubic; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.is_surface_stored = true; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.antialiasing = Antialiasing::average_mipmap; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.ambient = Ambient::sky_view; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.has_shadows = true; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.mirrors = 1; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.paths = 1; }));
+}
+
 TEST(TracePresets, TheThreePicturesAreOfTheSamePlace) {
     test_support::DrawnTrace drawn(test_support::fractal_heights(65), {time_preset(), quality_preset(), memory_preset()}, 96, 64);
     base::SerialWorkers alone;

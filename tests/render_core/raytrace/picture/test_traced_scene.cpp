@@ -63,6 +63,32 @@ TEST_F(TracedSceneTest, GivesEachSettingItsTerrain) {
         for (std::size_t b = 0; b < a; ++b) EXPECT_NE(&scene.terrain(all[a]), &scene.terrain(all[b]));
 }
 
+/// It has no surface.
+class NoTerrain final : public TracedTerrain {
+public:
+    void trace(const PixelRect&, const HitPicture&) const override {}
+    void find_surface(const PixelSpan&, const HitPicture&, SpanSurface&) const override {}
+    [[nodiscard]] RayHit intersect(const Ray&) const override { return {}; }
+    [[nodiscard]] bool is_hidden(const Ray&) const override { return false; }
+};
+
+TEST_F(TracedSceneTest, StandsOverAnotherTerrainForPrimaryHitsOnly) {
+    const NoTerrain other;
+    Scene scene;
+    ASSERT_TRUE(start(scene, stored_and_smooth()).ok());
+    ASSERT_TRUE(scene.start(other, {30, 30, 1}, time_preset(), size_).ok());
+    EXPECT_EQ(&scene.terrain(time_preset()), &other);
+    EXPECT_EQ(scene.bytes(), 0U);
+    EXPECT_EQ(scene.maps().sky, nullptr) << "of the start before";
+    EXPECT_NE(std::string(scene.start(other, {30, 30, 1}, memory_preset(), size_).error().c_str()).find("secondary rays"),
+              std::string::npos);
+    size_.height = 0;
+    EXPECT_FALSE(scene.start(other, {30, 30, 1}, time_preset(), size_).ok());
+    size_.height = 60;
+    ASSERT_TRUE(start(scene, {time_preset()}).ok());
+    EXPECT_NE(&scene.terrain(time_preset()), &other);
+}
+
 TEST_F(TracedSceneTest, SaysWhatItRefuses) {
     Scene scene;
     EXPECT_NE(std::string(start(scene, {}).error().c_str()).find("at least one setting"), std::string::npos);
