@@ -126,7 +126,7 @@ void FramePreroll::decide_interval(std::int64_t interval) {
     input.trail = nullptr;  // nothing that an interval decides reads it
     decided_.budget = display_.memory().budget;
     decided_.terrain_failed = display_.memory().terrain_failed;
-    display_.planner().decide_interval(input, decided_, *scratch_);
+    display_.planner().decide_interval(input, decided_);
     keep_interval(interval);
     interval_ = interval;
 }

@@ -21,7 +21,6 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -67,7 +66,6 @@ private:
     std::optional<std::int64_t> interval_;           ///< that `decided_` is of
     display::PlannerMemory decided_;
     std::map<std::int64_t, display::PlannerMemory> intervals_;
-    std::unique_ptr<display::PlannedFrame> scratch_ = std::make_unique<display::PlannedFrame>();
 };
 
 }  // namespace tedavis::host_sim

@@ -29,15 +29,19 @@ struct WeightedDesigns {
 
 base::Error Display::start(const DisplaySettings& settings, base::Arena memory, base::Surface& surface,
                            const TerrainInput& terrain, base::ByteSource* scene) {
-    if (base::Error error = planner_.take_designs(settings, memory_)) return error;
-    base::BudgetTable& budget = planner_.settings().device.budget;
-    if (base::Error error = arenas_.cut(budget, memory)) return error;
+    if (base::Error error = arenas_.cut(settings.device.budget, memory)) return error;
+    PlanPair shown;
+    if (base::Error error = shown.start(arenas_.frames(), arenas_.memories())) return error;
+    frame_ = shown.frame;
+    memory_ = shown.memory;
+    if (base::Error error = planner_.start_intervals(arenas_.frames(), arenas_.memories())) return error;
+    if (base::Error error = planner_.take_designs(settings, *memory_)) return error;
     if (base::Error error = painter_.open(surface, settings.device, settings.programs)) return error;
     if (base::Error error = start_all(terrain, scene)) return error;
     painter_.seal();
-    arenas_.record_use(budget);
-    frame_.shown = &planner_.look();  // who draws before the first plan sees no terrain
-    frame_.look_key = planner_.look_key();
+    arenas_.record_use(planner_.settings().device.budget);
+    frame_->shown = &planner_.look();  // who draws before the first plan sees no terrain
+    frame_->look_key = planner_.look_key();
     return {};
 }
 
@@ -51,9 +55,9 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
             const draw::DrawnDesign drawn = draw::drawn_as(*design, settings.device.capability.depth24_targets, has_focus);
             if (drawn.has_focus == has_focus) static_cast<void>(designs.try_push_back(drawn));
         }
-    planner_.start_memory(designs, memory_);
+    planner_.start_memory(designs, *memory_);
     const PainterStart start{settings.device,    designs,
-                             memory_.clutter,    settings.width_px,
+                             memory_->clutter,   settings.width_px,
                              settings.height_px, planner_.stereo_margin_px(planner_.design_at(0))};
     if (base::Error error = planner_.start_symbology(arenas_.symbology())) return error;
     if (base::Error error = painter_.start(start, planner_)) return error;
@@ -73,7 +77,7 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
 void Display::stop() { painter_.stop(); }
 
 bool Display::can_show(const design::DesignSettings& possible) const {
-    return planner_.stereo_margin_px(possible) == painter_.abilities().stereo_margin_px && memory_.clutter.can_show(possible) &&
+    return planner_.stereo_margin_px(possible) == painter_.abilities().stereo_margin_px && memory_->clutter.can_show(possible) &&
            painter_.can_show(possible);
 }
 
@@ -83,48 +87,48 @@ bool Display::set_design(const design::DesignSettings& design, const design::Pha
         if (!can_show(effects::possible_design(place == 0 ? design : phases->at(place), planner_.settings().device)))
             return false;
     keep_scene();
-    planner_.set_designs(design, phases, memory_);
+    planner_.set_designs(design, phases, *memory_);
     return true;
 }
 
 bool Display::take_scene(const scene::Scene& scene) {
     if (!planner_.accepts(scene)) return false;
     keep_scene();
-    return planner_.take_scene(scene, memory_);
+    return planner_.take_scene(scene, *memory_);
 }
 
 /// What is planned, once more, before it is replaced.
 void Display::keep_scene() {
-    if (!planner_.fades() || memory_.frames == 0) return;
-    painter_.draw_kept(frame_);
-    planner_.keep_scene(frame_, memory_);
+    if (!planner_.fades() || memory_->frames == 0) return;
+    painter_.draw_kept(*frame_);
+    planner_.keep_scene(*frame_, *memory_);
 }
 
 void Display::plan(const flight::FrameInput& input) {
-    planner_.plan(input, memory_, frame_);
+    planner_.plan(input, *memory_, *frame_);
     record_ = {};
-    static_cast<FrameStatement&>(record_) = frame_;
+    static_cast<FrameStatement&>(record_) = *frame_;
 }
 
 void Display::draw(base::Surface& surface) {
     painter_.begin(surface);
-    if (!painter_.prepare(frame_)) planner_.plan_again({true, {}}, memory_, frame_);
+    if (!painter_.prepare(*frame_)) planner_.plan_again({true, {}}, *memory_, *frame_);
     const draw::TerrainDrawResult terrain = paint_measured(surface);
-    planner_.conclude(memory_, frame_);
-    painter_.draw_measures(frame_, surface);
-    painter_.dim(frame_);
-    record_ = record_of(frame_, painter_.drawn(terrain), planner_.elements().reports(), planner_.budget());
+    planner_.conclude(*memory_, *frame_);
+    painter_.draw_measures(*frame_, surface);
+    painter_.dim(*frame_);
+    record_ = record_of(*frame_, painter_.drawn(terrain), planner_.elements().reports(), planner_.budget());
 }
 
 /// Data on the ground go by the strength that their program draws them with.
 void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
     const EffectWorkTable work = painter_.work();
-    painter_.bare_ground(frame_, last);
+    painter_.bare_ground(*frame_, last);
     painter_.begin(surface);
     static_cast<void>(paint(surface, last));
-    if (last == PictureLayer::symbology) painter_.draw_measures(frame_, surface);
-    painter_.dim(frame_);
-    painter_.restore_ground(frame_);
+    if (last == PictureLayer::symbology) painter_.draw_measures(*frame_, surface);
+    painter_.dim(*frame_);
+    painter_.restore_ground(*frame_);
     painter_.work() = work;
 }
 
@@ -132,21 +136,21 @@ void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
 draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
     const EffectWorkTable begun = painter_.work();
     draw::TerrainDrawResult drawn = paint_next(surface);
-    while (frame_.clutter.probe != Probe::none) {
-        const bool may_stay = frame_.clutter.probe == Probe::shown;
-        planner_.plan_again({false, painter_.measure_clutter(surface)}, memory_, frame_);
-        if (may_stay && frame_.clutter.probe == Probe::none) return drawn;
+    while (frame_->clutter.probe != Probe::none) {
+        const bool may_stay = frame_->clutter.probe == Probe::shown;
+        planner_.plan_again({false, painter_.measure_clutter(surface)}, *memory_, *frame_);
+        if (may_stay && frame_->clutter.probe == Probe::none) return drawn;
         const EffectWork measuring = painter_.work()[Effect::clutter];
         painter_.work() = begun;
         painter_.work()[Effect::clutter] = measuring;
-        painter_.prepare_elements(frame_.picture);
+        painter_.prepare_elements(frame_->picture);
         drawn = paint_next(surface);
     }
     return drawn;
 }
 
 draw::TerrainDrawResult Display::paint_next(base::Surface& surface) {
-    if (frame_.clutter.probe != Probe::hidden) return paint(surface, PictureLayer::symbology);
+    if (frame_->clutter.probe != Probe::hidden) return paint(surface, PictureLayer::symbology);
     const WorkScope measuring(painter_.gl(), painter_.work()[Effect::clutter]);
     return paint(surface, PictureLayer::symbology);
 }
@@ -154,43 +158,43 @@ draw::TerrainDrawResult Display::paint_next(base::Surface& surface) {
 /// The planned picture without what is measured of it. Of a picture that is not shown nothing fades.
 draw::TerrainDrawResult Display::paint(base::Surface& surface, PictureLayer last) {
     const draw::TerrainDrawResult drawn = draw_scene(surface, last);
-    if (frame_.clutter.probe != Probe::hidden) painter_.draw_fade(frame_);
-    if (!frame_.is_free_view && last == PictureLayer::symbology) painter_.draw_symbology(frame_, surface);
+    if (frame_->clutter.probe != Probe::hidden) painter_.draw_fade(*frame_);
+    if (!frame_->is_free_view && last == PictureLayer::symbology) painter_.draw_symbology(*frame_, surface);
     return drawn;
 }
 
 draw::TerrainDrawResult Display::draw_scene(base::Surface& surface, PictureLayer last) {
     if (painter_.abilities().is_stereo) return draw_sides(surface, last);
-    if (frame_.keeps_scene && frame_.clutter.probe != Probe::hidden) {
-        const draw::TerrainDrawResult drawn = painter_.draw_kept(frame_);
+    if (frame_->keeps_scene && frame_->clutter.probe != Probe::hidden) {
+        const draw::TerrainDrawResult drawn = painter_.draw_kept(*frame_);
         gl::bind_surface(painter_.gl(), surface);
         return drawn;  // what was kept covers the surface
     }
-    return painter_.draw_scene(frame_, frame_.picture, surface, last);
+    return painter_.draw_scene(*frame_, frame_->picture, surface, last);
 }
 
 draw::TerrainDrawResult Display::draw_side(const StereoCameras& pair, draw::EyeSide side, PictureLayer last) {
-    const PlannedPicture picture = planner_.plan_side(pair, side, memory_, frame_);
+    const PlannedPicture picture = planner_.plan_side(pair, side, *memory_, *frame_);
     painter_.prepare_elements(picture);
-    return painter_.draw_side(frame_, picture, last, side);
+    return painter_.draw_side(*frame_, picture, last, side);
 }
 
 /// One picture is for both where they cannot be told apart; in its own colours then.
 draw::TerrainDrawResult Display::draw_sides(base::Surface& surface, PictureLayer last) {
     using draw::EyeSide;
-    const design::StereoMode mode = frame_.shown->effects.stereo.mode;
-    if (!frame_.effects.runs(Effect::stereo)) {
+    const design::StereoMode mode = frame_->shown->effects.stereo.mode;
+    if (!frame_->effects.runs(Effect::stereo)) {
         const draw::TerrainDrawResult drawn = draw_side({}, EyeSide::left, last);
         const bool has_halves = mode == design::StereoMode::side_by_side;
         painter_.put_side(surface, has_halves ? mode : design::StereoMode::none, EyeSide::left, 0);
         if (has_halves) painter_.put_side(surface, mode, EyeSide::right, 0);
         return drawn;
     }
-    const draw::TerrainDrawResult drawn = draw_side(frame_.stereo_cameras, EyeSide::left, last);
-    painter_.put_side(surface, mode, EyeSide::left, frame_.stereo_cameras.shift_px);
+    const draw::TerrainDrawResult drawn = draw_side(frame_->stereo_cameras, EyeSide::left, last);
+    painter_.put_side(surface, mode, EyeSide::left, frame_->stereo_cameras.shift_px);
     const WorkScope work(painter_.gl(), painter_.work()[Effect::stereo]);
-    static_cast<void>(draw_side(frame_.stereo_cameras, EyeSide::right, last));
-    painter_.put_side(surface, mode, EyeSide::right, frame_.stereo_cameras.shift_px);
+    static_cast<void>(draw_side(frame_->stereo_cameras, EyeSide::right, last));
+    painter_.put_side(surface, mode, EyeSide::right, frame_->stereo_cameras.shift_px);
     return drawn;
 }
 

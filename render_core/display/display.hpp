@@ -47,9 +47,9 @@ public:
 
     /// Of the frame that was drawn last; after plan() only what the plan states.
     [[nodiscard]] const FrameRecord& record() const { return record_; }
-    [[nodiscard]] const PlannedFrame& planned() const { return frame_; }
+    [[nodiscard]] const PlannedFrame& planned() const { return *frame_; }
     /// A copy of it, taken before a plan() and put back, makes the next frame follow from the same.
-    [[nodiscard]] PlannerMemory& memory() { return memory_; }
+    [[nodiscard]] PlannerMemory& memory() { return *memory_; }
     [[nodiscard]] FramePlanner& planner() { return planner_; }
     [[nodiscard]] gl::Gl& gl() { return painter_.gl(); }
 
@@ -67,8 +67,8 @@ private:
     DisplayMemory arenas_;
     FramePlanner planner_;
     FramePainter painter_;
-    PlannerMemory memory_;
-    PlannedFrame frame_;
+    PlannedFrame* frame_ = nullptr;
+    PlannerMemory* memory_ = nullptr;
     FrameRecord record_;
 };
 

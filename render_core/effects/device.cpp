@@ -24,7 +24,8 @@ constexpr RequiredLine kRequiredLines[] = {
     {kSceneSlices, base::MemoryKind::cpu},       {kSceneGround, base::MemoryKind::gpu},
     {kSceneSolids, base::MemoryKind::cpu},       {kSceneSolidVertices, base::MemoryKind::gpu},
     {kSceneGlyphs, base::MemoryKind::cpu},       {kSceneGlyphVertices, base::MemoryKind::gpu},
-    {kSceneBillboards, base::MemoryKind::cpu},   {kSceneBillboardVertices, base::MemoryKind::gpu}};
+    {kSceneBillboards, base::MemoryKind::cpu},   {kSceneBillboardVertices, base::MemoryKind::gpu},
+    {kPlannedFrames, base::MemoryKind::cpu},     {kPlannerMemory, base::MemoryKind::cpu}};
 
 constexpr RequiredLine kPossibleLines[] = {{kTracedTerrain, base::MemoryKind::cpu}, {kTracedPictures, base::MemoryKind::gpu}};
 

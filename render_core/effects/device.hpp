@@ -40,6 +40,8 @@ inline constexpr std::string_view kSceneGlyphs = "scene_glyphs";
 inline constexpr std::string_view kSceneGlyphVertices = "scene_glyph_vertices";
 inline constexpr std::string_view kSceneBillboards = "scene_billboards";
 inline constexpr std::string_view kSceneBillboardVertices = "scene_billboard_vertices";
+inline constexpr std::string_view kPlannedFrames = "planned_frames";
+inline constexpr std::string_view kPlannerMemory = "planner_memory";
 
 /// Optional lines, present where the device has room for ray-traced terrain.
 inline constexpr std::string_view kTracedTerrain = "traced_terrain";    ///< cpu

@@ -22,6 +22,8 @@ const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, 
                                                      {effects::kSceneSolids, &DisplayMemory::solids_},
                                                      {effects::kSceneGlyphs, &DisplayMemory::glyphs_},
                                                      {effects::kSceneBillboards, &DisplayMemory::billboards_},
+                                                     {effects::kPlannedFrames, &DisplayMemory::frames_},
+                                                     {effects::kPlannerMemory, &DisplayMemory::memories_},
                                                      {effects::kTracedTerrain, &DisplayMemory::traced_}};
 
 std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {

@@ -30,6 +30,8 @@ public:
     /// Empty where the device has no such line.
     [[nodiscard]] base::Arena& traced_terrain() { return traced_; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
+    [[nodiscard]] base::Arena& frames() { return frames_; }
+    [[nodiscard]] base::Arena& memories() { return memories_; }
     [[nodiscard]] SpatialData::Memory scene() { return {scene_, slices_}; }
     [[nodiscard]] ElementPlanner::Memory elements() { return {solids_, glyphs_, billboards_}; }
 
@@ -38,10 +40,10 @@ private:
         std::string_view line;
         base::Arena DisplayMemory::*arena;
     };
-    static const Part kParts[14];
+    static const Part kParts[16];
 
     base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_, solids_, glyphs_,
-        billboards_, traced_;
+        billboards_, frames_, memories_, traced_;
 };
 
 }  // namespace tedavis::display

@@ -143,15 +143,16 @@ void FramePlanner::plan_without_terrain() {
 }
 
 /// The design of another phase may decide; what painters have been told of the shown one holds on.
-void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch) {
+void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory) {
     const LookOf look = look_of_;
     const std::uint64_t look_key = look_key_;
-    PlannerMemory passing = memory;
+    PlannerMemory& passing = *interval_.memory;
+    passing = memory;
     passing.weights = look.weights;  // what the design looks like now is the least work to begin from
     passing.shows_alert = look.shows_alert;
     passing.shown = phases_.place_of(input.phase.presented);
     passing.view = ViewTransition();
-    begin(input, passing, scratch);
+    begin(input, passing, *interval_.frame);
     begin_plan();
     if (elements_.is_started()) elements_.labels().keep(memory.labels);
     memory.boost = passing.boost;

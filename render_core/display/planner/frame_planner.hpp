@@ -16,6 +16,7 @@
 #include "render_core/display/planner/display_settings.hpp"
 #include "render_core/display/planner/frame_context.hpp"
 #include "render_core/display/planner/obstacle_places.hpp"
+#include "render_core/display/planner/plan_pair.hpp"
 #include "render_core/display/planner/planned_frame.hpp"
 #include "render_core/display/planner/planner_memory.hpp"
 #include "render_core/draw/data/data_variant.hpp"
@@ -46,6 +47,10 @@ public:
     /// Of the designs that a painter is started with.
     [[nodiscard]] base::Error start_terrain(const TerrainInput& terrain, draw::DrawnDesigns designs, const TerrainMemory& memory);
     [[nodiscard]] base::Error start_symbology(base::Arena& memory);
+    /// Before decide_interval(), which plans in this memory.
+    [[nodiscard]] base::Error start_intervals(base::Arena& frames, base::Arena& memories) {
+        return interval_.start(frames, memories);
+    }
     /// `scene`: a scene database, or null. After start_terrain(), and after the painter's own start.
     [[nodiscard]] base::Error start_scene(base::ByteSource* scene, const SpatialData::Memory& memory, std::uint32_t ground_side);
     /// `has_instances`: draw::GlyphDrawer::has_instances() of the device. Where there are data to show, after start_scene().
@@ -61,8 +66,8 @@ public:
     /// Decides only what is decided once for each interval (flight/decision_interval.hpp): labels, priorities and the terrain
     /// alert. `input`: at the interval's first instant, but with the phase of the frame before, whose design the next one shows.
     /// Changes nothing else of `memory`, which need not be the memory of the frames that are shown; a replay decides all
-    /// intervals since the log's start, so that they are the same however a frame is reached. `scratch` is no frame afterwards.
-    void decide_interval(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& scratch);
+    /// intervals since the log's start, so that they are the same however a frame is reached.
+    void decide_interval(const flight::FrameInput& input, PlannerMemory& memory);
 
     /// The planned frame as one camera of a pair sees it.
     [[nodiscard]] PlannedPicture plan_side(const StereoCameras& pair, draw::EyeSide side, PlannerMemory& memory,
@@ -216,6 +221,7 @@ private:
     bool effects_are_forced_ = false;
 
     double unmagnified_near_m_ = 0, unmagnified_far_m_ = 0;  ///< planes of a view with magnifiers before they made room
+    PlanPair interval_;                                      ///< that is decided; nothing of it lasts
     PlannerMemory* memory_ = nullptr;                        ///< while planning
     PlannedFrame* frame_ = nullptr;                          ///< likewise
 };

@@ -32,8 +32,8 @@ TEST(StartTrial, ShippedDevicesStart) {
 TEST(StartTrial, EveryLineThatIsTooSmallIsNamed) {
     const test_support::TemporaryFolder place;
     StartTrial trial;
-    for (const char* const line :
-         {"lod_scratch", "terrain_heights", "terrain_vertices", "render_targets", "symbology", "staging"}) {
+    for (const char* const line : {"lod_scratch", "terrain_heights", "terrain_vertices", "render_targets", "symbology", "staging",
+                                   "planned_frames", "planner_memory"}) {
         const std::string device = small_device(place, line, "4096");
         expect_user_error([&] { trial.require(device, "default"); },
                           device + ": does not start with the design default: the budget line '" + line + "'");

@@ -79,7 +79,7 @@ TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
     std::uint64_t processor_bytes = 0;
     for (const base::BudgetLine& line : budget.lines()) processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
     EXPECT_EQ(Cut(processor_bytes - 1).message,
-              "the reservation does not hold the budget line 'scene_billboards'; lower the budgets in the device file");
+              "the reservation does not hold the budget line 'planner_memory'; lower the budgets in the device file");
     EXPECT_EQ(Cut(10).message,
               "the reservation does not hold the budget line 'terrain_heights'; lower the budgets in the device file");
     EXPECT_GE(DisplayMemory::bytes_needed(budget), processor_bytes);

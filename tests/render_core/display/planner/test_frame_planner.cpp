@@ -78,8 +78,7 @@ TEST(FramePlanner, AnIntervalChangesNothingButLabelsAndPriorities) {
     hills->settle(input_at(0));
     const PlannerMemory before = hills->memory;
     PlannerMemory passed = before;
-    const auto scratch = std::make_unique<PlannedFrame>();
-    hills->planner().decide_interval(input_at(0.5), passed, *scratch);
+    hills->planner().decide_interval(input_at(0.5), passed);
     EXPECT_EQ(passed.frames, before.frames);
     EXPECT_EQ(passed.shown, before.shown);
     EXPECT_EQ(passed.view.map_share(), before.view.map_share());
@@ -92,10 +91,9 @@ TEST(FramePlanner, IntervalsOfAnotherMemoryChangeNoFrame) {
     hills->settle(input_at(0));
     const PlannerMemory before = hills->memory;
     PlannerMemory with = before, without = before, decided;
-    const auto scratch = std::make_unique<PlannedFrame>();
     const auto expected = hills->plan(input_at(0.1), without);
     const std::uint64_t look_key = hills->planner().look_key();
-    hills->planner().decide_interval(input_at(0.5, 1900), decided, *scratch);
+    hills->planner().decide_interval(input_at(0.5, 1900), decided);
     EXPECT_EQ(hills->planner().look_key(), look_key) << "painters need not be told of any design";
     const auto frame = hills->plan(input_at(0.1), with);
     EXPECT_TRUE(are_same(*frame, *expected));
