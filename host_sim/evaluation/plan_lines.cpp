@@ -85,13 +85,13 @@ std::string labels(const Json& record) {
 /// "wind, place in 5 regions; 2 signs"
 std::string decluttered_roles(const Json& record) {
     std::string text;
-    for (const Json& role : entry(record, {"clutter", "gives_way"})) append(text, spaced(role.get<std::string>()));
+    for (const Json& role : entry(record, {"clutter", "decluttered_roles"})) append(text, spaced(role.get<std::string>()));
     if (text.empty()) return text;
     std::size_t regions = 0;
     for (const Json& region : entry(record, {"clutter", "regions"})) regions += region.value("detail", 1.0) < 1 ? 1 : 0;
     text += " in " + std::to_string(regions) + (regions == 1 ? " region" : " regions");
-    const std::string lowered = number_at(record, {"labels", "lowered"}, 0);
-    return lowered.empty() || lowered == "0" ? text : text + "; " + lowered + " signs";
+    const std::string signs = number_at(record, {"labels", "decluttered"}, 0);
+    return signs.empty() || signs == "0" ? text : text + "; " + signs + " signs";
 }
 
 std::string effects(const Json& record, const std::string& state) {

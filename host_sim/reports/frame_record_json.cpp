@@ -67,7 +67,7 @@ Json effects_json(const display::FrameRecord& record) {
 Json governor_json(const display::GovernorRecord& governor) {
     return {{"deadline_ms", governor.deadline_ms},
             {"predicted_ms", governor.predicted_ms},
-            {"rung", governor.quality_level},
+            {"quality_level", governor.quality_level},
             {"changed", governor.changed},
             {"why", text(governor.why.view())}};
 }
@@ -101,9 +101,9 @@ Json clutter_json(const display::FrameRecord& record) {
     if (clutter.budget >= 1) return {};
     Json json{{"budget", clutter.budget}, {"is_measured", clutter.measured.whole.is_known}};
     json["regions"] = clutter.measured.whole.is_known ? crowded_json(clutter) : Json::array();
-    json["gives_way"] = Json::array();
+    json["decluttered_roles"] = Json::array();
     for (std::size_t n = 0; n < static_cast<std::size_t>(scene::LayerRole::count); ++n)
-        if ((clutter.roles >> n & 1u) != 0) json["gives_way"].push_back(scene::name_of(static_cast<scene::LayerRole>(n)));
+        if ((clutter.roles >> n & 1u) != 0) json["decluttered_roles"].push_back(scene::name_of(static_cast<scene::LayerRole>(n)));
     return json;
 }
 
@@ -252,7 +252,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["labels"] = {{"placed", record.labels.placed},
                       {"suppressed", record.labels.suppressed},
                       {"changed", record.labels.changed},
-                      {"lowered", record.labels.lowered}};
+                      {"decluttered", record.labels.decluttered}};
     json["foci"] = Json::array();
     for (const display::FocusRecord& focus : record.foci) json["foci"].push_back(focus_json(focus));
     json["bytes"] = {{"cpu", record.bytes.cpu},

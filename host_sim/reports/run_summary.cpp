@@ -35,7 +35,7 @@ Json governor_json(const DeadlineSummary& deadline) {
             {"within_measured", deadline.within_measured},
             {"changes", deadline.changes},
             {"least_s_between_changes", apart_s ? Json(*apart_s) : Json()},
-            {"frames_on_rung", deadline.frames_at_quality_level}};
+            {"frames_at_quality_level", deadline.frames_at_quality_level}};
 }
 
 Json traffic_json(const bus::TrafficCounts& traffic) {

@@ -69,7 +69,7 @@ private:
 class FrameGovernor {
 public:
     FrameGovernor() = default;
-    /// A governor that has chosen `rung` and has no history.
+    /// A governor that has chosen `quality_level` and has no history.
     explicit FrameGovernor(std::size_t quality_level) { now_.quality_level = static_cast<std::uint8_t>(quality_level); }
     /// Decides the level of a frame; to be called once per frame, with a deadline above 0.
     GovernorDecision decide(const GovernorInput& input, const GovernorSettings& settings = {});

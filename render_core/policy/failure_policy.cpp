@@ -322,13 +322,13 @@ private:
             notice(NoticeLevel::caution, "MAP NORTH UP");
         add_phase_notices();
         if (out_.show_terrain && conditions_.data_are_out_of_date) notice(NoticeLevel::caution, "DATA OUT OF DATE");
-        if (shows_measure()) notice(NoticeLevel::caution, "COLORS SHOW A MEASURE");
-        if (state_.traffic.is_cut) notice(NoticeLevel::caution, "TRAFFIC NOT ALL SHOWN");
+        if (shows_measure()) notice(NoticeLevel::caution, "ANALYSIS OVERLAY");
+        if (state_.traffic.is_cut) notice(NoticeLevel::caution, "TRAFFIC INCOMPLETE");
         if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
         if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)
             notice(NoticeLevel::information, "ORTHOGRAPHIC VIEW");
         if (is_flat()) notice(NoticeLevel::information, "FLAT - NO RELIEF");
-        if (conditions_.is_reduced) notice(NoticeLevel::information, "PICTURE REDUCED");
+        if (conditions_.is_reduced) notice(NoticeLevel::information, "GRAPHICS REDUCED");
         if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
         notice(NoticeLevel::information, "NOT FOR NAVIGATION");
     }
@@ -343,7 +343,7 @@ private:
         }
         if (conditions_.phase.disagreement) {
             flag("phase", "disagreement");
-            notice(NoticeLevel::caution, "PHASE DISAGREES");
+            notice(NoticeLevel::caution, "PHASE DISAGREE");
         }
     }
 

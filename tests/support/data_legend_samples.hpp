@@ -32,14 +32,14 @@ inline draw::DataLegend wind() {
     legend.scale.palette.title = "WIND";
     EXPECT_TRUE(legend.scale.palette.stops.try_push_back({0, {250, 240, 220}}));
     EXPECT_TRUE(legend.scale.palette.stops.try_push_back({20, {30, 20, 120}}));
-    EXPECT_TRUE(legend.uncertainty.try_push_back(sample("SURE", draw::SampleLook::plain)));
+    EXPECT_TRUE(legend.uncertainty.try_push_back(sample("CERTAIN", draw::SampleLook::plain)));
     EXPECT_TRUE(
         legend.uncertainty.try_push_back(sample("\xC2\xB1"
                                                 "4 M/S",
                                                 draw::SampleLook::grains)));
     EXPECT_TRUE(legend.uncertainty.try_push_back(sample("UNKNOWN", draw::SampleLook::cut_stripes)));
     EXPECT_TRUE(legend.signs.try_push_back(sample("MISSING", draw::SampleLook::dots)));
-    EXPECT_TRUE(legend.signs.try_push_back(sample("FILLED IN", draw::SampleLook::cut_grid)));
+    EXPECT_TRUE(legend.signs.try_push_back(sample("INTERPOLATED", draw::SampleLook::cut_grid)));
     legend.has_time = legend.has_age = true;
     legend.data_time_ns = 13 * 60 * kMinute_ns + 5 * kMinute_ns;
     legend.age = {12 * kMinute_ns};

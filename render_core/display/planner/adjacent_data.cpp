@@ -72,7 +72,7 @@ void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& tim
     add_sign("MISSING", draw::SampleLook::dots, kMapGround, maps.sign, legend);
     const auto& stops = legend.scale.palette.stops;
     const design::Color middle = scale_color(legend.scale, 0.5 * (stops[0].value + stops.back().value));
-    add_sign("FILLED IN", draw::SampleLook::cut_grid, middle, kMapGround, legend);
+    add_sign("INTERPOLATED", draw::SampleLook::cut_grid, middle, kMapGround, legend);
     add_legend(legend, legends);
 }
 

@@ -128,9 +128,9 @@ LegendSample overlay_sample(const design::GroundOverlay& overlay, Color color) {
 
 /// Of a sure place: a mesh is there too.
 LegendSample sure_sample(const design::GroundData& ground, Color color) {
-    if (ground.overlay.technique != UncertaintyOverlay::grid) return sample_of("SURE", color, color, SampleLook::plain);
+    if (ground.overlay.technique != UncertaintyOverlay::grid) return sample_of("CERTAIN", color, color, SampleLook::plain);
     LegendSample sample = overlay_sample(ground.overlay, color);
-    sample.text = "SURE";
+    sample.text = "CERTAIN";
     sample.share = 0;
     return sample;
 }
@@ -209,7 +209,7 @@ base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, d
     const bool is_percent = attribute.uncertainty_kind == scene::UncertaintyKind::percent;
     char number[16];
     if (is_graded(attribute)) {
-        if (level >= 1) return "UNSURE";
+        if (level >= 1) return "UNCERTAIN";
         std::snprintf(number, sizeof number, "%.0f %%", 100 * level);
         return number;
     }
@@ -346,7 +346,7 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
         static_cast<void>(legend.signs.try_push_back(sample_of(none.view(), plain, plain, SampleLook::plain)));
     static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
     if (slice->attribute()->entry->scale != scene::AttributeScale::quantitative) return add_legend(legend, legends);
-    static_cast<void>(legend.signs.try_push_back(sample_of("FILLED IN", color, plain, SampleLook::cut_grid)));
+    static_cast<void>(legend.signs.try_push_back(sample_of("INTERPOLATED", color, plain, SampleLook::cut_grid)));
     add_legend(legend, legends);
 }
 

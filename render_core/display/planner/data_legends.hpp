@@ -33,7 +33,7 @@ struct ShownUnit {
 void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use, draw::DataLegend& legend) noexcept;
 
 /// A level 0..1 in the attribute's shown unit: "±4 KT", "±20 %"; of the full scale where the source has classes of its own: "50
-/// %", and "UNSURE" for 1.
+/// %", and "UNCERTAIN" for 1.
 [[nodiscard]] base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level,
                                                      design::HeightUnit heights) noexcept;
 /// What counts as the least sure.

@@ -248,7 +248,7 @@ void ElementLabels::Pass::add(std::size_t n) {
     const draw::ElementInput* const input = inputs_.input(*group.element, *group.layer);
     if (input == nullptr || std::max(label.level, label.wanted) == LabelLevel::none) return;
     const LabelLevel most = most_of(label, *input);
-    lowered_ += most < label.level ? 1 : 0;
+    decluttered_ += most < label.level ? 1 : 0;
     if (most != LabelLevel::none) add(n, *input, most);
 }
 
@@ -306,7 +306,7 @@ void ElementLabels::Pass::add_others() {
 LabelCounts ElementLabels::Pass::count() {
     draw::LabelPlanner& planner = labels_.planner_;
     LabelCounts counts;
-    counts.lowered = lowered_;
+    counts.decluttered = decluttered_;
     counts.changed = planner.take_gone();
     std::uint32_t expected = 0, shown = 0;
     for (std::uint32_t n = 0; n < labels_.groups_.size(); ++n) expected += planner.suppressed(n);

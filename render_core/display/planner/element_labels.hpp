@@ -28,9 +28,9 @@ namespace tedavis::display {
 /// Of a frame; labels are names.
 struct LabelCounts {
     std::uint32_t placed = 0;
-    std::uint32_t suppressed = 0;  ///< in the picture, but not shown: of too little interest, no room, behind terrain
-    std::uint32_t changed = 0;     ///< signs that came, went, or got another look, since the frame before
-    std::uint32_t lowered = 0;     ///< signs that show less than was decided, for the budget of clutter
+    std::uint32_t suppressed = 0;   ///< in the picture, but not shown: of too little interest, no room, behind terrain
+    std::uint32_t changed = 0;      ///< signs that came, went, or got another look, since the frame before
+    std::uint32_t decluttered = 0;  ///< signs that show less than was decided, so that the clutter budget holds
 };
 
 struct LabelFrame {
@@ -168,7 +168,7 @@ private:
     draw::BillboardSheet& sheet_;
     Inputs& inputs_;
     const policy::Declutter* declutter_;
-    std::uint32_t lowered_ = 0;
+    std::uint32_t decluttered_ = 0;
     std::size_t protected_ = 0;  ///< labels, which come first
     draw::LabelRoom markers_;    ///< of them: their names leave it free
     draw::LabelRoom left_;       ///< decided for labels that do not stand there in this frame

@@ -60,7 +60,7 @@ void add_fading(const ElementReport& report, const scene::Attribute& attribute, 
     const Color color = middle_color(legend.scale);
     const Color faded = blended(color, greys ? grey_of(color) : design.terrain.style.plain, element.uncertainty_strength);
     if (attribute.states_uncertainty()) {
-        static_cast<void>(legend.uncertainty.try_push_back(sample_of("SURE", color)));
+        static_cast<void>(legend.uncertainty.try_push_back(sample_of("CERTAIN", color)));
         static_cast<void>(legend.uncertainty.try_push_back(
             sample_of(full_uncertainty_text(*attribute.entry, design.symbology.legend_unit).view(), faded)));
     }

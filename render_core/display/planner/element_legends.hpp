@@ -1,6 +1,7 @@
-/// Entries of the legend for the elements that a frame shows: every colour scale in use once, and that of glyphs of uncertainty.
+/// Adds the legend entries of the data elements that a frame shows: each colour scale in use once, the scale of uncertainty
+/// glyphs, and the symbols.
 ///
-/// Pure; any thread. Memory  the caller's list; what does not fit in it is refused and counted there.
+/// Memory  the caller's list; entries that do not fit are left out. Thread  any; the function is pure. Failure  none.
 #pragma once
 
 #include "render_core/display/planner/data_legends.hpp"
@@ -8,7 +9,7 @@
 
 namespace tedavis::display {
 
-/// `layers` of the scene: an attribute that was made of another layer's values has that one's time and source.
+/// `layers` are those of the scene: an attribute derived from another layer is listed with the time and the source of that layer.
 void add_element_legends(const ElementReports& reports, base::Span<const scene::Layer> layers,
                          const design::DesignSettings& design, const flight::FlightTime& time,
                          draw::DataLegends& legends) noexcept;

@@ -80,7 +80,7 @@ void FramePlanner::plan_elements() {
 
 void FramePlanner::state_labels() {
     const LabelCounts& labels = elements_.label_counts();
-    frame_->labels = {labels.placed, labels.suppressed, labels.changed, labels.lowered};
+    frame_->labels = {labels.placed, labels.suppressed, labels.changed, labels.decluttered};
 }
 
 void FramePlanner::plan_signs(const Camera& camera, SignFrame signs) {

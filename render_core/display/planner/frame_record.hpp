@@ -83,7 +83,7 @@ struct StaleRecord {
 
 /// Of icons and names; labels are names.
 struct LabelRecord {
-    std::uint32_t placed = 0, suppressed = 0, changed = 0, lowered = 0;  ///< display::LabelCounts
+    std::uint32_t placed = 0, suppressed = 0, changed = 0, decluttered = 0;  ///< display::LabelCounts
 };
 
 /// Values of an attribute that lie in a focus of space.

@@ -22,11 +22,11 @@ bool has_wind(const FlownPoint& point) { return std::isfinite(point.wind_speed_m
 }  // namespace
 
 OwnFlight::OwnFlight() {
-    name_layer(trail_entry_, "own_trail", "Own");
+    name_layer(trail_entry_, "own_trail", "Own ship");
     trail_entry_.shape = scene::LayerShape::lines;
     trail_entry_.role = scene::LayerRole::trajectory;
     trail_entry_.position_accuracy_m = trail_entry_.height_accuracy_m = kUnstatedAccuracy_m;
-    name_layer(winds_entry_, "own_wind", "Own wind");
+    name_layer(winds_entry_, "own_wind", "Measured wind");
     winds_entry_.shape = scene::LayerShape::points;
     winds_entry_.role = scene::LayerRole::wind;
     constexpr std::string_view kNames[kAttributes] = {"position_accuracy", "height_accuracy", "wind_speed", "temperature"};

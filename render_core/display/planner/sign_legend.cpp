@@ -40,7 +40,7 @@ public:
     explicit Signs(const design::DesignSettings& design)
         : ground_(design.terrain.style.plain), heights_(design.symbology.legend_unit), grid_(design.terrain.style.grid) {
         legend_.has_scale = false;
-        legend_.title = "SIGNS";
+        legend_.title = "SYMBOLS";
     }
 
     void add(const ElementReport& report) {
@@ -49,12 +49,12 @@ public:
         add_grid(report);
     }
 
-    /// "LABELS +12".
+    /// "12 LABELS HIDDEN".
     void add_suppressed(const ElementReports& reports) {
         unsigned count = 0;
         for (const ElementReport& report : reports) count += report.state == ElementState::shown ? report.suppressed_labels : 0;
         char text[24];
-        std::snprintf(text, sizeof text, "LABELS +%u", count);
+        std::snprintf(text, sizeof text, "%u LABELS HIDDEN", count);
         if (count > 0) add_words(text);
     }
 
@@ -68,7 +68,7 @@ private:
             case DataTechnique::tube:
             case DataTechnique::space_time: return add_tube(report);
             case DataTechnique::billboard: return add_billboard(report);
-            case DataTechnique::solid: return add_margin(report, "PLACE", element.color);
+            case DataTechnique::solid: return add_margin(report, "POS", element.color);
             case DataTechnique::barbs: return add_words("BARB 10 KT"), add_words("PENNANT 50 KT");
             case DataTechnique::diagram: return add_diagram(report);
             case DataTechnique::isosurface: return add_isosurface(report);
@@ -85,10 +85,10 @@ private:
         add_words(append_spacing(report.element->cues.line_spacing_m, words).view());
     }
 
-    /// "GRID 1 NM", "GRID UP 500 FT".
+    /// "GRID 1 NM", "GRID VERT 500 FT".
     void add_grid(const ElementReport& report) {
         if (!report.element->grid || !(grid_.spacing_m > 0)) return;
-        Words level("GRID "), up("GRID UP ");
+        Words level("GRID "), up("GRID VERT ");
         add_words(append_spacing(grid_.spacing_m, level).view());
         if (grid_.height_spacing_m > 0) add_words(append_length(grid_.height_spacing_m, up).view());
     }
@@ -129,7 +129,7 @@ private:
         add_sample(made_);
     }
 
-    /// "ROUTE 95 %", "NO-GO EDGE ?": how sure a place is, where the element shows it.
+    /// "PATH 95 %", "LIMIT ± ?": the uncertainty of a position, where the element shows it.
     void add_margin(const ElementReport& report, std::string_view name, Color color) {
         const ElementUncertainty shown = report.element->uncertainty;
         if (shown != ElementUncertainty::widening && shown != ElementUncertainty::ellipsoid) return;
@@ -145,14 +145,14 @@ private:
         if (report.element->by_color.is_used() || (role != LayerRole::no_go && role != LayerRole::airspace)) return;
         const Color color = report.element->color;
         add_sample(begin(role == LayerRole::no_go ? "NO-GO" : "AIRSPACE", SampleLook::plain, color));
-        add_margin(report, "EDGE", color);
+        add_margin(report, "LIMIT", color);
     }
 
     void add_tube(const ElementReport& report) {
         const design::DataElement& element = *report.element;
         const Color color = element.by_color.is_used() ? Color{200, 200, 200} : element.color;
-        if (!element.by_color.is_used()) add_sample(begin("FLIGHT", SampleLook::plain, color));
-        add_margin(report, "FLIGHT", color);
+        if (!element.by_color.is_used()) add_sample(begin("TRAJECTORY", SampleLook::plain, color));
+        add_margin(report, "PATH", color);
         if (element.technique == DataTechnique::space_time) {
             Words words("1 H: ");
             add_words(append_length(element.size_m > 0 ? element.size_m : draw::kDefaultTimeHeight_m, words).view());
@@ -191,7 +191,7 @@ private:
     /// A profile is a line: its attribute to the right, over what range, and the height upwards.
     void add_diagram(const ElementReport& report) {
         const scene::Attribute* const attribute = draw::profile_attribute(*report.element, *report.layer);
-        if (attribute == nullptr || !draw::has_profiles(*report.layer)) return add_words("BARS LEAST-MOST");
+        if (attribute == nullptr || !draw::has_profiles(*report.layer)) return add_words("BARS MIN-MAX");
         Words title("LINE: ");
         title.append(attribute_title(*attribute->entry).view());
         add_words(title.view());
@@ -200,7 +200,7 @@ private:
         std::snprintf(least, sizeof least, "%.3g..", static_cast<double>(attribute->entry->minimum) * unit.factor + unit.offset);
         Words range(least);
         add_words(append_value(*attribute->entry, static_cast<double>(attribute->entry->maximum), range).view());
-        add_words("UPWARDS: HEIGHT");
+        add_words("VERTICAL: HEIGHT");
     }
 
     /// Of arrows in one colour; a scale of colours has no room for more, and says what is missing itself.
@@ -222,16 +222,16 @@ private:
         const LayerRole role = report.layer->entry->role;
         if (role == LayerRole::traffic) add_traffic(element);
         add_rim(report);
-        add_margin(report, "PLACE", element.color);
+        add_margin(report, "POS", element.color);
         if (role == LayerRole::obstacle) add_obstacles(report);
     }
 
-    /// Nothing is less sure than the rest where the layer states no uncertainty.
+    /// A layer that states no uncertainty has no feature that is more uncertain than the others.
     void add_rim(const ElementReport& report) {
         const design::DataElement& element = *report.element;
         if (element.uncertainty == ElementUncertainty::none || element.uncertainty == ElementUncertainty::ellipsoid) return;
         if (element.uncertainty == ElementUncertainty::dashed_rim && report.layer->states_uncertainty()) {
-            begin("LESS SURE", SampleLook::dashed_rim, element.color).under = kUnderSigns;
+            begin("UNCERTAIN", SampleLook::dashed_rim, element.color).under = kUnderSigns;
             made_.share = 1 - (1 - draw::kMinDashes) * element.uncertainty_strength;
             add_sample(made_);
         }
@@ -240,7 +240,7 @@ private:
 
     void add_traffic(const design::DataElement& element) {
         add_icon("TRAFFIC", SampleLook::icon, draw::Icon::traffic, element.color);
-        add_icon("NOT HEARD", SampleLook::crossed_icon, draw::Icon::traffic, draw::kStaleTraffic);
+        add_icon("STALE TFC", SampleLook::crossed_icon, draw::Icon::traffic, draw::kStaleTraffic);
     }
 
     /// Of the kinds that there are.

@@ -1,10 +1,10 @@
-/// The shader program of one terrain style, for chunks with or without attribute pages and for a number of warning bands, or
-/// the one that writes codes.
+/// Builds the shader program that draws terrain chunks in one style, or the variant that writes codes in place of colours.
 ///
-/// The image has pages of its own: chunks without one read a transparent place.
-/// A technique that the style does not ask for is not compiled. Without pages the vertex normal shades, and what only a page
-/// knows is left out (catalogue of replacements: README of this folder).
-/// Memory  none of ours. Thread  the GL thread. Failure  one sentence.
+/// A variant is compiled for chunks with or without attribute pages and for a number of warning bands; techniques that the style
+/// does not use are not compiled. For a chunk without attribute pages the vertex normal is used for shading, and techniques that
+/// need a page are replaced or left out (render_core/draw/README.md). The draped image has pages of its own; a chunk
+/// without such a page reads a transparent texel.
+/// Memory  the program belongs to the caller; nothing else is allocated. Thread  the GL thread. Failure  one sentence.
 #pragma once
 
 #include "render_core/base/fixed_string.hpp"
@@ -85,43 +85,47 @@ enum TerrainUniform : std::size_t {
     kTerrainUniforms = kTerrainMagnifier + kMagnifierUniforms
 };
 
+/// The properties of a chunk and a frame for which a program is compiled.
 struct TerrainVariant {
     std::size_t bands = 0;  ///< number of warning bands that it distinguishes
     bool baked = false;     ///< the chunk has attribute pages
     bool coast = false;     ///< the chunk has sea and land; what a pixel is comes from its pages
-    bool classes = true;    ///< the chunk has sea or void; codes of land alone are written faster
-    bool lifted = false;    ///< never below the true terrain
-    bool flat = false;      ///< all at one height
+    bool classes = true;    ///< the chunk has sea or void; the code of a chunk that is all land is written faster
+    bool lifted = false;    ///< vertices are raised so that the surface is never below the true terrain
+    bool flat = false;      ///< the surface is a plane at one height
     TerrainOutput output = TerrainOutput::color;
-    bool ground_data = false;                                                       ///< a field of the scene colours the ground
-    design::IntrinsicUncertainty uncertainty = design::IntrinsicUncertainty::none;  ///< of that field
-    design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;          ///< on it
-    bool air = false;                                                               ///< between it and the eye
-    bool shafts = false;                                                            ///< of light, before it
-    bool shadows = false;                                                           ///< of data
-    GroundFocusKind focus;                                                          ///< that the design has
-    bool in_focus = true;                                                           ///< the chunk is, as a whole
-    bool magnified = false;                                                         ///< a part of what magnifiers move
-    bool maps[design::kBakedMaps]{};  ///< those that the database and the device have
+    bool ground_data = false;  ///< a field of the scene colours the ground
+    design::IntrinsicUncertainty uncertainty =
+        design::IntrinsicUncertainty::none;                                 ///< how the field's uncertainty changes its colour
+    design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;  ///< what is drawn over the field for its uncertainty
+    bool air = false;                 ///< the light of the air between ground and eye point is drawn
+    bool shafts = false;              ///< shadows of data in the air are drawn
+    bool shadows = false;             ///< data cast shadows on the ground
+    GroundFocusKind focus;            ///< how the design's foci change the ground
+    bool in_focus = true;             ///< the whole chunk is in focus
+    bool magnified = false;           ///< magnifiers displace a part of the chunk
+    bool maps[design::kBakedMaps]{};  ///< baked maps that both the database and the device have
 
-    /// But for the focus.
+    /// Compares everything except `focus`.
     friend bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept;
 };
 
 inline constexpr std::size_t kMaxTerrainDefines = 1023;
 using TerrainDefines = base::FixedString<kMaxTerrainDefines>;
-/// The techniques of a style as preprocessor lines.
+/// Returns preprocessor lines that select the techniques of a style.
 [[nodiscard]] TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainVariant& variant);
 
+/// Compiles and links the program. The error is one sentence with the log of the driver.
 [[nodiscard]] base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                                            const TerrainVariant& variant);
 
-/// Returns the number of bands in the smallest program that distinguishes `bands` bands.
+/// Programs are compiled for these numbers of warning bands.
 inline constexpr std::size_t kBandVariants = 3;
 inline constexpr std::size_t kBandsOfVariant[kBandVariants] = {0, 2, design::kMaxWarningBands};
+/// Returns the index in kBandsOfVariant of the smallest program that distinguishes `bands` bands.
 [[nodiscard]] constexpr std::size_t band_variant(std::size_t bands) noexcept { return bands == 0 ? 0 : bands <= 2 ? 1 : 2; }
 
-/// Distance and number of octaves of the code in alpha.
+/// The code in alpha is the logarithm of the distance: it begins at kDistanceCodeStart_m and covers kDistanceCodeOctaves octaves.
 inline constexpr double kDistanceCodeStart_m = 50, kDistanceCodeOctaves = 13;
 
 }  // namespace tedavis::draw

@@ -19,56 +19,57 @@ namespace tedavis::draw {
 /// How a sample is filled; all except `plain` look as the shaders draw them.
 enum class SampleLook : std::uint8_t {
     plain,
-    cut_stripes,  ///< unknown uncertainty
-    question,     ///< a question mark on it: the same of signs
-    cut_grid,     ///< interpolated
-    dots,         ///< missing
-    grains,
-    strokes,
-    rough,   ///< bumps in the shading
-    washed,  ///< an edge of colours run into each other
-    mesh,    ///< lines; `share` 0 narrow, 1 wide
-    rim,     ///< a line around
-    margin,  ///< what it is, within where it may reach as well
-    icon,    ///< on `under`
-    crossed_icon,
-    dashed_rim,  ///< round nothing; `share` of the dashes
-    words,       ///< no sample: the text alone, over the whole row
+    cut_stripes,   ///< unknown uncertainty
+    question,      ///< a question mark on the sample: unknown uncertainty of symbols
+    cut_grid,      ///< interpolated
+    dots,          ///< missing
+    grains,        ///< noise
+    strokes,       ///< strokes that are wider where data are more uncertain
+    rough,         ///< bumps in the shading
+    washed,        ///< colours that blend at an edge
+    mesh,          ///< a mesh of lines; its spacing grows with `share`
+    rim,           ///< a line around the sample
+    margin,        ///< the object within the area that it may also occupy
+    icon,          ///< an icon on the colour `under`
+    crossed_icon,  ///< the same with a line across it
+    dashed_rim,    ///< a dashed ring; `share` of it is drawn
+    words,         ///< text over the whole row, without a sample
 };
 
-/// A sample box that looks like the technique, with its meaning.
+/// A sample box that looks like the technique, and the text that states its meaning.
 struct LegendSample {
     base::FixedString<23> text;
-    design::Color color;  ///< of the data
-    design::Color under;  ///< what shows where data are cut away; of lines and rims their colour
+    design::Color color;  ///< colour of the data
+    design::Color under;  ///< colour that is visible where data are cut away; for lines and rims their own colour
     SampleLook look = SampleLook::plain;
-    double share = 0;  ///< 0..1 of the data that is taken away, or of the effect
+    double share = 0;  ///< 0..1: share of the data that is cut away, or strength of the look
     Icon icon = Icon::generic;
 };
 
-/// Text of the sample of unknown uncertainty; "?" where there is little room.
+/// Text of the sample for unknown uncertainty; it is shortened to "?" where there is little room.
 inline constexpr std::string_view kUnknownText = "UNKNOWN";
 inline constexpr std::size_t kUncertaintySamples = 3;
 inline constexpr std::size_t kMaxLegendSamples = 10;
 
+/// One entry of the legend. Numbers are written as factor * value + offset, in `unit`.
 struct DataLegend {
-    bool has_scale = true;  ///< false: signs alone, which stand last and are the first to be left out
+    bool has_scale = true;  ///< false: an entry with symbols only, which stands last and is the first to be left out
     base::FixedString<31> title;
-    base::FixedString<15> part;  ///< what of it is shown: "MEMBER 3/9"; empty: all
-    base::FixedString<15> unit;  ///< as written; empty: a plain number or a class
+    base::FixedString<15> part;  ///< the part of the data that is shown, such as "MEMBER 3/9"; empty: all
+    base::FixedString<15> unit;  ///< unit as it is displayed; empty: a dimensionless number or a class
     design::DataScale scale;
-    double factor = 1;  ///< written number of one of the scale's
-    double offset = 0;  ///< written number of the scale's 0
-    /// Nominal and ordinal: class n has the scale's colour at value n. Empty: numbers.
+    double factor = 1;  ///< displayed units per unit of the scale
+    double offset = 0;  ///< displayed number for 0 of the scale
+    /// Names of the classes of nominal and ordinal data: class n has the scale's colour at value n. Empty: the data are numbers.
     base::FixedVector<base::FixedString<23>, design::kMaxClasses> class_names;
     /// Samples of certain data, of uncertain data and of data with unknown uncertainty, in this order; empty: uncertainty is not
     /// shown.
     base::FixedVector<LegendSample, kUncertaintySamples> uncertainty;
-    base::FixedVector<LegendSample, kMaxLegendSamples> signs;  ///< missing, interpolated, and whatever else
+    base::FixedVector<LegendSample, kMaxLegendSamples> signs;  ///< samples of missing and interpolated data, and other symbols
     bool has_time = false, has_age = false, is_stale = false;
-    std::int64_t data_time_ns = 0;  ///< UTC; of a forecast when it was made, while the flight is within its times
-    base::Duration age;             ///< negative: so long until the first of its times
-    bool is_forecast = false;       ///< the data are those of now, and the age is how far ahead they were said
+    std::int64_t data_time_ns = 0;  ///< time of the data, UTC; for a forecast within its times, when it was computed
+    base::Duration age;             ///< negative: time until the first time of the data
+    bool is_forecast = false;       ///< the data are valid now, and the age is their forecast time
     base::FixedString<23> source;
 };
 inline constexpr std::size_t kMaxDataLegends = 5;
@@ -77,35 +78,38 @@ static_assert(std::is_trivially_copyable_v<DataLegends>);
 
 /// Levels of detail of a legend, from the most to the least; the scale is never left out.
 enum class LegendDetail : std::uint8_t {
-    whole,             ///< the scale upright
-    flat,              ///< the scale lying
-    without_source,    ///< and
-    without_signs,     ///< and
-    uncertainty_line,  ///< what the uncertainty looks like in one line
-    scales_alone,      ///< and without the entry that has none
-    scale_and_time,    ///< and
-    scale,             ///< title, part in its row, unit and scale; a stale one's title is amber
+    whole,             ///< everything, with a vertical scale
+    flat,              ///< everything, with a horizontal scale
+    without_source,    ///< also without the source of the data
+    without_signs,     ///< also without `signs`
+    uncertainty_line,  ///< also with the samples of uncertainty in one line
+    scales_alone,      ///< also without the entry that has no scale
+    scale_and_time,    ///< only title, scale and time
+    scale,             ///< title, part in its row, unit and scale; the title of stale data is amber
 };
 inline constexpr std::size_t kLegendDetails = 8;
 
-/// In texts, with the gap to the next one; 0 of what has no place at this detail.
+/// Returns the height in text sizes, with the gap to the next entry; 0 for an entry that is left out at this detail.
 [[nodiscard]] float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept;
 /// Returns the room that all entries need together, for the layout.
 [[nodiscard]] DataLegendNeed data_legend_need(const DataLegends& legends) noexcept;
 
-/// The placement of the first `shown` entries.
+/// The placement of the first `shown` entries; the last `cut` are left out. Boxes are in pixels.
 struct DataLegendPlan {
     LegendDetail detail = LegendDetail::whole;
     std::size_t shown = 0, cut = 0;
     std::array<Rect, kMaxDataLegends> boxes{};
 };
+/// Returns the plan with the largest detail at which all entries fit, or else the last detail with as many as fit.
 [[nodiscard]] DataLegendPlan plan_data_legends(const DataLegends& legends, const Layout& layout) noexcept;
 
 class Painter;
+/// Draws the entries as plan_data_legends places them.
 void build_data_legends(const Painter& painter, const DataLegends& legends);
 
-/// "13:00Z 12 MIN", "13:00Z +62 MIN" of a forecast, "13:00Z IN 40 MIN", "13:00Z AGE ?"; minutes to 99, hours to 48, then days.
-/// Empty without a time.
+/// Returns the time of the data and their age: "13:00Z 12 MIN", "13:00Z +62 MIN" for a forecast, "13:00Z IN 40 MIN" for data
+/// that are not yet valid, "13:00Z AGE ?" without UTC. Ages are in minutes to 99, in hours to 48, then in days. The text is empty
+/// without a time.
 [[nodiscard]] base::FixedString<31> time_and_age(const DataLegend& legend) noexcept;
 
 }  // namespace tedavis::draw

@@ -201,9 +201,9 @@ private:
         painter_.batch().frame(whole, painter_.stroke_px(), kScaleColor);
         y_ += kPad * t_;
         if (legend_.bands_lowered_m <= 0) return;
-        base::FixedString<31> lowered("LOWERED ");
-        lowered.append(whole_number(legend_.bands_lowered_m * written_metre(legend_.unit)).view());
-        remark(lowered.view());
+        base::FixedString<31> uncertainty("VERT ERR ");
+        uncertainty.append(whole_number(legend_.bands_lowered_m * written_metre(legend_.unit)).view());
+        remark(uncertainty.view());
         if (legend_.accuracy_assumed) remark("ASSUMED");
     }
 

@@ -251,7 +251,7 @@ private:
         const Rect bar{upper.x + kEntryInset * t_, upper.y + 0.05f * t_, upper.width - 2 * kEntryInset * t_,
                        upper.height - 0.05f * t_};
         build_bar(bar, false);
-        if (!legend_.class_names.empty()) return count_names(lower, "", 0, " KINDS");
+        if (!legend_.class_names.empty()) return count_names(lower, "", 0, " CLASSES");
         const double widest =
             static_cast<double>(text_width_px(number_text(written(legend_, highest(legend_.scale)), 1).view(), kText * t_) +
                                 (kNumberGap + 0.5f) * t_);

@@ -38,8 +38,8 @@ TEST(PlanLines, DataAndEffectsAreCountedAndNamed) {
         "effects": [{"name": "haze", "state": "run"}, {"name": "data.solid", "state": "run"}, {"name": "haze", "state": "run"},
                     {"name": "soft_shadows", "state": "replaced", "replaced_by": "shade"}, {"name": "fog", "state": "skipped"}],
         "foci": [{"name": "HERE", "shown": true}, {"name": "THERE", "shown": false}],
-        "labels": {"placed": 3, "suppressed": 1, "lowered": 2},
-        "clutter": {"budget": 0.1, "gives_way": ["wind", "place"], "regions": [{"detail": 0.5}, {"detail": 1.0}, {"detail": 0.25}]},
+        "labels": {"placed": 3, "suppressed": 1, "decluttered": 2},
+        "clutter": {"budget": 0.1, "decluttered_roles": ["wind", "place"], "regions": [{"detail": 0.5}, {"detail": 1.0}, {"detail": 0.25}]},
         "own_ship": {"alt_msl_m": 10.2, "heading_deg": 1, "pitch_deg": -0.2, "roll_deg": 0}})");
     const PlanLines lines = plan_lines(record);
     EXPECT_EQ(words_of(lines, "data drawn"), "wind 68 of 400, no go 2");

@@ -80,7 +80,7 @@ TEST(FrameRecordJson, TellsLabelsAndWeights) {
     result.record.labels = {5, 7, 2, 1};
     ASSERT_TRUE(result.record.weights.try_push_back({display::Name("obstacles"), 0.75, 0.5}));
     const Json json = parsed(result);
-    EXPECT_EQ(json["labels"], Json({{"placed", 5}, {"suppressed", 7}, {"changed", 2}, {"lowered", 1}}));
+    EXPECT_EQ(json["labels"], Json({{"placed", 5}, {"suppressed", 7}, {"changed", 2}, {"decluttered", 1}}));
     EXPECT_EQ(json["presentation"]["weights"]["obstacles"], Json({{"weight", 0.75}, {"stated", 0.5}}));
 }
 
@@ -90,7 +90,7 @@ TEST(FrameRecordJson, TellsWhatGivesWayForTheBudgetOfClutter) {
     display::ClutterRecord& clutter = result.record.clutter;
     clutter.budget = 0.25;
     EXPECT_EQ(parsed(result)["clutter"],
-              Json({{"budget", 0.25}, {"is_measured", false}, {"regions", Json::array()}, {"gives_way", Json::array()}}));
+              Json({{"budget", 0.25}, {"is_measured", false}, {"regions", Json::array()}, {"decluttered_roles", Json::array()}}));
     clutter.measured.whole.is_known = clutter.measured.least.is_known = true;
     clutter.measured.whole.measure[9] = 0.5f;
     clutter.measured.least.measure[9] = 0.375f;
@@ -98,7 +98,7 @@ TEST(FrameRecordJson, TellsWhatGivesWayForTheBudgetOfClutter) {
     clutter.left.factor[47] = 0.5f;  // held from before
     clutter.roles = 1u << static_cast<unsigned>(scene::LayerRole::wind);
     const Json json = parsed(result)["clutter"];
-    EXPECT_EQ(json["gives_way"], Json({"wind"}));
+    EXPECT_EQ(json["decluttered_roles"], Json({"wind"}));
     ASSERT_EQ(json["regions"].size(), 2u);
     EXPECT_EQ(json["regions"][0],
               Json({{"column", 1}, {"row", 1}, {"clutter", 0.5}, {"least", 0.375}, {"reached", nullptr}, {"detail", 0.25}}));

@@ -81,7 +81,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                {{"reports", 21}, {"incomplete", 22}, {"repeated", 23}, {"refused", 24}, {"outdated", 25}, {"no_room", 26}}}}));
     EXPECT_EQ(json["governor"]["frames"], 0);
     EXPECT_TRUE(json["governor"]["least_s_between_changes"].is_null());
-    EXPECT_EQ(json["governor"]["frames_on_rung"].size(), effects::kQualityLevelCount);
+    EXPECT_EQ(json["governor"]["frames_at_quality_level"].size(), effects::kQualityLevelCount);
     EXPECT_EQ(json["interrupted"], true);
     EXPECT_EQ(json["notes"], Json({"line 7 is broken"}));
     EXPECT_EQ(json["warnings"].size(), 1u);

@@ -345,9 +345,9 @@ TEST(FailurePolicy, WhatIsNoPilotsViewIsSaid) {
 TEST(FailurePolicy, TrafficThatIsLeftOutIsSaid) {
     flight::AircraftState state = everything_valid();
     state.traffic.is_received = true;
-    EXPECT_FALSE(has_notice(decide_on(state), "TRAFFIC NOT ALL SHOWN"));
+    EXPECT_FALSE(has_notice(decide_on(state), "TRAFFIC INCOMPLETE"));
     state.traffic.is_cut = true;
-    EXPECT_TRUE(has_notice(decide_on(state), "TRAFFIC NOT ALL SHOWN"));
+    EXPECT_TRUE(has_notice(decide_on(state), "TRAFFIC INCOMPLETE"));
     EXPECT_TRUE(has_flag(decide_on(state), "traffic.cut"));
 }
 
@@ -364,22 +364,22 @@ TEST(FailurePolicy, DataThatAreNoLongerValidAreSaidToBeMissing) {
 
 TEST(FailurePolicy, AReducedPictureIsSaidWhereAskedFor) {
     DisplayConditions conditions = good_conditions();
-    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "PICTURE REDUCED"));
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "GRAPHICS REDUCED"));
     conditions.is_reduced = true;
-    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "PICTURE REDUCED"));
+    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "GRAPHICS REDUCED"));
 }
 
 /// Its heat changes the colours of warnings too.
 TEST(FailurePolicy, AMeasureOverThePictureIsSaidWhereItIsShown) {
     DisplayConditions conditions = good_conditions();
-    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "COLORS SHOW A MEASURE"));
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "ANALYSIS OVERLAY"));
     conditions.shows_measure = true;
-    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "COLORS SHOW A MEASURE"));
+    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "ANALYSIS OVERLAY"));
     AircraftState steep = everything_valid();
     steep[Signal::pitch] = {base::radians(40), kPolicyNow};
-    EXPECT_FALSE(has_notice(decide_on(steep, conditions), "COLORS SHOW A MEASURE")) << "the recovery picture";
+    EXPECT_FALSE(has_notice(decide_on(steep, conditions), "ANALYSIS OVERLAY")) << "the recovery picture";
     conditions.terrain = TerrainSource::failed;
-    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "COLORS SHOW A MEASURE"));
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "ANALYSIS OVERLAY"));
 }
 
 TEST(FailurePolicy, PhaseFaultsAndGeneratedFlightsAreSaid) {

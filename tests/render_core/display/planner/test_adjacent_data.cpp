@@ -105,7 +105,7 @@ TEST_F(AdjacentDataOf, TheLegendSaysWhatTheColoursAndTheSignsMean) {
     EXPECT_EQ(members.title.view(), "AIR TEMPERATURE");
     ASSERT_EQ(members.signs.size(), 2u);
     EXPECT_EQ(members.signs[0].text.view(), "MISSING");
-    EXPECT_EQ(members.signs[1].text.view(), "FILLED IN");
+    EXPECT_EQ(members.signs[1].text.view(), "INTERPOLATED");
     draw::DataLegends none;
     view_.is_shown = false;
     add_adjacent_legend(plan(kDate_ns), flight::time_of_source({kDate_ns}), {}, none);

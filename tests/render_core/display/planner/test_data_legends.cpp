@@ -159,8 +159,8 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
     EXPECT_EQ(text(scene::UncertaintyKind::percent, 30, "m/s"),
               "\xC2\xB1"
               "30 %");
-    EXPECT_EQ(text(scene::UncertaintyKind::ordinal, 1, "dBZ"), "UNSURE");
-    EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 0, "K"), "UNSURE");
+    EXPECT_EQ(text(scene::UncertaintyKind::ordinal, 1, "dBZ"), "UNCERTAIN");
+    EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 0, "K"), "UNCERTAIN");
     scene::AttributeEntry classes{};
     classes.uncertainty_kind = scene::UncertaintyKind::ordinal;
     EXPECT_EQ(uncertainty_text(classes, 0.5, design::HeightUnit::feet).view(), "50 %");

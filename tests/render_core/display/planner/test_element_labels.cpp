@@ -119,19 +119,19 @@ TEST(ElementLabels, WhereARegionIsCrowdedNamesGiveWayButNotWhatWarns) {
         if (n % scene::DetailRegions::kAcross < scene::DetailRegions::kAcross / 2) declutter.regions.factor[n] = 0.25f;
     Shown shown(
         scene_of({layer_of("places", LayerRole::place, {-1000, 1000}), layer_of("masts", LayerRole::obstacle, {-500, 1500})}));
-    EXPECT_EQ(shown.frame(10).lowered, 0u);
+    EXPECT_EQ(shown.frame(10).decluttered, 0u);
     EXPECT_EQ(shown.drawn(0), 2u);
     shown.declutter = &declutter;
     const LabelCounts crowded = shown.frame(10.1);
-    EXPECT_EQ(crowded.lowered, 1u);
+    EXPECT_EQ(crowded.decluttered, 1u);
     EXPECT_EQ(crowded.placed, 3u);
     EXPECT_EQ(crowded.suppressed, 1u);
     EXPECT_EQ(shown.drawn(0), 1u);
     EXPECT_EQ(shown.drawn(1), 2u);
-    EXPECT_EQ(shown.frame(10.2, 12).lowered, 1u) << "within an interval nothing comes and goes with a turn";
-    EXPECT_EQ(shown.frame(10.6, 40).lowered, 2u) << "as seen by the next one both are on the left";
+    EXPECT_EQ(shown.frame(10.2, 12).decluttered, 1u) << "within an interval nothing comes and goes with a turn";
+    EXPECT_EQ(shown.frame(10.6, 40).decluttered, 2u) << "as seen by the next one both are on the left";
     declutter.roles = 0;
-    EXPECT_EQ(shown.frame(10.7, 40).lowered, 0u);
+    EXPECT_EQ(shown.frame(10.7, 40).decluttered, 0u);
 }
 
 /// The mast is listed after the place, of less interest, and at the same spot.

@@ -93,7 +93,7 @@ TEST_F(ElementLegends, NothingIsSureWhereTheDataStateNoUncertainty) {
         ASSERT_EQ(shown[0].uncertainty.size(), 1u);
         EXPECT_EQ(shown[0].uncertainty[0].text.view(), draw::kUnknownText);
     }
-    EXPECT_EQ(legends({report()})[0].uncertainty[0].text.view(), "SURE") << "control";
+    EXPECT_EQ(legends({report()})[0].uncertainty[0].text.view(), "CERTAIN") << "control";
 }
 
 TEST(ElementLegendsOf, ValuesThatWereMadeOfAnotherLayersHaveItsTimeAndSource) {

@@ -129,7 +129,7 @@ TEST(DisplayClutter, EveryRegionIsWithinTheBudgetOrAsCalmAsItCanBe) {
         const Still without = shown(design_with(1), device), with = shown(design_with(kBudget), device);
         const ClutterRecord& clutter = with.record.clutter;
         ASSERT_TRUE(clutter.measured.whole.is_known && clutter.measured.least.is_known && clutter.reached.is_known);
-        int beyond = 0, lowered = 0;
+        int beyond = 0, decluttered = 0;
         double free_excess = 0, held_excess = 0;
         for (std::size_t n = 0; n < without.densities.size(); ++n) {
             const double free = without.densities[n], held = with.densities[n];
@@ -139,15 +139,15 @@ TEST(DisplayClutter, EveryRegionIsWithinTheBudgetOrAsCalmAsItCanBe) {
             free_excess += std::max(free - can_be, 0.0);
             held_excess += std::max(held - can_be, 0.0);
             beyond += free > kBudget + 0.03 ? 1 : 0;
-            lowered += clutter.left.factor[n] < 1 ? 1 : 0;
+            decluttered += clutter.left.factor[n] < 1 ? 1 : 0;
         }
         EXPECT_LT(held_excess, kBudget + 0.03) << device << ": of all regions together";
         EXPECT_GT(free_excess, 1) << "control";
         EXPECT_GT(beyond, 3) << "control: without a budget there is more";
-        EXPECT_GT(lowered, 3);
+        EXPECT_GT(decluttered, 3);
         EXPECT_LT(with.glyphs(), without.glyphs());
-        EXPECT_GT(with.record.labels.lowered, 0u);
-        EXPECT_EQ(without.record.labels.lowered, 0u);
+        EXPECT_GT(with.record.labels.decluttered, 0u);
+        EXPECT_EQ(without.record.labels.decluttered, 0u);
         EXPECT_EQ(clutter.roles, 1u << static_cast<unsigned>(LayerRole::sample) | 1u << static_cast<unsigned>(LayerRole::place));
         EXPECT_EQ(with.denied, 0u);
     }

@@ -65,11 +65,11 @@ TEST(SignLegend, WhatIsEmptyHasNoSign) {
 TEST(SignLegend, VerticalLinesSayHowFarApartTheyAre) {
     design::DataElement tube = element_of(DataTechnique::tube);
     const auto flight = layer_of(LayerRole::trajectory, scene::LayerShape::lines);
-    EXPECT_EQ(said(flight, tube), "FLIGHT;");
+    EXPECT_EQ(said(flight, tube), "TRAJECTORY;");
     tube.cues.line_spacing_m = 926;
-    EXPECT_EQ(said(flight, tube), "FLIGHT;LINES 0.5 NM;");
+    EXPECT_EQ(said(flight, tube), "TRAJECTORY;LINES 0.5 NM;");
     tube.cues.line_spacing_m = 1000;
-    EXPECT_EQ(said(flight, tube), "FLIGHT;LINES 1000 M;");
+    EXPECT_EQ(said(flight, tube), "TRAJECTORY;LINES 1000 M;");
     tube.technique = DataTechnique::ribbon;
     EXPECT_EQ(said(flight, tube), "LINES 1000 M;");
 }
@@ -83,23 +83,23 @@ TEST(SignLegend, TheSurfaceGridSaysHowFarApartItsLinesAre) {
     design.terrain.style.grid.spacing_m = 926;
     EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;");
     design.terrain.style.grid.height_spacing_m = 60.96;
-    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;GRID UP 200 FT;") << "in place of its own lines";
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;GRID VERT 200 FT;") << "in place of its own lines";
     design.symbology.legend_unit = design::HeightUnit::metres;
     design.terrain.style.grid.spacing_m = 2500;
-    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 2500 M;GRID UP 61 M;");
+    EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 2500 M;GRID VERT 61 M;");
     surface.grid = false;
     EXPECT_EQ(said(air, surface, ElementState::shown, design), "LINES 305 M;");
 }
 
 TEST(SignLegend, AreasAndTubesSayHowFarTheyMayBeOff) {
     const auto no_go = element_of(DataTechnique::prism, ElementUncertainty::widening);
-    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas, 300), no_go), "NO-GO;EDGE 95 %;");
-    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go), "NO-GO;EDGE \xC2\xB1 ?;") << "nobody knows";
+    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas, 300), no_go), "NO-GO;LIMIT 95 %;");
+    EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go), "NO-GO;LIMIT \xC2\xB1 ?;") << "nobody knows";
     EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas, 300), element_of(DataTechnique::prism)), "NO-GO;");
     const auto tube = element_of(DataTechnique::tube, ElementUncertainty::widening);
-    EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines, 20), tube), "FLIGHT;FLIGHT 95 %;");
+    EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines, 20), tube), "TRAJECTORY;PATH 95 %;");
     EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines), element_of(DataTechnique::space_time)),
-              "FLIGHT;1 H: 3281 FT;");
+              "TRAJECTORY;1 H: 3281 FT;");
     EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go, ElementState::out_of_date), "");
     EXPECT_EQ(said(layer_of(LayerRole::building, scene::LayerShape::areas), no_go), "") << "a house is a house";
 }
@@ -114,10 +114,10 @@ TEST(SignLegend, WidthsSayWhatTheyStandFor) {
     way.attributes.push_back(wind);
     auto tube = element_of(DataTechnique::tube);
     tube.size_attribute = "wind";
-    EXPECT_EQ(said(way, tube), "FLIGHT;WIDTH: WIND;262 FT: 3;") << "the default radius is 40 m";
+    EXPECT_EQ(said(way, tube), "TRAJECTORY;WIDTH: WIND;262 FT: 3;") << "the default radius is 40 m";
     way.attributes[0].unit = "m/s";
     tube.size_m = 76.2;
-    EXPECT_EQ(said(way, tube), "FLIGHT;WIDTH: WIND;500 FT: 5.83 KT;");
+    EXPECT_EQ(said(way, tube), "TRAJECTORY;WIDTH: WIND;500 FT: 5.83 KT;");
 }
 
 TEST(SignLegend, DiagramsSayWhetherTheyAreLinesOrBars) {
@@ -128,9 +128,9 @@ TEST(SignLegend, DiagramsSayWhetherTheyAreLinesOrBars) {
     warmth.of = scene::AttributeOf::feature;
     warmth.values = {263.15F, 270.15F, 274.15F};
     air.attributes.push_back(warmth);
-    EXPECT_EQ(said(air, element_of(DataTechnique::diagram)), "BARS LEAST-MOST;");
+    EXPECT_EQ(said(air, element_of(DataTechnique::diagram)), "BARS MIN-MAX;");
     for (scene::ScenePoint& point : air.points) point = air.points[0];
-    EXPECT_EQ(said(air, element_of(DataTechnique::diagram)), "LINE: TEMPERATURE;-10..1 °C;UPWARDS: HEIGHT;");
+    EXPECT_EQ(said(air, element_of(DataTechnique::diagram)), "LINE: TEMPERATURE;-10..1 °C;VERTICAL: HEIGHT;");
 }
 
 TEST(SignLegend, LinesOnSurfacesAndSignsOfWind) {
@@ -161,14 +161,14 @@ TEST(SignLegend, SignsOfObstaclesAndTraffic) {
     masts.attributes[0].uncertainty_full = 100;
     masts.attributes[0].uncertainty_all = scene::Uncertainty::from_level(0.3);
     EXPECT_EQ(said(masts, element_of(DataTechnique::billboard, ElementUncertainty::dashed_rim)),
-              "LESS SURE;? UNKNOWN;MAST;CRANE;");
+              "UNCERTAIN;? UNKNOWN;MAST;CRANE;");
     EXPECT_EQ(said(layer_of(LayerRole::traffic, scene::LayerShape::lines), element_of(DataTechnique::billboard)),
-              "TRAFFIC;NOT HEARD;");
+              "TRAFFIC;STALE TFC;");
     EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points), element_of(DataTechnique::billboard)), "");
     for (const DataTechnique technique : {DataTechnique::billboard, DataTechnique::solid})
         EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points, 500),
                        element_of(technique, ElementUncertainty::ellipsoid)),
-                  "PLACE 95 %;");
+                  "POS 95 %;");
 }
 
 TEST(SignLegend, StandsBehindTheScales) {
@@ -215,7 +215,7 @@ TEST(SignLegend, LabelsThatAreLeftOutAreCountedOnDemand) {
     design::DesignSettings asking;
     EXPECT_EQ(said_by(asking), "");
     asking.labels.show_suppressed = true;
-    EXPECT_EQ(said_by(asking), "LABELS +12");
+    EXPECT_EQ(said_by(asking), "12 LABELS HIDDEN");
     for (ElementReport& report : reports) report.suppressed_labels = 0;
     EXPECT_EQ(said_by(asking), "") << "nothing is left out";
 }

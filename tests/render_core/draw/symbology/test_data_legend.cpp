@@ -60,7 +60,7 @@ std::vector<DataLegends> mixed_lists() {
 DataLegend signs(std::size_t rows) {
     DataLegend legend;
     legend.has_scale = false;
-    legend.title = "SIGNS";
+    legend.title = "SYMBOLS";
     for (std::size_t n = 0; n < rows; ++n) {
         LegendSample sample;
         sample.text = whole_number(static_cast<double>(n)).view();

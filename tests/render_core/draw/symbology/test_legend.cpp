@@ -60,13 +60,13 @@ TEST(Legend, SaysByHowMuchTheBandsAreLowered) {
     SymbologyInput input = calm_input();
     input.legend.bands_lowered_m = 30.48;
     const std::string known = legend_text(input);
-    EXPECT_NE(known.find("-2000LOWERED100"), std::string::npos) << known;
+    EXPECT_NE(known.find("-2000VERTERR100"), std::string::npos) << known;
     input.legend.accuracy_assumed = true;
     EXPECT_EQ(legend_text(input), known + "ASSUMED");
     input.legend.unit = design::HeightUnit::metres;
-    EXPECT_NE(legend_text(input).find("LOWERED30A"), std::string::npos);
+    EXPECT_NE(legend_text(input).find("VERTERR30A"), std::string::npos);
     input.legend.bands = false;
-    EXPECT_EQ(legend_text(input).find("LOWERED"), std::string::npos);
+    EXPECT_EQ(legend_text(input).find("VERTERR"), std::string::npos);
 }
 
 TEST(Legend, SpeaksTheUnitOfTheDesignAndOfThePalette) {

@@ -24,16 +24,16 @@ using test_support::wind;
 
 TEST(LegendEntry, SaysLessTheLessRoomThereIsAndNeverLosesTheScale) {
     EXPECT_EQ(text_at(wind(), LegendDetail::whole),
-              "WINDM/S05101520SURE\xB1"
-              "4M/SUNKNOWNMISSINGFILLEDIN13:05Z12MINWIND.TIF");
+              "WINDM/S05101520CERTAIN\xB1"
+              "4M/SUNKNOWNMISSINGINTERPOLATED13:05Z12MINWIND.TIF");
     EXPECT_EQ(text_at(wind(), LegendDetail::flat),
-              "WINDM/S01020SURE\xB1"
-              "4M/SUNKNOWNMISSINGFILLEDIN13:05Z12MINWIND.TIF");
+              "WINDM/S01020CERTAIN\xB1"
+              "4M/SUNKNOWNMISSINGINTERPOLATED13:05Z12MINWIND.TIF");
     EXPECT_EQ(text_at(wind(), LegendDetail::without_source),
-              "WINDM/S01020SURE\xB1"
-              "4M/SUNKNOWNMISSINGFILLEDIN13:05Z12MIN");
+              "WINDM/S01020CERTAIN\xB1"
+              "4M/SUNKNOWNMISSINGINTERPOLATED13:05Z12MIN");
     EXPECT_EQ(text_at(wind(), LegendDetail::without_signs),
-              "WINDM/S01020SURE\xB1"
+              "WINDM/S01020CERTAIN\xB1"
               "4M/SUNKNOWN13:05Z12MIN");
     EXPECT_EQ(text_at(wind(), LegendDetail::uncertainty_line),
               "WINDM/S010200\xB1"
@@ -49,7 +49,7 @@ TEST(LegendEntry, TheUnknownIsAQuestionMarkOnALineHoweverItLooks) {
 }
 
 TEST(LegendEntry, ClassesHaveTheirLimits) {
-    EXPECT_EQ(text_at(classed_wind(3), LegendDetail::whole).substr(0, 14), "WINDM/S51015SU");
+    EXPECT_EQ(text_at(classed_wind(3), LegendDetail::whole).substr(0, 14), "WINDM/S51015CE");
     EXPECT_EQ(text_at(classed_wind(3), LegendDetail::scale), "WINDM/S51015");
     DataLegend fine = classed_wind(0);
     for (const double limit : {0.25, 0.5, 12.0}) EXPECT_TRUE(fine.scale.breaks.try_push_back(limit));
@@ -63,9 +63,9 @@ TEST(LegendEntry, ClassesHaveTheirLimits) {
 TEST(LegendEntry, NominalValuesHaveNamesAndWhatIsNotNamedIsCounted) {
     DataLegend cover = land_cover(0);
     for (const char* name : {"WATER", "WOOD", "ROCK", "ICE", "TOWN"}) EXPECT_TRUE(cover.class_names.try_push_back(name));
-    EXPECT_EQ(text_at(cover, LegendDetail::whole).substr(0, 31), "LANDCOVERWATERWOODROCKICETOWNSU");
+    EXPECT_EQ(text_at(cover, LegendDetail::whole).substr(0, 31), "LANDCOVERWATERWOODROCKICETOWNCE");
     EXPECT_EQ(text_at(cover, LegendDetail::scale_and_time), "LANDCOVERWATERWOODROCK+2MORE13:05Z12MIN");
-    EXPECT_EQ(text_at(cover, LegendDetail::scale), "LANDCOVER5KINDS");
+    EXPECT_EQ(text_at(cover, LegendDetail::scale), "LANDCOVER5CLASSES");
 }
 
 TEST(LegendEntry, WhatIsStaleIsAmberAtEveryDetail) {
