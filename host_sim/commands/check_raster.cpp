@@ -28,15 +28,15 @@ void count(const std::vector<float>& heights_m, const std::vector<terrain::PostC
 HeightCounts counts_of(PostSource& source) {
     constexpr std::uint32_t kRowsAtOnce = 64;
     HeightCounts counts;
-    counts.posts = std::uint64_t{source.columns()} * source.rows();
+    counts.posts = std::uint64_t{source.grid().columns} * source.grid().rows;
     counts.lowest_m = std::numeric_limits<double>::infinity();
     counts.highest_m = -counts.lowest_m;
-    std::vector<float> heights_m(std::size_t{source.columns()} * kRowsAtOnce);
+    std::vector<float> heights_m(std::size_t{source.grid().columns} * kRowsAtOnce);
     std::vector<terrain::PostClass> classes(heights_m.size());
-    for (std::uint32_t j = 0; j < source.rows(); j += kRowsAtOnce) {
-        const std::uint32_t rows = std::min(kRowsAtOnce, source.rows() - j);
-        const std::size_t posts = std::size_t{source.columns()} * rows;
-        source.read(0, j, source.columns(), rows, {heights_m.data(), posts}, {classes.data(), posts});
+    for (std::uint32_t j = 0; j < source.grid().rows; j += kRowsAtOnce) {
+        const std::uint32_t rows = std::min(kRowsAtOnce, source.grid().rows - j);
+        const std::size_t posts = std::size_t{source.grid().columns} * rows;
+        source.read(0, j, source.grid().columns, rows, {heights_m.data(), posts}, {classes.data(), posts});
         count(heights_m, classes, posts, counts);
     }
     return counts;
@@ -57,8 +57,8 @@ CheckedFile check_raster(const std::string& path) {
         throw UserError(path + ": no post has a height from -500 to 9000 m; check the file or its void value");
     Findings findings = height_findings(path, counts);
     append(findings, value_findings(path, {}));
-    return {"a height raster of " + std::to_string(source.columns()) + " x " + std::to_string(source.rows()) + " posts, " +
-                std::to_string(counts.void_posts) + " of them void",
+    return {"a height raster of " + std::to_string(source.grid().columns) + " x " + std::to_string(source.grid().rows) +
+                " posts, " + std::to_string(counts.void_posts) + " of them void",
             findings};
 }
 

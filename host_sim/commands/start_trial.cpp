@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "host_sim/replay/display_session.hpp"
-#include "host_sim/terrain_builder/file_posts.hpp"
 #include "host_sim/terrain_builder/fractal_geotiff.hpp"
+#include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -20,7 +20,7 @@ const std::string& StartTrial::terrain() {
     const std::string raster = folder_.path() + "/trial.tif", database = folder_.path() + "/trial.tdb";
     write_fractal_geotiff(raster, kTrialPosts, kTrialSeed, FractalNumbers::int16);
     build_terrain(
-        PostReaderFactory([&raster] { return std::make_unique<FilePosts>(std::vector<std::string>{raster}, RasterOptions{}); }),
+        PostReaderFactory([&raster] { return std::make_unique<PostSource>(std::vector<std::string>{raster}, RasterOptions{}); }),
         database, {});
     return terrain_ = database;
 }

@@ -15,7 +15,7 @@ struct FileExtent {
 };
 
 FileExtent extent_of(const std::string& file, const RasterOptions& options) {
-    const FilePosts posts({file}, options);
+    const PostSource posts({file}, options);
     const PostGrid& g = posts.grid();
     return {file,
             g.step_lat_deg,
@@ -42,11 +42,11 @@ bool lies_within(const FileExtent& inset, const std::vector<FileExtent>& ground)
 }
 
 PostReaderFactory reader_of(std::vector<std::string> files, const RasterOptions& options) {
-    return [files = std::move(files), options] { return std::make_unique<FilePosts>(files, options); };
+    return [files = std::move(files), options] { return std::make_unique<PostSource>(files, options); };
 }
 
 TerrainSources one_raster(const std::vector<std::string>& files, const RasterOptions& options, std::vector<std::string>& notes) {
-    const FilePosts posts(files, options);
+    const PostSource posts(files, options);
     notes.insert(notes.end(), posts.notes().begin(), posts.notes().end());
     return reader_of(files, options);
 }

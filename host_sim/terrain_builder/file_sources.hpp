@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/terrain_builder/file_posts.hpp"
+#include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/terrain_builder/terrain_sources.hpp"
 
 namespace tedavis::host_sim {

@@ -4,21 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 
-#include "host_sim/terrain_builder/raster_options.hpp"
+#include "host_sim/terrain_builder/post_grid.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 
 namespace tedavis::host_sim {
-
-/// Degrees; row 0 in the north. Longitudes grow beyond 180 where the lattice crosses the antimeridian.
-struct PostGrid {
-    std::uint32_t columns = 0, rows = 0;
-    double west_deg = 0, north_deg = 0, step_lon_deg = 0, step_lat_deg = 0;
-    std::string source;  ///< names of the files
-    VerticalDatum vertical_datum = VerticalDatum::egm96;
-};
 
 class PostReader {
 public:

@@ -76,7 +76,7 @@ PostSource::PostSource(const std::vector<std::string>& files, const RasterOption
         plan_interpolated();
     }
     require_place(files.front());
-    west_deg_ -= 360 * std::floor((west_deg_ + 180) / 360);
+    grid_.west_deg -= 360 * std::floor((grid_.west_deg + 180) / 360);
 }
 
 void PostSource::open_sources(const std::vector<std::string>& files) {
@@ -85,12 +85,12 @@ void PostSource::open_sources(const std::vector<std::string>& files) {
         sources_.push_back(open_raster_source(file, options_));
         RasterSource& source = sources_.back();
         notes_.insert(notes_.end(), source.notes.begin(), source.notes.end());
-        names_ += (names_.empty() ? "" : ", ") + base_name(file);
+        grid_.source += (grid_.source.empty() ? "" : ", ") + base_name(file);
         ellipsoidal += source.datum == VerticalDatum::ellipsoid ? 1 : 0;
         (void)opened(sources_.size() - 1);
     }
     if (ellipsoidal > 0) geoid_ = GeoidEgm96::installed();
-    if (ellipsoidal == files.size()) datum_ = VerticalDatum::ellipsoid;
+    if (ellipsoidal == files.size()) grid_.vertical_datum = VerticalDatum::ellipsoid;
 }
 
 void PostSource::plan_taken() {
@@ -98,30 +98,31 @@ void PostSource::plan_taken() {
     taken_window_ = window_of(source, options_);
     require_size(taken_window_.columns, taken_window_.rows, source.file, options_);
     const auto& t = source.transform;
-    columns_ = static_cast<std::uint32_t>(taken_window_.columns);
-    rows_ = static_cast<std::uint32_t>(taken_window_.rows);
-    step_lon_deg_ = t[1];
-    step_lat_deg_ = -t[5];
-    west_deg_ = t[0] + (taken_window_.i + 0.5) * t[1];
-    north_deg_ = t[3] + (taken_window_.j + 0.5) * t[5];
+    grid_.columns = static_cast<std::uint32_t>(taken_window_.columns);
+    grid_.rows = static_cast<std::uint32_t>(taken_window_.rows);
+    grid_.step_lon_deg = t[1];
+    grid_.step_lat_deg = -t[5];
+    grid_.west_deg = t[0] + (taken_window_.i + 0.5) * t[1];
+    grid_.north_deg = t[3] + (taken_window_.j + 0.5) * t[5];
 }
 
 void PostSource::plan_interpolated() {
     const GeoLattice lattice = plan_lattice(sources_, options_);
     require_size(static_cast<double>(lattice.columns), static_cast<double>(lattice.rows), sources_.front().file, options_);
     for (const RasterSource& source : sources_) interpolators_.emplace_back(source, lattice);
-    columns_ = static_cast<std::uint32_t>(lattice.columns);
-    rows_ = static_cast<std::uint32_t>(lattice.rows);
-    step_lon_deg_ = lattice.step_lon_deg;
-    step_lat_deg_ = lattice.step_lat_deg;
-    west_deg_ = lattice.west_deg;
-    north_deg_ = lattice.north_deg;
+    grid_.columns = static_cast<std::uint32_t>(lattice.columns);
+    grid_.rows = static_cast<std::uint32_t>(lattice.rows);
+    grid_.step_lon_deg = lattice.step_lon_deg;
+    grid_.step_lat_deg = lattice.step_lat_deg;
+    grid_.west_deg = lattice.west_deg;
+    grid_.north_deg = lattice.north_deg;
 }
 
 /// Coordinates that are not degrees on Earth betray a wrong coordinate system.
 void PostSource::require_place(const std::string& file) const {
-    const double south_deg = north_deg_ - step_lat_deg_ * (rows_ - 1), width_deg = step_lon_deg_ * (columns_ - 1);
-    if (!(north_deg_ <= 90 && south_deg >= -90 && std::abs(west_deg_) <= 720 && width_deg <= 360))
+    const double south_deg = grid_.north_deg - grid_.step_lat_deg * (grid_.rows - 1),
+                 width_deg = grid_.step_lon_deg * (grid_.columns - 1);
+    if (!(grid_.north_deg <= 90 && south_deg >= -90 && std::abs(grid_.west_deg) <= 720 && width_deg <= 360))
         throw UserError(
             file + ": its posts lie beyond the poles or more than once round the Earth; give its coordinate system with --crs");
 }
@@ -143,8 +144,8 @@ void PostSource::put(const Window& window, std::int64_t i, std::int64_t j, float
     const std::size_t at = window.at(i, j);
     const bool is_sea = datum == VerticalDatum::egm96 && height_m == 0;
     if (datum == VerticalDatum::ellipsoid) {
-        const double latitude_rad = base::radians(north_deg_ - step_lat_deg_ * static_cast<double>(j));
-        const double longitude_rad = base::radians(west_deg_ + step_lon_deg_ * static_cast<double>(i));
+        const double latitude_rad = base::radians(grid_.north_deg - grid_.step_lat_deg * static_cast<double>(j));
+        const double longitude_rad = base::radians(grid_.west_deg + grid_.step_lon_deg * static_cast<double>(i));
         height_m -= static_cast<float>(geoid_->undulation(latitude_rad, longitude_rad).m);
     }
     window.heights_m[at] = height_m;
@@ -194,7 +195,7 @@ void PostSource::interpolate(const Window& window, std::size_t source) {
 
 void PostSource::read(std::uint32_t i, std::uint32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<float> heights_m,
                       base::Span<terrain::PostClass> classes) {
-    TEDAVIS_CHECK(columns <= columns_ && i <= columns_ - columns && rows <= rows_ && j <= rows_ - rows);
+    TEDAVIS_CHECK(columns <= grid_.columns && i <= grid_.columns - columns && rows <= grid_.rows && j <= grid_.rows - rows);
     TEDAVIS_CHECK(heights_m.size() == std::size_t{columns} * rows && classes.size() == heights_m.size());
     const QuietGdal quiet;
     std::fill(heights_m.begin(), heights_m.end(), std::numeric_limits<float>::quiet_NaN());

@@ -18,13 +18,11 @@
 
 #include "host_sim/geoid_egm96.hpp"
 #include "host_sim/terrain_builder/post_interpolator.hpp"
-#include "host_sim/terrain_builder/raster_options.hpp"
-#include "render_core/base/span.hpp"
-#include "render_core/terrain/tdb_format.hpp"
+#include "host_sim/terrain_builder/post_reader.hpp"
 
 namespace tedavis::host_sim {
 
-class PostSource {
+class PostSource final : public PostReader {
 public:
     static constexpr std::uint32_t kMaxPostsOfASide = 1u << 24;
     static constexpr std::int64_t kBlockCacheBytes = 64 << 20;
@@ -33,26 +31,17 @@ public:
     /// Throws UserError, one sentence, for what cannot be terrain (see open_raster_source) or does not fit together.
     PostSource(const std::vector<std::string>& files, const RasterOptions& options);
 
-    [[nodiscard]] std::uint32_t columns() const { return columns_; }
-    [[nodiscard]] std::uint32_t rows() const { return rows_; }
-    /// The north-west post, within -180 and 180; longitudes grow beyond 180 where the lattice crosses the antimeridian.
-    [[nodiscard]] double west_deg() const { return west_deg_; }
-    [[nodiscard]] double north_deg() const { return north_deg_; }
-    [[nodiscard]] double step_lon_deg() const { return step_lon_deg_; }
-    [[nodiscard]] double step_lat_deg() const { return step_lat_deg_; }
+    /// Its west_deg is within -180 and 180.
+    [[nodiscard]] const PostGrid& grid() const override { return grid_; }
     /// Posts are interpolated from other grids.
     [[nodiscard]] bool resampled() const { return !taken_; }
-    /// Names of the files, without folders.
-    [[nodiscard]] const std::string& source() const { return names_; }
     /// Sentences that the user should read.
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-    /// Of the files: ellipsoid where all of them have ellipsoidal heights. What `read` gives is above MSL in any case.
-    [[nodiscard]] VerticalDatum vertical_datum() const { return datum_; }
 
     /// Posts i..i+columns-1, j..j+rows-1, row 0 in the north, row by row; the window lies inside and each view holds columns
     /// times rows elements. Void posts get NaN. Throws UserError where a file is damaged.
     void read(std::uint32_t i, std::uint32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<float> heights_m,
-              base::Span<terrain::PostClass> classes);
+              base::Span<terrain::PostClass> classes) override;
 
 private:
     struct Window {
@@ -82,10 +71,7 @@ private:
     std::optional<GeoidEgm96> geoid_;              ///< where a source needs it
     bool taken_ = false;
     PostWindow taken_window_;
-    VerticalDatum datum_ = VerticalDatum::egm96;
-    std::uint32_t columns_ = 0, rows_ = 0;
-    double west_deg_ = 0, north_deg_ = 0, step_lon_deg_ = 0, step_lat_deg_ = 0;
-    std::string names_;
+    PostGrid grid_;
     std::vector<std::string> notes_;
 };
 

@@ -14,18 +14,11 @@ constexpr std::uint64_t kMaxPosts = 1u << 30;
 
 Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& options) {
     PostSource posts(files, options);
-    const std::uint64_t count = std::uint64_t{posts.columns()} * posts.rows();
+    const std::uint64_t count = std::uint64_t{posts.grid().columns} * posts.grid().rows;
     if (count > kMaxPosts)
         throw UserError(files.front() + ": more than 2^30 posts do not fit the memory; choose parts of it with --bounds");
     Raster raster;
-    raster.columns = posts.columns();
-    raster.rows = posts.rows();
-    raster.west_deg = posts.west_deg();
-    raster.north_deg = posts.north_deg();
-    raster.step_lon_deg = posts.step_lon_deg();
-    raster.step_lat_deg = posts.step_lat_deg();
-    raster.vertical_datum = posts.vertical_datum();
-    raster.source = posts.source();
+    static_cast<PostGrid&>(raster) = posts.grid();
     raster.resampled = posts.resampled();
     raster.notes = posts.notes();
     raster.height_m.resize(count);

@@ -5,20 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/terrain_builder/raster_options.hpp"
+#include "host_sim/terrain_builder/post_grid.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 
 namespace tedavis::host_sim {
 
-/// Heights above MSL (EGM96), row 0 in the north. Void posts hold NaN. Longitudes grow beyond 180 where the raster
-/// crosses the antimeridian.
-struct Raster {
-    std::uint32_t columns = 0, rows = 0;
-    double west_deg = 0, north_deg = 0, step_lon_deg = 0, step_lat_deg = 0;
+/// A grid with its posts, row by row. Heights are above MSL (EGM96); void posts hold NaN.
+struct Raster : PostGrid {
     std::vector<float> height_m;
     std::vector<terrain::PostClass> post_class;
-    VerticalDatum vertical_datum = VerticalDatum::egm96;  ///< of the files
-    std::string source;
     bool resampled = false;  ///< posts were interpolated from another grid
     std::uint64_t void_posts = 0;
     std::vector<std::string> notes;  ///< sentences that the user should read

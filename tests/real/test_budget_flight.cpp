@@ -54,8 +54,8 @@ class BudgetFlightOverMountains : public ::testing::TestWithParam<Mountains> {
 protected:
     BudgetFlightOverMountains() {
         host_sim::build_terrain(host_sim::PostReaderFactory([this] {
-                                    return std::make_unique<host_sim::FilePosts>(std::vector<std::string>{file_},
-                                                                                 host_sim::RasterOptions());
+                                    return std::make_unique<host_sim::PostSource>(std::vector<std::string>{file_},
+                                                                                  host_sim::RasterOptions());
                                 }),
                                 folder_.file("t.tdb"), {});
     }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "host_sim/terrain_builder/file_posts.hpp"
+#include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
 #include "render_core/base/hash.hpp"
@@ -27,7 +27,7 @@ protected:
         RasterOptions options;
         if (name.rfind("davos", 0) == 0) options.bounds = GeoBounds{9.75, 46.6, 9.95, 46.8};
         if (name.rfind("N42", 0) == 0) options.bounds = GeoBounds{1.0, 42.5, 1.5, 43.0};  // with 2744 voids
-        open_ = [file, options] { return std::make_unique<FilePosts>(std::vector<std::string>{file}, options); };
+        open_ = [file, options] { return std::make_unique<PostSource>(std::vector<std::string>{file}, options); };
         build_terrain(open_, folder_.file("t.tdb"), {});
     }
     [[nodiscard]] TerrainCheck check() const { return check_terrain(folder_.file("t.tdb"), open_, {}); }

@@ -1,7 +1,7 @@
 /// Grids of posts with equal steps both ways.
 #pragma once
 
-#include "host_sim/terrain_builder/build_plan.hpp"
+#include "host_sim/terrain_builder/post_grid.hpp"
 
 namespace tedavis::test_support {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "host_sim/terrain_builder/file_posts.hpp"
+#include "host_sim/terrain_builder/post_source.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -17,18 +17,9 @@ namespace tedavis::test_support {
 /// A raster in memory as the builder reads one. The raster must live as long.
 class RasterPosts final : public host_sim::PostReader {
 public:
-    explicit RasterPosts(const host_sim::Raster& raster) : raster_(raster) {
-        grid_.columns = raster.columns;
-        grid_.rows = raster.rows;
-        grid_.west_deg = raster.west_deg;
-        grid_.north_deg = raster.north_deg;
-        grid_.step_lon_deg = raster.step_lon_deg;
-        grid_.step_lat_deg = raster.step_lat_deg;
-        grid_.source = raster.source;
-        grid_.vertical_datum = raster.vertical_datum;
-    }
+    explicit RasterPosts(const host_sim::Raster& raster) : raster_(raster) {}
 
-    [[nodiscard]] const host_sim::PostGrid& grid() const override { return grid_; }
+    [[nodiscard]] const host_sim::PostGrid& grid() const override { return raster_; }
     void read(std::uint32_t i, std::uint32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<float> heights_m,
               base::Span<terrain::PostClass> classes) override {
         for (std::uint32_t b = 0; b < rows; ++b)
@@ -40,7 +31,6 @@ public:
 
 private:
     const host_sim::Raster& raster_;
-    host_sim::PostGrid grid_;
 };
 
 inline host_sim::PostReaderFactory posts_of(const host_sim::Raster& raster) {
@@ -63,8 +53,8 @@ inline std::vector<std::uint8_t> build_image(const host_sim::Raster& raster, con
 }
 inline std::vector<std::uint8_t> build_image_of_file(const std::string& raster, const host_sim::BuildOptions& options = {}) {
     return build_image(host_sim::PostReaderFactory([&raster] {
-                           return std::make_unique<host_sim::FilePosts>(std::vector<std::string>{raster},
-                                                                        host_sim::RasterOptions());
+                           return std::make_unique<host_sim::PostSource>(std::vector<std::string>{raster},
+                                                                         host_sim::RasterOptions());
                        }),
                        options);
 }

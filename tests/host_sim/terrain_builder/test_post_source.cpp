@@ -37,8 +37,8 @@ bool same_height(float a, float b) { return a == b || (std::isnan(a) && std::isn
 
 /// Every window of a size against the raster that load_rasters gives.
 void expect_windows(PostSource& source, const Raster& raster, std::uint32_t width, std::uint32_t height) {
-    ASSERT_EQ(source.columns(), raster.columns);
-    ASSERT_EQ(source.rows(), raster.rows);
+    ASSERT_EQ(source.grid().columns, raster.columns);
+    ASSERT_EQ(source.grid().rows, raster.rows);
     for (std::uint32_t j = 0; j < raster.rows; j += height) {
         for (std::uint32_t i = 0; i < raster.columns; i += width) {
             const std::uint32_t columns = std::min(width, raster.columns - i), rows = std::min(height, raster.rows - j);
@@ -70,12 +70,12 @@ protected:
     void expect_every_window(const std::vector<std::string>& files, const RasterOptions& options = {}) {
         const Raster raster = load_rasters(files, options);
         PostSource source(files, options);
-        EXPECT_EQ(source.west_deg(), raster.west_deg);
-        EXPECT_EQ(source.north_deg(), raster.north_deg);
-        EXPECT_EQ(source.step_lon_deg(), raster.step_lon_deg);
-        EXPECT_EQ(source.step_lat_deg(), raster.step_lat_deg);
+        EXPECT_EQ(source.grid().west_deg, raster.west_deg);
+        EXPECT_EQ(source.grid().north_deg, raster.north_deg);
+        EXPECT_EQ(source.grid().step_lon_deg, raster.step_lon_deg);
+        EXPECT_EQ(source.grid().step_lat_deg, raster.step_lat_deg);
         EXPECT_EQ(source.resampled(), raster.resampled);
-        EXPECT_EQ(source.source(), raster.source);
+        EXPECT_EQ(source.grid().source, raster.source);
         expect_windows(source, raster, 65, 65);
         expect_windows(source, raster, 23, 200);
         expect_windows(source, raster, raster.columns, 1);
@@ -114,7 +114,7 @@ TEST_F(PostSourceTest, MoreFilesThanMayBeOpenAreReadAlike) {
     }
     ASSERT_GT(files.size(), PostSource::kMaxOpenFiles);
     PostSource source(files, {});
-    ASSERT_EQ(source.columns(), 301u);
+    ASSERT_EQ(source.grid().columns, 301u);
     for (int pass = 0; pass < 2; ++pass) {
         const Posts posts = read(source, 0, 0, 301, 11);
         for (int i = 0; i < 300; ++i) ASSERT_EQ(posts.heights_m[static_cast<std::size_t>(i)], static_cast<float>(100 + i)) << i;
@@ -129,7 +129,7 @@ TEST_F(PostSourceTest, OneObjectAThreadGivesEqualBits) {
     for (Posts& posts : found)
         threads.emplace_back([&] {
             PostSource source(files, {});
-            posts = read(source, 0, 0, source.columns(), source.rows());
+            posts = read(source, 0, 0, source.grid().columns, source.grid().rows);
         });
     for (std::thread& thread : threads) thread.join();
     for (const Posts& posts : found)
@@ -166,7 +166,7 @@ TEST_F(PostSourceTest, ARasterFarBeyondTheMemoryIsReadByWindows) {
                   CE_None);
     }
     PostSource source({path}, {});
-    EXPECT_EQ(source.columns(), 1u << 20);
+    EXPECT_EQ(source.grid().columns, 1u << 20);
     const Posts posts = read(source, kSide - 4, kSide - 4, 4, 4);
     EXPECT_EQ(posts.heights_m[2 * 4 + 1], 4321);
     EXPECT_EQ(posts.classes[0], PostClass::sea);

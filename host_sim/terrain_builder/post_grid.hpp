@@ -1,0 +1,21 @@
+/// Where the posts of a terrain lie, and what they come from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "host_sim/terrain_builder/raster_options.hpp"
+
+namespace tedavis::host_sim {
+
+/// Degrees; row 0 in the north. Longitudes grow beyond 180 where the lattice crosses the antimeridian.
+struct PostGrid {
+    std::uint32_t columns = 0, rows = 0;
+    double west_deg = 0, north_deg = 0;  ///< of the north-west post
+    double step_lon_deg = 0, step_lat_deg = 0;
+    std::string source;  ///< names of the files, without folders
+    /// Of the files: ellipsoid where all of them have ellipsoidal heights. Heights of posts are above MSL in any case.
+    VerticalDatum vertical_datum = VerticalDatum::egm96;
+};
+
+}  // namespace tedavis::host_sim
