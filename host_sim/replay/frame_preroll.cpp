@@ -121,8 +121,9 @@ void FramePreroll::restore_interval(std::int64_t interval) {
 /// What the deadline leaves, and terrain that has failed, are as in the frames.
 void FramePreroll::decide_interval(std::int64_t interval) {
     const base::Time begins = std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first());
+    const flight::PhaseStatus phase = phase_before(begins);  // first, so that the log is read in order
     flight::FrameInput input = player_.at(begins);
-    input.phase = phase_before(begins);
+    input.phase = phase;
     input.trail = nullptr;  // nothing that an interval decides reads it
     decided_.budget = display_.memory().budget;
     decided_.terrain_failed = display_.memory().terrain_failed;
