@@ -47,7 +47,7 @@ protected:
         options_.picture.with.add(effects::Effect::antialiasing);
         options_.picture.with.add(effects::Effect::saliency);
         options_.output = folder_.file("run");
-        options_.step_s = 20;
+        options_.step_s = 40;
         options_.frames = host_sim::FrameOutput::hash;
     }
 
@@ -57,8 +57,8 @@ protected:
                                          true);
     }
 
-    /// What gave way on the last run, with the reasons.
-    std::map<std::string, std::set<std::string>> decluttered() const {
+    /// The effects that the last run left out or replaced, with the reasons.
+    std::map<std::string, std::set<std::string>> given_up() const {
         std::map<std::string, std::set<std::string>> all;
         std::ifstream records(options_.output + "/frames.jsonl");
         for (std::string line; std::getline(records, line);) {
@@ -79,7 +79,7 @@ protected:
 TEST_F(RestrictedDevices, FlyTheDefaultFlightWithinTheirTables) {
     const auto on_desktop = fly("desktop");
     EXPECT_EQ(on_desktop.code, 0) << on_desktop.notes;
-    const auto kept = decluttered();
+    const auto kept = given_up();
     for (const char* effect : {"aerial_perspective", "depth_of_field", "antialiasing", "silhouettes", "saliency"})
         for (const std::string& reason : kept.count(effect) != 0 ? kept.at(effect) : std::set<std::string>())
             EXPECT_THAT(reason, ::testing::Not(HasSubstr("the device"))) << effect;
@@ -88,7 +88,7 @@ TEST_F(RestrictedDevices, FlyTheDefaultFlightWithinTheirTables) {
         EXPECT_EQ(run.code, 0) << device << ": " << run.notes;
         EXPECT_EQ(run.json()["gl_calls_outside_device"], 0) << device;
         EXPECT_EQ(run.json()["heap_allocations_after_start"], 0) << device;
-        auto gave = decluttered();
+        auto gave = given_up();
         EXPECT_THAT(gave["aerial_perspective"], ::testing::Contains(HasSubstr("> haze"))) << device;
         for (const char* effect : {"depth_of_field", "antialiasing"})
             EXPECT_THAT(gave[effect], ::testing::Contains(HasSubstr("the device has no"))) << device << ", " << effect;
