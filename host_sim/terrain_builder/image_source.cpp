@@ -63,10 +63,10 @@ void ImageSource::find_bands() {
         if (meaning == GCI_CyanBand || meaning == GCI_HueBand)
             throw UserError(file_ + ": its bands are no red, green and blue; convert it to RGB and give that file");
     }
-    const int colours = count - (alpha_band_ != 0 ? 1 : 0);
+    const int colors = count - (alpha_band_ != 0 ? 1 : 0);
     if (named[0] != 0 && named[1] != 0 && named[2] != 0)
         color_bands_ = named;
-    else if (colours >= 3)
+    else if (colors >= 3)
         color_bands_ = {1, 2, 3};
     else
         color_bands_ = {1, 1, 1};
@@ -75,7 +75,7 @@ void ImageSource::find_bands() {
             throw UserError(file_ + ": its values are no 8-bit colours (" +
                             GDALGetDataTypeName(dataset_->GetRasterBand(band)->GetRasterDataType()) +
                             "); convert it with gdal_translate -ot Byte -scale and give that file");
-    if (colours < 3) palette_ = palette_of(*dataset_->GetRasterBand(1));
+    if (colors < 3) palette_ = palette_of(*dataset_->GetRasterBand(1));
     for (std::size_t n = 0; n < 3; ++n) {
         int has = 0;
         const double value = dataset_->GetRasterBand(color_bands_[n])->GetNoDataValue(&has);

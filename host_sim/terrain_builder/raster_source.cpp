@@ -139,7 +139,7 @@ bool is_lossy(const RasterSource& source) {
 void settle_encoding(RasterSource& source, const RasterOptions& options) {
     GDALRasterBand* const band = source.dataset->GetRasterBand(1);
     const GDALColorInterp meaning = band->GetColorInterpretation();
-    const bool colour =
+    const bool color =
         meaning == GCI_RedBand || meaning == GCI_GreenBand || meaning == GCI_BlueBand || meaning == GCI_PaletteIndex;
     if (options.encoding && has_color_bytes(*source.dataset)) {
         if (is_lossy(source))
@@ -147,7 +147,7 @@ void settle_encoding(RasterSource& source, const RasterOptions& options) {
                             ": its colours were compressed with loss, so they hold no heights any more; give the "
                             "PNG or another lossless file");
         source.encoding = options.encoding;
-    } else if (colour || GDALDataTypeIsComplex(band->GetRasterDataType()) != 0) {
+    } else if (color || GDALDataTypeIsComplex(band->GetRasterDataType()) != 0) {
         throw UserError(source.file + ": its first band holds colours or complex numbers, no heights; give a height raster, or " +
                         "say with --encoding how 8-bit RGB colours hold heights");
     }
@@ -198,13 +198,13 @@ bool read_raw(const RasterSource& source, const PostWindow& w, std::vector<float
     if (!source.encoding)
         return source.dataset->GetRasterBand(1)->RasterIO(GF_Read, w.i, w.j, w.columns, w.rows, raw.data(), w.columns, w.rows,
                                                           GDT_Float32, 0, 0) == CE_None;
-    std::vector<std::uint8_t> colours(raw.size() * kColorBands);
+    std::vector<std::uint8_t> colors(raw.size() * kColorBands);
     int bands[kColorBands] = {1, 2, 3};
-    if (source.dataset->RasterIO(GF_Read, w.i, w.j, w.columns, w.rows, colours.data(), w.columns, w.rows, GDT_Byte, kColorBands,
+    if (source.dataset->RasterIO(GF_Read, w.i, w.j, w.columns, w.rows, colors.data(), w.columns, w.rows, GDT_Byte, kColorBands,
                                  bands, kColorBands, GSpacing{kColorBands} * w.columns, 1) != CE_None)
         return false;
     for (std::size_t n = 0; n < raw.size(); ++n) {
-        const std::uint8_t* const c = &colours[n * kColorBands];
+        const std::uint8_t* const c = &colors[n * kColorBands];
         raw[n] = static_cast<float>(decoded_height_m(*source.encoding, c[0], c[1], c[2]));
     }
     return true;

@@ -42,7 +42,7 @@ GroundLook::GroundLook(const TracedGround& ground, const SunChoice& sun, const T
     look_.ground = {palette_, static_cast<float>(lowest), static_cast<float>(highest > lowest ? highest : lowest + 1)};
     if (data == nullptr) return;
     data->show(look_);
-    for (glm::vec3& colour : palette_) colour = glm::vec3(luminance(colour));  // no hue of the ground is taken for a value
+    for (glm::vec3& color : palette_) color = glm::vec3(luminance(color));  // no hue of the ground is taken for a value
 }
 
 }  // namespace tedavis::host_sim

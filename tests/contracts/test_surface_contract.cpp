@@ -123,7 +123,7 @@ Weights weights_at(std::uint32_t px, std::uint32_t py) {
     return {a, b, 1 - a - b};
 }
 
-TEST_P(SurfaceContract, TriangleHasTheColoursOfItsBarycentricCoordinates) {
+TEST_P(SurfaceContract, TriangleHasTheColorsOfItsBarycentricCoordinates) {
     auto at = session();
     TriangleScene scene(at.gl, at.device.budget);
     scene.draw(at.gl, *at.surface);

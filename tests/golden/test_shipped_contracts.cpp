@@ -170,7 +170,7 @@ TEST(ShippedContracts, AClutteredDesignIsNotCalm) {
     EXPECT_EQ(broken(flights().fly("cluttered", design, 84, 92, 4), "default"), Names{"the picture is calm"});
 }
 
-TEST(ShippedContracts, ColoursThatOnlyHueTellsApartBreakTheirCondition) {
+TEST(ShippedContracts, ColorsThatOnlyHueTellsApartBreakTheirCondition) {
     const std::string design = flights().changed_design("approach", {{"color = \"#e04030\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#ff7060\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#60e0ff\"", "color = \"#8a9a2c\""}});

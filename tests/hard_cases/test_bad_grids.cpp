@@ -116,7 +116,7 @@ TEST_P(BadGridsOf, WhatIsNoNumberIsMarkedMissingAndTaintsNoNeighbour) {
     EXPECT_EQ(all.wrong + all.missing_bare + all.missing_dots, 0);
 }
 
-TEST_P(BadGridsOf, OneValueEverywhereHasItsColour) {
+TEST_P(BadGridsOf, OneValueEverywhereHasItsColor) {
     SceneFiles files(GetParam());
     for (const double value : {42.0, 0.0, 100.0, 1e-30}) {
         RasterFile raster = site_raster();

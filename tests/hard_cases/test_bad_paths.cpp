@@ -170,7 +170,7 @@ TEST(BadPaths, LinesOfMapsWithPointsTwiceAndOverTheWholeTurn) {
 }
 
 /// Values between points twice: the colours stay as well.
-TEST(BadPaths, RepeatedPointsKeepTheColoursOfTheirSpeeds) {
+TEST(BadPaths, RepeatedPointsKeepTheColorsOfTheirSpeeds) {
     SceneFiles files;
     const std::string design = plain_ground_design(
         "[[data.element]]\nrole = 'trajectory'\ntechnique = 'tube'\nattribute = 'ground_speed'\npalette = 'scale.toml'\n"

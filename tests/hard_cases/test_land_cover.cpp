@@ -70,7 +70,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Lanes, LandCoverOf, ::testing::Values("es2-small", "es3-mid"));
 
-TEST_P(LandCoverOf, EveryPixelHasTheColourOfTheNearestPost) {
+TEST_P(LandCoverOf, EveryPixelHasTheColorOfTheNearestPost) {
     files_.write(cover_raster());
     const DataPicture drawn = files_.drawn(cover_layer(), cover_design());
     const Color unknown = design::default_design_settings().terrain.unknown;
@@ -138,7 +138,7 @@ TEST_P(LandCoverOf, NumbersHaveNoKinds) {
 }
 
 /// Polygons of a map, with a lake in the wood.
-TEST_P(LandCoverOf, PolygonsBecomeColoursOfTheGround) {
+TEST_P(LandCoverOf, PolygonsBecomeColorsOfTheGround) {
     files_.write(R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"kind":"forest"},"geometry":{"type":"Polygon","coordinates":[
 [[-84.24,36.70],[-84.18,36.70],[-84.18,36.72],[-84.24,36.72],[-84.24,36.70]],

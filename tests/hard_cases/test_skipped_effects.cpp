@@ -134,7 +134,7 @@ design::DesignSettings plain() {
     return design;
 }
 
-TEST_F(SkippedEffects, OfColourChangeNoPixelByMoreThanOneStep) {
+TEST_F(SkippedEffects, OfColorChangeNoPixelByMoreThanOneStep) {
     design::DesignSettings hazy = plain();
     hazy.sky.haze_distance_m = 3'000'000;
     design::DesignSettings clear = plain();

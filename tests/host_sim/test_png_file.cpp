@@ -72,7 +72,7 @@ TEST(PngFile, ShrinksByMeansOfWholeBlocks) {
     EXPECT_EQ(shrunk(view_of(picture), 5).pixels, picture.pixels);
 }
 
-TEST(PngFile, SmallOnesKeepTheColours) {
+TEST(PngFile, SmallOnesKeepTheColors) {
     const test_support::TemporaryFolder folder;
     for (const bool is_grey : {false, true}) {
         RgbaPicture picture = pattern(33, 21);

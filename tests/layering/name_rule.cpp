@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <map>
+#include <utility>
 
 namespace tedavis::tests::layering {
 namespace {
@@ -73,9 +74,22 @@ bool begins_with_constant(const std::string& name, const std::string& beginning)
     return name.size() == beginning.size() || std::islower(static_cast<unsigned char>(name[beginning.size()])) == 0;
 }
 
+/// The name with every "colour" spelt "color", as part of a word too; empty where it has none.
+std::string with_one_spelling(std::string name) {
+    bool is_changed = false;
+    for (const auto& [spelt, standard] :
+         {std::pair("colour", "color"), std::pair("Colour", "Color"), std::pair("COLOUR", "COLOR")})
+        for (std::size_t at = name.find(spelt); at != std::string::npos; at = name.find(spelt, at)) {
+            name.replace(at, std::string_view(spelt).size(), standard);
+            is_changed = true;
+        }
+    return is_changed ? name : std::string();
+}
+
 std::string standard_of(const std::string& name) {
     const auto found = names().find(name);
     if (found != names().end()) return found->second;
+    if (std::string color = with_one_spelling(name); !color.empty()) return color;
     if (begins_with_constant(name, "kMost")) return "kMax" + name.substr(5);
     if (begins_with_constant(name, "kLeast")) return "kMin" + name.substr(6);
     return {};

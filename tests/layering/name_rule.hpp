@@ -1,4 +1,4 @@
-// Names that the field has another word for: the tree says the field's word, and only that.
+// Names for which the field has another word or spelling: the tree uses only that one.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tedavis::tests::layering {
 
-/// Findings of one file: identifiers of the table, as whole names, and constants that begin with kMost or kLeast. Comments and
-/// strings are not read, nor are words of plain English.
+/// Findings of one file: identifiers of the table, as whole names, constants that begin with kMost or kLeast, and identifiers
+/// that contain "colour" in place of "color". Comments, strings and words of plain English are not read.
 std::vector<std::string> name_findings(const SourceFile& file);
 
 }  // namespace tedavis::tests::layering

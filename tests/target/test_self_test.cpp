@@ -97,7 +97,7 @@ TEST(SelfTest, WrongSettingsAreSeenWithTheirPlace) {
     EXPECT_THAT(report.checks()[0].finding.c_str(), HasSubstr("es2-small.toml:1: "));
 }
 
-TEST(SelfTest, APictureInOtherColoursOrWithoutSymbologyIsSeen) {
+TEST(SelfTest, APictureInOtherColorsOrWithoutSymbologyIsSeen) {
     Damaged sky;
     sky.replace(sky.design, "horizon_color = \"#9cc4e8\"", "horizon_color = \"#e8c49c\"");
     EXPECT_THAT(failures(sky.report()), HasSubstr("sky_"));

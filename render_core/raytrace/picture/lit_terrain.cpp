@@ -24,10 +24,10 @@ LitPlace lit_place(const void* asked, const glm::dvec3& origin, const glm::dvec3
     SpanSurface surface;
     surface.count = 1;
     surface.height[0] = static_cast<float>(hit.point.height);
-    float colour[3][PixelSpan::kMax];
-    find_colors(surface, *lit.look, colour);
+    float color[3][PixelSpan::kMax];
+    find_colors(surface, *lit.look, color);
     place.material = lit.look->material;
-    place.material.colour = {colour[0][0], colour[1][0], colour[2][0]};
+    place.material.color = {color[0][0], color[1][0], color[2][0]};
     if (surface.height[0] > lit.look->mirror_below) place.material.mirror = 0;
     return place;
 }

@@ -159,20 +159,20 @@ TEDAVIS_WIDE_LOOPS void find_eyes(const float* direction_x, const float* directi
     }
 }
 
-void find_colors(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMax]) {
+void find_colors(const SpanSurface& surface, const TraceLook& look, float (&color)[3][PixelSpan::kMax]) {
     const base::Span<const glm::vec3> palette = look.ground.palette;
     if (palette.empty()) {
-        for (int c = 0; c < 3; ++c) std::fill_n(colour[c], surface.count, look.material.colour[c]);
+        for (int c = 0; c < 3; ++c) std::fill_n(color[c], surface.count, look.material.color[c]);
         return;
     }
     std::int32_t first[kMaxOfSpan];
     float share[kMaxOfSpan];
     place_in_palette(surface, look.ground, first, share);
-    const glm::vec3* const colours = palette.data();
+    const glm::vec3* const colors = palette.data();
     const auto last = static_cast<std::int32_t>(palette.size() - 1);
     for (std::uint32_t n = 0; n < surface.count; ++n) {
-        const glm::vec3 &low = colours[first[n]], &high = colours[std::min(first[n] + 1, last)];
-        for (int c = 0; c < 3; ++c) colour[c][n] = low[c] * (1 - share[n]) + high[c] * share[n];
+        const glm::vec3 &low = colors[first[n]], &high = colors[std::min(first[n] + 1, last)];
+        for (int c = 0; c < 3; ++c) color[c][n] = low[c] * (1 - share[n]) + high[c] * share[n];
     }
 }
 
@@ -224,13 +224,13 @@ TEDAVIS_WIDE_LOOPS void add_up_light(Shading shading, const TraceLook& look, std
     }
     if (shading == Shading::none) {
         for (int c = 0; c < 3; ++c)
-            for (std::uint32_t n = 0; n < count; ++n) light.light[c][n] = light.colour[c][n];
+            for (std::uint32_t n = 0; n < count; ++n) light.light[c][n] = light.color[c][n];
         return;
     }
     for (int c = 0; c < 3; ++c) {
         const float radiance = look.sun.radiance[c], sky = look.sky[c];
         for (std::uint32_t n = 0; n < count; ++n)
-            light.light[c][n] = light.colour[c][n] * (sky * light.sky_seen[n] + radiance * (light.sun_seen[n] * diffuse[n])) +
+            light.light[c][n] = light.color[c][n] * (sky * light.sky_seen[n] + radiance * (light.sun_seen[n] * diffuse[n])) +
                                 radiance * highlight[n];
     }
 }

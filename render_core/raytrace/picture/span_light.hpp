@@ -18,18 +18,18 @@ struct SpanVectors {
 };
 
 struct SpanLight {
-    SpanVectors normal, eye;           ///< `eye` is needed for Phong's light only
-    float sun_seen[PixelSpan::kMax];   ///< 0..1
-    float sky_seen[PixelSpan::kMax];   ///< 0..1
-    float colour[3][PixelSpan::kMax];  ///< of the ground
-    float light[3][PixelSpan::kMax];   ///< the result
+    SpanVectors normal, eye;          ///< `eye` is needed for Phong's light only
+    float sun_seen[PixelSpan::kMax];  ///< 0..1
+    float sky_seen[PixelSpan::kMax];  ///< 0..1
+    float color[3][PixelSpan::kMax];  ///< of the ground
+    float light[3][PixelSpan::kMax];  ///< the result
 };
 
 void find_normals(const SpanSurface& surface, const GridScale& scale, SpanVectors& normals);
 /// Computes the directions to the eye point, for rays with directions in grid space.
 void find_eyes(const float* direction_x, const float* direction_y, const float* direction_z, std::uint32_t count,
                const GridScale& scale, SpanVectors& eyes);
-void find_colors(const SpanSurface& surface, const TraceLook& look, float (&colour)[3][PixelSpan::kMax]);
+void find_colors(const SpanSurface& surface, const TraceLook& look, float (&color)[3][PixelSpan::kMax]);
 /// Computes the visible share of the sky; with apertures also that of the sun, by which `sun_seen` is multiplied.
 template <class Height>
 void find_sky(const SpanSurface& surface, const SkyMap<Height>& sky, Ambient ambient, const glm::dvec3& towards_sun,

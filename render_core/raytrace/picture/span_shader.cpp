@@ -47,7 +47,7 @@ void SpanShader<Height>::cover_with_data(const SpanSurface& surface, SpanLight& 
     for (std::uint32_t n = 0; n < surface.count; ++n) {
         if (!surface.is_hit[n]) continue;
         const DataColor data = data_color(look->values, look->uncertainties, look->legend, surface.x[n], surface.y[n]);
-        for (int c = 0; c < 3; ++c) light.colour[c][n] += data.cover * (data.colour[c] - light.colour[c][n]);
+        for (int c = 0; c < 3; ++c) light.color[c][n] += data.cover * (data.color[c] - light.color[c][n]);
     }
 }
 
@@ -76,7 +76,7 @@ void SpanShader<Height>::draw_capsules(const SpanRays& rays, const SpanSurface& 
         }
         if (!nearest.is_hit) continue;
         Material material;
-        material.colour = look->capsule_color;
+        material.color = look->capsule_color;
         light[n] = local_light(material, nearest.normal, -glm::normalize(direction), look->sun, 1, look->sky, 1);
     }
 }
@@ -105,7 +105,7 @@ void SpanShader<Height>::shade(const SpanRays& rays, const std::uint32_t* seeds,
     SpanLight all;
     std::fill_n(all.sun_seen, surface.count, 1.0f);
     std::fill_n(all.sky_seen, surface.count, 1.0f);
-    find_colors(surface, *look, all.colour);
+    find_colors(surface, *look, all.color);
     if (settings->has_data) cover_with_data(surface, all);
     if (settings->shading != Shading::none) {
         find_normals(surface, maps.scale, all.normal);

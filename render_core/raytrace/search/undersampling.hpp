@@ -39,12 +39,12 @@ struct Square {
     std::uint32_t left, top, right, bottom;  ///< corners, themselves included
 };
 
-template <class Colour>
-const glm::vec3& traced_pixel(const UndersampledPicture& picture, std::uint32_t x, std::uint32_t y, const Colour& colour,
+template <class Color>
+const glm::vec3& traced_pixel(const UndersampledPicture& picture, std::uint32_t x, std::uint32_t y, const Color& color,
                               std::uint64_t& rays) {
     const std::size_t pixel = std::size_t{y} * picture.width + x;
     if (picture.traced[pixel] == 0) {
-        picture.pixels[pixel] = colour(x, y);
+        picture.pixels[pixel] = color(x, y);
         picture.traced[pixel] = 1;
         ++rays;
     }
@@ -76,9 +76,9 @@ inline void interpolate(const UndersampledPicture& picture, const Square& square
 
 /// Fills a tile, corners included; both ends are within the picture. Tiles of several workers may share no pixel. Returns how
 /// many rays went. `colour(x, y)` traces a pixel.
-template <class Colour>
+template <class Color>
 std::uint64_t undersample(const UndersampledPicture& picture, const undersampling::Square& tile, const Undersampling& settings,
-                          const Colour& colour) {
+                          const Color& color) {
     using undersampling::Square;
     TEDAVIS_CHECK(tile.right < picture.width && tile.bottom < picture.height && settings.square >= 1 &&
                   settings.square <= Undersampling::kLargestSquare);
@@ -93,7 +93,7 @@ std::uint64_t undersample(const UndersampledPicture& picture, const undersamplin
             while (count > 0) {
                 const Square square = waiting[--count];
                 const auto at = [&](std::uint32_t x, std::uint32_t y) {
-                    return undersampling::traced_pixel(picture, x, y, colour, rays);
+                    return undersampling::traced_pixel(picture, x, y, color, rays);
                 };
                 const glm::vec3 corner[4] = {at(square.left, square.top), at(square.right, square.top),
                                              at(square.left, square.bottom), at(square.right, square.bottom)};

@@ -22,7 +22,7 @@ struct DataGrid {
 };
 
 struct DataColor {
-    glm::vec3 colour{0};
+    glm::vec3 color{0};
     float cover = 0;  ///< 0: only the terrain's colour; 1: only the data's
 };
 
@@ -57,7 +57,7 @@ struct DataLegend {
     const float value = value_at(values, x, y), uncertainty = value_at(uncertainties, x, y);
     if (std::isnan(value) || std::isnan(uncertainty) || legend.palette.empty()) return {};
     DataColor found;
-    found.colour = legend.palette[class_of(value, legend.lowest, legend.highest, legend.palette.size())];
+    found.color = legend.palette[class_of(value, legend.lowest, legend.highest, legend.palette.size())];
     const float doubt = (uncertainty - legend.certain) / (legend.uncertain - legend.certain);
     found.cover = legend.cover * (1 - std::clamp(doubt, 0.0f, 1.0f));
     return found;

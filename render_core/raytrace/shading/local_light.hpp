@@ -11,7 +11,7 @@
 namespace tedavis::raytrace {
 
 struct Material {
-    glm::vec3 colour{0.5f};        ///< reflectance of each colour, 0..1
+    glm::vec3 color{0.5f};         ///< reflectance of each colour, 0..1
     float gloss = 0;               ///< share of Phong's highlight, 0..1
     std::uint32_t sharpness = 16;  ///< exponent of the highlight, 1..65536
     float mirror = 0;              ///< share of light that it reflects as a mirror, 0..1; only in traced_light.hpp
@@ -50,7 +50,7 @@ struct DirectedLight {
                                            const DirectedLight& light, double light_seen, const glm::vec3& sky, double sky_seen) {
     const auto diffuse = static_cast<float>(light_seen * lambert(normal, light.towards));
     const auto highlight = static_cast<float>(light_seen * phong(normal, light.towards, towards_eye, material.sharpness));
-    return material.colour * (sky * static_cast<float>(sky_seen) + light.radiance * diffuse) +
+    return material.color * (sky * static_cast<float>(sky_seen) + light.radiance * diffuse) +
            light.radiance * (material.gloss * highlight);
 }
 

@@ -55,7 +55,7 @@ glm::vec3 path_light(const LitScene& scene, glm::dvec3 origin, glm::dvec3 direct
             glm::dot(place.normal, scene.sun.towards) > 0 && !scene.is_hidden(scene.context, place.point, scene.sun.towards);
         if (is_lit) {
             Material seen = material;
-            seen.colour *= 1 - material.mirror;
+            seen.color *= 1 - material.mirror;
             seen.gloss *= is_seen_by_mirror ? 1.0f : 0.0f;  // a diffuse ray spreads highlights until they are gone
             light += kept * local_light(seen, place.normal, -direction, scene.sun, 1, glm::vec3(0), 0);
         }
@@ -67,7 +67,7 @@ glm::vec3 path_light(const LitScene& scene, glm::dvec3 origin, glm::dvec3 direct
         } else {
             const glm::dvec2 spread = even_sample(path, 2 * bounce + 1, seed);
             direction = cosine_direction(place.normal, spread.x, spread.y);
-            kept *= material.colour;
+            kept *= material.color;
         }
         origin = place.point;
     }

@@ -73,7 +73,7 @@ TEST(ColorGroups, TwoDensitiesOfOneHueAreNotComparedNorIsWhatLiesOverOtherGround
     EXPECT_NEAR(least_color_gap(design, {"warnings", "ground"}, 1)->difference, 0, 1e-9) << "red over red";
 }
 
-TEST(ColorGroups, RolesHaveTheColoursOfTheirElements) {
+TEST(ColorGroups, RolesHaveTheColorsOfTheirElements) {
     design::DesignSettings design = plain_design(kGrey, kRed, kBlue);
     design.data.elements.clear();
     EXPECT_FALSE(least_color_gap(design, {"obstacle", "traffic"}, 1).has_value()) << "neither is shown";
@@ -92,7 +92,7 @@ TEST(ColorGroups, RolesHaveTheColoursOfTheirElements) {
     EXPECT_FALSE(least_color_gap(design, {"obstacle", "traffic"}, 1).has_value()) << "colours of values are the palette's";
 }
 
-TEST(ColorGroups, LessLightBringsColoursTogether) {
+TEST(ColorGroups, LessLightBringsColorsTogether) {
     const design::DesignSettings design = plain_design(kGrey, kRed, kBlue);
     EXPECT_LT(least_color_gap(design, {"ground", "sea"}, 0.3)->difference,
               least_color_gap(design, {"ground", "sea"}, 1)->difference);

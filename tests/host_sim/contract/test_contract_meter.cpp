@@ -64,7 +64,7 @@ TEST_F(ContractMeterOfARun, WithoutMasksItSaysHowTheyAreMade) {
     EXPECT_EQ(all[5].state, ReadingState::measured) << "neither do colours of the design";
 }
 
-TEST_F(ContractMeterOfARun, ColoursAreThoseOfTheFramesDesign) {
+TEST_F(ContractMeterOfARun, ColorsAreThoseOfTheFramesDesign) {
     const std::string keys = "[[condition]]\nmeasure = \"color_difference\"\nbetween = [\"warnings\"]\nleast = 3\n";
     PaintedFrame painted;
     const double by_default = readings(keys, painted)[0].value;

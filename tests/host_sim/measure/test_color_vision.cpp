@@ -30,7 +30,7 @@ design::LinearRgb missing_light(const Copunctal& point) {
     return {red / most, green / most, blue / most};
 }
 
-TEST(ColorVision, ColoursOnAConfusionLineLookAlikeToItsOwnDeficiencyAlone) {
+TEST(ColorVision, ColorsOnAConfusionLineLookAlikeToItsOwnDeficiencyAlone) {
     for (const Copunctal& point : kCopunctal) {
         const design::LinearRgb step = missing_light(point);
         for (const design::LinearRgb& from :

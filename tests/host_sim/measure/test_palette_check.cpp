@@ -122,7 +122,7 @@ TEST(PaletteCheck, ClassesThatSinkInTheShadeAreNamed) {
     EXPECT_THAT(faults[0], HasSubstr("needs 2.0"));
 }
 
-TEST(PaletteCheck, ColoursNearTheSeaTheMissingDataOrABandAreNamed) {
+TEST(PaletteCheck, ColorsNearTheSeaTheMissingDataOrABandAreNamed) {
     EXPECT_THAT(in_default_design(seeded(0, {0x34, 0x50, 0x70})),
                 ::testing::Contains(HasSubstr("differs from the sea (#305880) by ")));
     EXPECT_THAT(in_default_design(seeded(3, {0xB8, 0x40, 0xB8})),
@@ -135,7 +135,7 @@ TEST(PaletteCheck, ColoursNearTheSeaTheMissingDataOrABandAreNamed) {
     EXPECT_THAT(palette_faults_in_design(seeded(1, {0x5A, 0x7D, 0x3C}), quiet, "p"), IsEmpty()) << "no band is displayed";
 }
 
-TEST(PaletteCheck, ObjectsInTheAirMayHaveTheColoursOfWarningsButGroundMayNot) {
+TEST(PaletteCheck, ObjectsInTheAirMayHaveTheColorsOfWarningsButGroundMayNot) {
     Palette tube = shipped("data_wind_speed_tube");
     EXPECT_EQ(tube.purpose, design::PalettePurpose::objects);
     EXPECT_THAT(in_default_design(tube), IsEmpty());
@@ -152,7 +152,7 @@ TEST(PaletteCheck, ObjectsInTheAirMayHaveTheColoursOfWarningsButGroundMayNot) {
     EXPECT_THAT(in_default_design(blues), ::testing::Contains(HasSubstr("missing data"))) << "nor may they look like no data";
 }
 
-TEST(PaletteCheck, ColoursBetweenTheStopsCount) {
+TEST(PaletteCheck, ColorsBetweenTheStopsCount) {
     // Half way from one stop to the next lies the sea.
     design::DesignSettings design = design::default_design_settings();
     design.warning_colors = false;

@@ -40,7 +40,7 @@ protected:
     QuietGdal quiet_;
 };
 
-TEST_F(ImageSourceTest, ColoursAreTheFiles) {
+TEST_F(ImageSourceTest, ColorsAreTheFiles) {
     ImageFile image;
     expect_colors(image, image.color);
     image.bands = 4;
@@ -61,7 +61,7 @@ TEST_F(ImageSourceTest, BandsAreFoundByWhatTheySayTheyAre) {
     expect_colors(image, [](int i, int) { return Rgba{11, 22, 33, static_cast<std::uint8_t>(i)}; });
 }
 
-TEST_F(ImageSourceTest, PaletteEntriesBecomeTheirColours) {
+TEST_F(ImageSourceTest, PaletteEntriesBecomeTheirColors) {
     ImageFile image;
     image.bands = 1;
     image.palette = {{1, 2, 3, 255}, {200, 100, 50, 255}, {9, 9, 9, 255}};
@@ -69,7 +69,7 @@ TEST_F(ImageSourceTest, PaletteEntriesBecomeTheirColours) {
     expect_colors(image, [&image](int i, int) { return image.palette[static_cast<std::size_t>(i % 3)]; });
 }
 
-TEST_F(ImageSourceTest, APixelLacksDataWhereAllItsColoursSaySo) {
+TEST_F(ImageSourceTest, APixelLacksDataWhereAllItsColorsSaySo) {
     ImageFile image;
     image.no_data = 0;
     image.color = [](int i, int) { return i < 10 ? Rgba{0, 0, 0, 255} : Rgba{0, 0, 80, 255}; };

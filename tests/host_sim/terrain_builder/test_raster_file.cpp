@@ -268,7 +268,7 @@ std::string write_colors(const std::string& path, HeightEncoding encoding, int b
     return path;
 }
 
-TEST_F(RasterFormats, ColoursThatEncodeHeightsAreDecodedBeforeAnythingElse) {
+TEST_F(RasterFormats, ColorsThatEncodeHeightsAreDecodedBeforeAnythingElse) {
     RasterOptions options;
     options.extent = MapExtent{9.6, 47.1 - 30.0 / 1200, 9.6 + 40.0 / 1200, 47.1};
     for (const int bands : {3, 4}) {
@@ -302,7 +302,7 @@ TEST_F(RasterFormats, AWorldFilePlacesAPictureAndMapUnitsAreThoseOfTheSystem) {
     }
 }
 
-TEST_F(RasterFormats, ColoursWithoutAWordOrWithLossAreRefused) {
+TEST_F(RasterFormats, ColorsWithoutAWordOrWithLossAreRefused) {
     RasterOptions options;
     options.extent = MapExtent{9, 46, 10, 47};
     refuses(write_colors(folder_.file("p.png"), HeightEncoding::terrain_rgb, 3),

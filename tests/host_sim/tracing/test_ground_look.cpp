@@ -40,7 +40,7 @@ TEST(SunAt, SaysWhenItIsTooLow) {
     EXPECT_EQ(night.towards, sun_at(over_equator(), {}).towards);
 }
 
-TEST(GroundLook, ColoursHeightsOfTheGround) {
+TEST(GroundLook, ColorsHeightsOfTheGround) {
     const test_support::FlownFiles files;
     base::SerialWorkers workers;
     const TracedGround ground(files.terrain, workers);

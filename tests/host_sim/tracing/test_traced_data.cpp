@@ -86,11 +86,11 @@ TEST_F(TracedDataTest, SamplesTheFieldAndLeavesOutWhatItDoesNotKnow) {
     EXPECT_TRUE(std::isnan(raytrace::value_at(look.values, 3 * quarter, middle)));
 }
 
-TEST_F(TracedDataTest, ColoursTheGroundWhereThereAreDataAndNowhereElse) {
+TEST_F(TracedDataTest, ColorsTheGroundWhereThereAreDataAndNowhereElse) {
     nlohmann::json json;
     const RgbaPicture without = draw(""), with = draw(files.folder.file("data.sdb"), &json);
     EXPECT_EQ(json.at("data").at("quantity"), "air.temperature");
-    const auto coloured = [](const RgbaPicture& picture, std::uint32_t from, std::uint32_t to) {
+    const auto colored = [](const RgbaPicture& picture, std::uint32_t from, std::uint32_t to) {
         std::size_t count = 0;
         for (std::uint32_t n = 70 * 160; n < 120 * 160; ++n) {  // ground
             const std::uint8_t* rgb = &picture.pixels[4 * std::size_t{n}];
@@ -99,9 +99,9 @@ TEST_F(TracedDataTest, ColoursTheGroundWhereThereAreDataAndNowhereElse) {
         }
         return count;
     };
-    EXPECT_GT(coloured(with, 0, 60), 200u);   // the west: the eye looks north
-    EXPECT_EQ(coloured(with, 100, 160), 0u);  // grey, so that no hue of the ground is taken for a value
-    EXPECT_GT(coloured(without, 0, 160), 0u);
+    EXPECT_GT(colored(with, 0, 60), 200u);   // the west: the eye looks north
+    EXPECT_EQ(colored(with, 100, 160), 0u);  // grey, so that no hue of the ground is taken for a value
+    EXPECT_GT(colored(without, 0, 160), 0u);
 }
 
 TEST_F(TracedDataTest, SaysWhatASceneLacks) {

@@ -59,12 +59,12 @@ TEST_F(TracedShotTest, ShowsGroundBelowAndSkyAbove) {
     TracedShotPlan level = plan();
     level.pose.pitch_deg = 0;
     const TracedShot shot = draw_traced_shot(*ground, settings_of(TracePreset::time), level, alone());
-    const auto colour = [&](std::uint32_t x, std::uint32_t y) { return &shot.pixels.pixels[4 * (y * 160 + x)]; };
-    EXPECT_GT(colour(80, 2)[2], colour(80, 2)[0]) << "blue above";
-    EXPECT_NE(std::memcmp(colour(80, 2), colour(80, 117), 3), 0);
+    const auto color = [&](std::uint32_t x, std::uint32_t y) { return &shot.pixels.pixels[4 * (y * 160 + x)]; };
+    EXPECT_GT(color(80, 2)[2], color(80, 2)[0]) << "blue above";
+    EXPECT_NE(std::memcmp(color(80, 2), color(80, 117), 3), 0);
     EXPECT_GT(shot.ground_share, 0.1);
     EXPECT_LT(shot.ground_share, 0.9);
-    EXPECT_EQ(colour(3, 3)[3], 255);
+    EXPECT_EQ(color(3, 3)[3], 255);
     EXPECT_GT(shot.pieces, 5u);
 }
 

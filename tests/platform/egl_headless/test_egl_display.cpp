@@ -19,7 +19,7 @@ TEST(HeadlessDisplay, IsFoundAndIsTheSameAgain) {
     EXPECT_EQ(find_headless_display(), display);
 }
 
-TEST(HeadlessConfig, HasEightBitsAColourAnd24OfDepthInBothLanes) {
+TEST(HeadlessConfig, HasEightBitsAColorAnd24OfDepthInBothLanes) {
     const EGLDisplay display = find_headless_display();
     for (int version : {2, 3}) {
         const EGLConfig config = find_headless_config(display, version);

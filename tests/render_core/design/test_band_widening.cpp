@@ -45,7 +45,7 @@ TEST(BandWidening, WhatNobodyStatesTheDesignAssumesAndSaysSo) {
 }
 
 /// The greater an uncertainty or the coverage, the lower the limits: what was coloured stays coloured.
-TEST(BandWidening, ColouredTerrainOnlyGrowsWithUncertainty) {
+TEST(BandWidening, ColoredTerrainOnlyGrowsWithUncertainty) {
     const WarningBands bands = egpws_bands();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> accuracy(0.1, 200), coverage(0.5, 0.999), height(-1000, 1000);
@@ -65,7 +65,7 @@ TEST(BandWidening, ColouredTerrainOnlyGrowsWithUncertainty) {
 }
 
 /// The oracle is chance itself: errors are drawn, and terrain at a limit is coloured as often as the design asks.
-TEST(BandWidening, TerrainAtALimitHasItsColourAsOftenAsAsked) {
+TEST(BandWidening, TerrainAtALimitHasItsColorAsOftenAsAsked) {
     std::mt19937 random(11);
     for (const double coverage : {0.8, 0.95, 0.99}) {
         WideningSettings settings;
@@ -73,9 +73,9 @@ TEST(BandWidening, TerrainAtALimitHasItsColourAsOftenAsAsked) {
         const double lowered = widening_of(settings, {30, 16}).lowered_m;
         std::normal_distribution<double> position(0, 30 / 1.959964), terrain(0, 16 / 1.644854);
         constexpr int kTimes = 100'000;
-        int coloured = 0;
-        for (int n = 0; n < kTimes; ++n) coloured += terrain(random) - position(random) >= -lowered ? 1 : 0;
-        EXPECT_NEAR(static_cast<double>(coloured) / kTimes, coverage, 0.005);
+        int colored = 0;
+        for (int n = 0; n < kTimes; ++n) colored += terrain(random) - position(random) >= -lowered ? 1 : 0;
+        EXPECT_NEAR(static_cast<double>(colored) / kTimes, coverage, 0.005);
     }
 }
 

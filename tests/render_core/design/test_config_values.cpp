@@ -5,7 +5,7 @@
 namespace tedavis::design::test_config_values {
 namespace {
 
-TEST(ConfigValues, AColourIsReadOrIsAFaultAtItsLine) {
+TEST(ConfigValues, AColorIsReadOrIsAFaultAtItsLine) {
     base::ConfigReader sound("a = 1\ncolor = '#a0B0c0'\n", "f.toml");
     base::ConfigSection root = sound.root();
     EXPECT_EQ(required_color(root, "color"), (Color{0xA0, 0xB0, 0xC0}));

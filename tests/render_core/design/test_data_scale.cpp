@@ -25,7 +25,7 @@ TEST(DataScale, AValueBelongsToExactlyOneClass) {
     EXPECT_EQ(class_of(scale_of({}), 55), 0u);
 }
 
-TEST(DataScale, ClassesHaveTheColoursOfTheirMiddles) {
+TEST(DataScale, ClassesHaveTheColorsOfTheirMiddles) {
     const DataScale scale = scale_of({10, 20, 40});
     EXPECT_NEAR(scale_color(scale, 3).red, 255 * 0.05, 0.6);
     EXPECT_NEAR(scale_color(scale, 12).red, 255 * 0.15, 0.6);

@@ -83,7 +83,7 @@ std::string class_of(const std::string& name, const std::string& color) {
     return "[[class]]\nname = '" + name + "'\ncolor = '" + color + "'\n";
 }
 
-TEST(Palette, ClassesHaveNamesAndNoColoursBetweenThem) {
+TEST(Palette, ClassesHaveNamesAndNoColorsBetweenThem) {
     const auto read = read_palette(
         nominal(class_of("forest", "#204020") + class_of("water", "#2040c0") + class_of("bare", "#e0e0e0")), "p.toml");
     ASSERT_TRUE(read.ok()) << read.error().message.view();

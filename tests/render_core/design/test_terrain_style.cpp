@@ -92,7 +92,7 @@ TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {
     EXPECT_DOUBLE_EQ(got.style.shade.lights[1].weight, 1);
 }
 
-TEST(TerrainStyle, LightsAreWhiteUnlessTheFileGivesThemAColour) {
+TEST(TerrainStyle, LightsAreWhiteUnlessTheFileGivesThemAColor) {
     const auto style = [](const std::string& text) {
         const ReadStyle got = read("[terrain.shade]\n" + text);
         EXPECT_EQ(got.error, "");

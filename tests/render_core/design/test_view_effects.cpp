@@ -36,7 +36,7 @@ TEST(ViewEffects, AreWhatTheFileSays) {
     EXPECT_TRUE(effects.depth_of_field.on_data);
 }
 
-TEST(ViewEffects, ThePanelsLightingHasItsColours) {
+TEST(ViewEffects, ThePanelsLightingHasItsColors) {
     ViewEffects effects;
     EXPECT_EQ(read("lighting = \"auto\"\nnight_color = \"#402010\"\n", effects), "");
     EXPECT_EQ(effects.lighting, PanelLighting::automatic);

@@ -62,7 +62,7 @@ double share_apart(const std::vector<std::uint8_t>& a, const std::vector<std::ui
 /// Light comes from the corners of a triangle instead of from each pixel's own normal, heights have 16 bits, distances steps of
 /// 3.6 %: a few colour steps, more where the light leaves rough ground within a triangle. A limit between two colours may fall on
 /// the other side of a pixel's middle.
-TEST(CodedPictures, ShowWhatColoursDrawnAtOnceShow) {
+TEST(CodedPictures, ShowWhatColorsDrawnAtOnceShow) {
     const design::DesignSettings design = design_without_silhouettes();
     const host_sim::AircraftPose poses[] = {
         {47.0, 9.64, 2000, 30, -12, 0}, {46.99, 9.7, 1500, 300, -5, 25}, {47.06, 9.62, 3500, 150, -35, 0}};

@@ -78,7 +78,7 @@ std::size_t colored_pixels(const flight::AircraftState& state, bool widened, des
     return different;
 }
 
-TEST(Display, WarningColoursReachFurtherTheLessIsKnownOfTheHeight) {
+TEST(Display, WarningColorsReachFurtherTheLessIsKnownOfTheHeight) {
     flight::AircraftState state = aircraft_over_hills(2000);  // tops reach the lowest limit, 2000 ft below
     const auto at_accuracy = [&](double metres, design::BandWidening* record = nullptr) {
         state[Signal::vertical_accuracy] = {metres, kHillsNow};

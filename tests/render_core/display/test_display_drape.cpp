@@ -58,7 +58,7 @@ TEST(Display, AnImageIsShownWithinItsBudgetOnEveryDevice) {
     }
 }
 
-TEST(Display, WhereTheDatabaseHasNoImageThePlainColourIsDrawnAndSaid) {
+TEST(Display, WhereTheDatabaseHasNoImageThePlainColorIsDrawnAndSaid) {
     test_support::MemoryBytes bytes(hills().image);
     HeadlessDisplay display("egl", "es3-mid", 320, 240, &bytes, image_design());
     const HillsPicture picture = hills_picture(display, aircraft_over_hills(2500, 30, -15));

@@ -40,7 +40,7 @@ TEST(Display, WithoutATrustworthyPositionNothingOfTheTerrainIsSeen) {
     EXPECT_NE(shown, hills_picture(over.display, elsewhere)) << "control: shown terrain does depend on the place";
 }
 
-TEST(Display, StaleAltitudeTakesTheWarningColoursAway) {
+TEST(Display, StaleAltitudeTakesTheWarningColorsAway) {
     OverHills over;
     flight::AircraftState state = aircraft_over_hills(1100);
     const HillsPicture warned = hills_picture(over.display, state);

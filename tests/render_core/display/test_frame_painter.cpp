@@ -62,7 +62,7 @@ terrain::View view_of(const design::DesignSettings& design) {
     return hills.headless.display().planned().picture.camera.view;
 }
 
-TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColours) {
+TEST(DisplayDrawing, AnAnaglyphIsEachEyesOwnPictureInItsColors) {
     const design::DesignSettings design = stereo_design(StereoMode::anaglyph);
     Camera middle;
     middle.view = view_of(design);

@@ -150,7 +150,7 @@ TEST(MapPictures, WithoutAPositionThereIsNoMap) {
     }
 }
 
-TEST(MapPictures, WithoutTerrainTheGroundIsOneDarkColour) {
+TEST(MapPictures, WithoutTerrainTheGroundIsOneDarkColor) {
     MapScene scene(map_design());
     const HillsPicture outside = scene.picture(aircraft_on_map({48.5, 9.7}));
     EXPECT_TRUE(scene.has_flag("terrain.outside_database"));
@@ -159,7 +159,7 @@ TEST(MapPictures, WithoutTerrainTheGroundIsOneDarkColour) {
     EXPECT_LT(high[2], 64);
 }
 
-TEST(MapPictures, WarningColoursHold) {
+TEST(MapPictures, WarningColorsHold) {
     MapScene scene(without_symbols(map_design()));
     const HillsPicture high = scene.picture(aircraft_on_map({}, 30, 30, 9000));
     EXPECT_EQ(scene.record().effects[1].state, EffectState::run);

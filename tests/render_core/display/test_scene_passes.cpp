@@ -84,12 +84,12 @@ TEST_F(ScenePassesStart, ShaftsOfLightTakeAPictureAndAQuarterOfOneBesides) {
 }
 
 TEST_F(ScenePassesStart, DesignsThatFollowOneAnotherHaveTheProgramsOfAll) {
-    design::DesignSettings lined = design_, coloured = design_, blurred = design_;
+    design::DesignSettings lined = design_, colored = design_, blurred = design_;
     lined.terrain.style.sketch.silhouettes = 1;
-    coloured.terrain.style.texture = design::TerrainTexture::slope;
-    coloured.terrain.style.sketch.silhouettes = 0;
+    colored.terrain.style.texture = design::TerrainTexture::slope;
+    colored.terrain.style.sketch.silhouettes = 0;
     blurred.effects.depth_of_field.blur_px = 2;
-    draw::DrawnDesign designs[] = {{&coloured}, {&lined}, {&blurred}};
+    draw::DrawnDesign designs[] = {{&colored}, {&lined}, {&blurred}};
     for (draw::DrawnDesign& one : designs) one.output = draw::output_of(*one.design, true);
     ASSERT_NE(designs[1].output, designs[0].output);
     ASSERT_EQ(passes_.start(session_.gl, session_.device, designs, kWidth, kHeight).message.view(), "");
@@ -97,8 +97,8 @@ TEST_F(ScenePassesStart, DesignsThatFollowOneAnotherHaveTheProgramsOfAll) {
         EXPECT_TRUE(passes_.shows(one));
         passes_.set_design(one);
     }
-    coloured.effects.shadows.on_ground = 1;
-    EXPECT_FALSE(passes_.shows({&coloured}));
+    colored.effects.shadows.on_ground = 1;
+    EXPECT_FALSE(passes_.shows({&colored}));
     passes_.destroy(session_.gl);
 }
 

@@ -227,7 +227,7 @@ TEST_P(FocusGround, WhatIsInFocusIsAsWithoutIt) {
 }
 
 /// Warning colours, and the sign of ground without data, in the context.
-TEST_P(FocusGround, WhatSpeaksByItsColourKeepsIt) {
+TEST_P(FocusGround, WhatSpeaksByItsColorKeepsIt) {
     host_sim::Raster cliff =
         test_support::make_raster(257, 257, [](std::uint32_t i, std::uint32_t) { return 1000 + (i > 128 ? 1900.0f : 0.0f); });
     host_sim::Raster unknown = level_ground();

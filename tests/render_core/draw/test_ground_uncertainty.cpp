@@ -149,7 +149,7 @@ TEST_P(GroundUncertaintyOf, WhatIsCertainLooksAsItDoesWithoutATechnique) {
     EXPECT_GT(most(overlay_design(UncertaintyOverlay::grid)), 100) << "but a mesh is finest where it is certain";
 }
 
-TEST_P(GroundUncertaintyOf, BumpsAreTheRougherTheLessSureAndKeepTheColourOnTheWhole) {
+TEST_P(GroundUncertaintyOf, BumpsAreTheRougherTheLessSureAndKeepTheColorOnTheWhole) {
     double last = 0;
     const double mean = luminance_of(draw(flat(field_of_level(ground_, 0)), opaque_design(IntrinsicUncertainty::none))).mean;
     for (const double level : {0.25, 0.5, 1.0}) {
@@ -276,7 +276,7 @@ TEST_P(GroundUncertaintyOf, TheUnknownIsMarkedInEveryTechnique) {
     EXPECT_GT(bare_share(overlay_design(UncertaintyOverlay::fog)), 0.3);
 }
 
-TEST_P(GroundUncertaintyOf, AnOverlayStandsBesideATechniqueInTheColours) {
+TEST_P(GroundUncertaintyOf, AnOverlayStandsBesideATechniqueInTheColors) {
     design::DesignSettings both = overlay_design(UncertaintyOverlay::fog);
     both.data.ground.uncertainty = {IntrinsicUncertainty::saturation, 0.75, 0};
     const host_sim::LayerDraft draft = field_of_level(ground_, 0.5);

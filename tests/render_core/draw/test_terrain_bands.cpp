@@ -17,7 +17,7 @@ int shaded_band(const TerrainBands& bands, float height_m) {
     return found;
 }
 
-TEST(TerrainBands, EveryHeightOfAChunkGetsTheColourOfTheDesignsTable) {
+TEST(TerrainBands, EveryHeightOfAChunkGetsTheColorOfTheDesignsTable) {
     for (const WarningBands& bands : {design::egpws_bands(), design::garmin_bands()})
         for (const bool gear_down : {false, true})
             for (double aircraft_m = 0; aircraft_m < 4000; aircraft_m += 173.3)

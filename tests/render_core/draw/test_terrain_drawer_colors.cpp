@@ -26,7 +26,7 @@ using test_support::lit_from_above;
 using test_support::pixel_of;
 using test_support::RasterScene;
 
-TEST(TerrainDrawer, ColoursFollowHeightAndWarningBandsInEveryPixel) {
+TEST(TerrainDrawer, ColorsFollowHeightAndWarningBandsInEveryPixel) {
     RasterScene scene(eastward_ramp());
     const design::DesignSettings design = clear_design();
     ChunkDrawing drawing(scene, design);
@@ -63,7 +63,7 @@ TEST(TerrainDrawer, ColoursFollowHeightAndWarningBandsInEveryPixel) {
 }
 
 /// A hill whose top lies 20 m below the lowest limit is coloured when the limits go down by more than that.
-TEST(TerrainDrawer, LoweredBandsColourMoreTerrainAndNeverLess) {
+TEST(TerrainDrawer, LoweredBandsColorMoreTerrainAndNeverLess) {
     RasterScene scene(eastward_ramp());
     const design::DesignSettings design = clear_design();
     ChunkDrawing drawing(scene, design);
@@ -77,22 +77,22 @@ TEST(TerrainDrawer, LoweredBandsColourMoreTerrainAndNeverLess) {
     for (const double lowered_m : {0.0, 15.0, 25.0, 60.0, 200.0}) {
         input.bands_lowered_m = lowered_m;
         const ChunkPicture picture = drawing.draw(input, 1);
-        std::size_t coloured = 0;
+        std::size_t colored = 0;
         for (std::size_t p = 0; p < colored_before.size(); ++p) {
             const bool is_colored =
                 !std::equal(picture.rgba.begin() + 4 * p, picture.rgba.begin() + 4 * p + 4, &plain.rgba[4 * p]);
             EXPECT_TRUE(is_colored || !colored_before[p]) << "pixel " << p << " lost its colour";
             colored_before[p] = is_colored;
-            coloured += is_colored ? 1 : 0;
+            colored += is_colored ? 1 : 0;
         }
-        EXPECT_EQ(coloured > 0, lowered_m > 20) << lowered_m;
-        EXPECT_GE(coloured, before);
-        before = coloured;
+        EXPECT_EQ(colored > 0, lowered_m > 20) << lowered_m;
+        EXPECT_GE(colored, before);
+        before = colored;
     }
 }
 
 /// A slope in three coloured lights and ambient light of a colour: every channel is its own sum of the shares.
-TEST(TerrainDrawer, EveryLightAddsItsColour) {
+TEST(TerrainDrawer, EveryLightAddsItsColor) {
     RasterScene scene(eastward_ramp());
     design::DesignSettings design = clear_design();
     design.terrain.style.texture = design::TerrainTexture::plain;
@@ -254,7 +254,7 @@ TEST(TerrainDrawer, TheCoastIsWhereItIsAndNotWhereTrianglesAre) {
     }
 }
 
-TEST(TerrainDrawer, VoidsAreHatchedInTheirColourInEveryStyleAndNeverLookLikeSea) {
+TEST(TerrainDrawer, VoidsAreHatchedInTheirColorInEveryStyleAndNeverLookLikeSea) {
     RasterScene scene(with_gaps());
     for (std::size_t texture = 0; texture < design::kTerrainTextures; ++texture) {
         design::DesignSettings design = clear_design();

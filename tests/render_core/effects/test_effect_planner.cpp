@@ -115,7 +115,7 @@ TEST_F(EffectPlanner, WhatTheDeviceOrTheViewSaysGoesBeforeTheTime) {
     EXPECT_EQ(plan()[Effect::silhouettes].reason, "forbidden by the device's file");
 }
 
-TEST_F(EffectPlanner, ColourIsLeftOutUpToOneStepOfEightBits) {
+TEST_F(EffectPlanner, ColorIsLeftOutUpToOneStepOfEightBits) {
     input_[Effect::haze] = {Kind::applicable, "", kUnseenColor};
     EXPECT_EQ(plan()[Effect::haze].state, PlanState::skipped);
     EXPECT_EQ(plan()[Effect::haze].reason, "too small to be seen");

@@ -106,7 +106,7 @@ TEST(EffectTable, KeysAreThoseOfDesigns) {
     EXPECT_GT(keys, 2 * 18u);
 }
 
-TEST(EffectTable, OnlyEffectsOnColourOrPlacesHaveABound) {
+TEST(EffectTable, OnlyEffectsOnColorOrPlacesHaveABound) {
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectRow& row = row_of(static_cast<Effect>(n));
         EXPECT_EQ(row.bound.empty(), row.contribution == Contribution::content) << row.name;

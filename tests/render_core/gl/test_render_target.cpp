@@ -37,7 +37,7 @@ TEST_P(RenderTargetTest, IsDrawnIntoApartFromTheSurface) {
     EXPECT_EQ(at_.gl.denied().total, 0u);
 }
 
-TEST_P(RenderTargetTest, PaysColourAndDepth) {
+TEST_P(RenderTargetTest, PaysColorAndDepth) {
     auto target = make_render_target(at_.gl, line_, kSize, TargetDepth::bits24);
     ASSERT_TRUE(target.ok());
     EXPECT_EQ(line_.use.in_use, 20u * 10 * 8);
@@ -50,7 +50,7 @@ TEST_P(RenderTargetTest, PaysColourAndDepth) {
     EXPECT_EQ(line_.use.in_use, 20u * 10 * 4);
 }
 
-TEST_P(RenderTargetTest, OverBudgetDepthGivesTheColourBack) {
+TEST_P(RenderTargetTest, OverBudgetDepthGivesTheColorBack) {
     line_.bytes = 20 * 10 * 4 + 100;
     const auto target = make_render_target(at_.gl, line_, kSize, TargetDepth::bits24);
     ASSERT_FALSE(target.ok());

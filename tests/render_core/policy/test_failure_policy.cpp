@@ -133,7 +133,7 @@ TEST(FailurePolicy, OwnShipEstimateNotValidRemovesTerrain) {
     }
 }
 
-TEST(FailurePolicy, HeightWithoutGeometryKeepsTerrainDegradedAndUncoloured) {
+TEST(FailurePolicy, HeightWithoutGeometryKeepsTerrainDegradedAndUncolored) {
     AircraftState state = everything_valid();
     state.own_ship.height_is_geometric = false;
     const DisplayDecisions decisions = decide_on(state);
@@ -144,7 +144,7 @@ TEST(FailurePolicy, HeightWithoutGeometryKeepsTerrainDegradedAndUncoloured) {
     EXPECT_TRUE(has_notice(decisions, "TERRAIN DEGRADED"));
 }
 
-TEST(FailurePolicy, AHeightOnTheAltimetersSettingKeepsTerrainWithoutColours) {
+TEST(FailurePolicy, AHeightOnTheAltimetersSettingKeepsTerrainWithoutColors) {
     AircraftState state = everything_valid();
     put_signal(state, Signal::ellipsoid_height, SignalState::missing);
     put_signal(state, Signal::true_altitude, SignalState::missing);

@@ -85,7 +85,7 @@ TEST_F(AdjacentDataOf, WhatCannotBeShownIsSaidAndHasNoMaps) {
     EXPECT_EQ(state_without_maps(), GroundDataState::not_asked_for);
 }
 
-TEST_F(AdjacentDataOf, TheLegendSaysWhatTheColoursAndTheSignsMean) {
+TEST_F(AdjacentDataOf, TheLegendSaysWhatTheColorsAndTheSignsMean) {
     start(test_support::small_ensemble());
     const auto legend = [this](design::AdjacentShows shows) {
         view_.shows = shows;

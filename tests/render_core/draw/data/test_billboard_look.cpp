@@ -25,7 +25,7 @@ host_sim::LayerDraft masts() {
     return layer;
 }
 
-TEST(BillboardLook, WithoutATechniqueColoursStay) {
+TEST(BillboardLook, WithoutATechniqueColorsStay) {
     ElementOfTest test(masts());
     for (std::size_t n : {0, 1, 2}) {
         const BillboardLook look = billboard_look(test.input(), n);

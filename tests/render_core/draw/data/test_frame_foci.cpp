@@ -48,7 +48,7 @@ TEST(FrameFoci, WhereNoFocusIsAnywhereNothingStepsBack) {
     EXPECT_FALSE(plain.frame().changes_data()) << "it changes the ground alone";
 }
 
-TEST(FrameFoci, ColoursGetGreyerAndDarkerAndStayAsOpaque) {
+TEST(FrameFoci, ColorsGetGreyerAndDarkerAndStayAsOpaque) {
     const design::Color color{200, 40, 20, 128};
     EXPECT_EQ(shown_color({}, color), color);
     FocusLook grey;

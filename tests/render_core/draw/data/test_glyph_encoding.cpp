@@ -105,7 +105,7 @@ TEST(GlyphEncoding, DirectionsMayBeThoseOfACompass) {
     EXPECT_EQ(directions.size(), 8u);
 }
 
-TEST(GlyphEncoding, SpeedIsInLengthAndColour) {
+TEST(GlyphEncoding, SpeedIsInLengthAndColor) {
     const auto arrow = [](float speed) { return Encoded({glyph_of(speed)}, GlyphValues::wind, wind_style()).only(); };
     EXPECT_FLOAT_EQ(arrow(20).size_m.x, 100);
     EXPECT_FLOAT_EQ(arrow(30).size_m.x, 100) << "no longer than the full size";

@@ -66,7 +66,7 @@ TEST(Placement, AxesAreEastNorthAndUp) {
     EXPECT_GT(glm::dot(glm::normalize(step), axes.east), 0.999999);
 }
 
-TEST(Placement, ColoursComeFromTheValueOrSayThatThereIsNone) {
+TEST(Placement, ColorsComeFromTheValueOrSayThatThereIsNone) {
     ElementOfTest test(test_support::small_grid());
     EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), test.element.color) << "no encoding";
     test.element.by_color.attribute = "temperature";
@@ -79,7 +79,7 @@ TEST(Placement, ColoursComeFromTheValueOrSayThatThereIsNone) {
     EXPECT_EQ(encoded_color(test.input(), test.element.by_color, 0), missing) << "no such attribute";
 }
 
-TEST(Placement, KindsHaveTheColoursOfTheirNames) {
+TEST(Placement, KindsHaveTheColorsOfTheirNames) {
     ElementOfTest test(test_support::small_points());  // mast, turbine, mast
     test.element.by_color.attribute = "kind";
     design::Palette& palette = test.element.by_color.scale.palette;

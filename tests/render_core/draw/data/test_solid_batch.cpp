@@ -28,7 +28,7 @@ glm::dvec3 place_of(const SolidBatch& batch, const SolidPiece& piece, std::uint3
     return piece.anchor + glm::dvec3(batch.vertices()[piece.first_vertex + vertex].place_m);
 }
 
-TEST(SolidBatch, NormalsAndColoursSurviveTheirCodes) {
+TEST(SolidBatch, NormalsAndColorsSurviveTheirCodes) {
     const glm::vec3 normal = glm::normalize(glm::vec3(0.3f, -0.8f, 0.52f));
     const SolidVertex vertex = solid_vertex({1, 2, 3}, normal, {1, 2, 3, 4}, scene::Uncertainty::from_level(0.5));
     for (int n = 0; n < 3; ++n) EXPECT_NEAR((static_cast<float>(vertex.normal[n]) - 127) / 127, normal[n], 0.5f / 127 + 1e-6f);

@@ -113,9 +113,9 @@ TEST_F(TubeWayOfTest, ChangesOfAValueAreKeptAndSoAreItsGaps) {
     for (int n = 0; n < 200; ++n) speed.values.push_back(n < 80 ? 10.0f : 50.0f);
     for (int n = 150; n < 160; ++n) speed.values[static_cast<std::size_t>(n)] = std::numeric_limits<float>::quiet_NaN();
     layer.attributes.push_back(speed);
-    ElementOfTest coloured(layer);
-    coloured.element.by_color.attribute = "speed";
-    EXPECT_EQ(kept(coloured), 8u) << "both sides of the step and of both borders of what is missing";
+    ElementOfTest colored(layer);
+    colored.element.by_color.attribute = "speed";
+    EXPECT_EQ(kept(colored), 8u) << "both sides of the step and of both borders of what is missing";
     const auto numbers = line.numbers();
     EXPECT_EQ(std::vector<std::uint32_t>(numbers.begin(), numbers.end()),
               (std::vector<std::uint32_t>{0, 79, 80, 149, 150, 159, 160, 199}));

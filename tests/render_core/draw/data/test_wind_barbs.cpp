@@ -70,7 +70,7 @@ TEST(WindBarbs, TheNearestHaveTheRoomAndMembersAreCounted) {
     EXPECT_EQ(barbs.build({}).all(), 0u);
 }
 
-TEST(WindBarbs, ColoursFollowTheSpeedAndWhatIsNotKnown) {
+TEST(WindBarbs, ColorsFollowTheSpeedAndWhatIsNotKnown) {
     Barbs barbs;
     barbs.build({glyph(barbs.room, 5000, 0, 5, 5)});
     const auto has = [&](design::Color color) {

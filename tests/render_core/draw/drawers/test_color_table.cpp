@@ -65,7 +65,7 @@ design::Color expected(const design::DesignSettings& design, double height_m, do
     return tint;
 }
 
-TEST(ColorTable, EveryCodeHasTheColourOfItsHeight) {
+TEST(ColorTable, EveryCodeHasTheColorOfItsHeight) {
     Table table;
     for (const double aircraft_m : {900.0, 2410.3}) {
         table.update(aircraft_m);
@@ -147,7 +147,7 @@ TEST(ColorTable, TheSkyRunsFromTheGroundOverTheHorizonToTheZenith) {
     expect(255, sky.zenith);
 }
 
-TEST(ColorTable, TheSeaHasItsColourAndItsBand) {
+TEST(ColorTable, TheSeaHasItsColorAndItsBand) {
     Table table;
     table.update(0);
     const design::Color sea = table.design().terrain.sea;
@@ -162,7 +162,7 @@ TEST(ColorTable, TheSeaHasItsColourAndItsBand) {
     EXPECT_NE(warned.red, sea.red) << "the test would see nothing";
 }
 
-TEST(ColorTable, ATerrainAsFlatAsATableStillHasColours) {
+TEST(ColorTable, ATerrainAsFlatAsATableStillHasColors) {
     Table table;
     table.update(0, 0, {12, 12});
     const design::Color color = design::color_of_value(table.design().terrain.palette, 12);

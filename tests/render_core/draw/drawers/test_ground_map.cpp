@@ -30,7 +30,7 @@ using test_support::RasterScene;
 class GroundMapOf : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Lanes, GroundMapOf, ::testing::Values("es2-small", "es3-mid"));
 
-TEST_P(GroundMapOf, EveryPixelHasTheColourOfTheInterpolatedValue) {
+TEST_P(GroundMapOf, EveryPixelHasTheColorOfTheInterpolatedValue) {
     const RasterScene ground = level_ground();
     const LoadedScene loaded(field_over(ground, 9));
     design::DesignSettings design = ground_design(IntrinsicUncertainty::none);
@@ -53,7 +53,7 @@ TEST_P(GroundMapOf, EveryPixelHasTheColourOfTheInterpolatedValue) {
     EXPECT_GT(beside, 5'000);
 }
 
-TEST_P(GroundMapOf, ClassesHaveOneColourEach) {
+TEST_P(GroundMapOf, ClassesHaveOneColorEach) {
     const RasterScene ground = level_ground();
     const LoadedScene loaded(field_over(ground, 9));
     design::DesignSettings design = ground_design(IntrinsicUncertainty::none);
@@ -79,7 +79,7 @@ TEST_P(GroundMapOf, ClassesHaveOneColourEach) {
     EXPECT_LT(at_limits, 400);
 }
 
-TEST_P(GroundMapOf, KindsHaveTheColoursOfTheirNamesAndNeverMix) {
+TEST_P(GroundMapOf, KindsHaveTheColorsOfTheirNamesAndNeverMix) {
     const RasterScene ground = level_ground();
     host_sim::LayerDraft draft = field_over(ground, 9);
     host_sim::AttributeDraft& kind = draft.attributes[0];
@@ -112,7 +112,7 @@ TEST_P(GroundMapOf, KindsHaveTheColoursOfTheirNamesAndNeverMix) {
     for (const int count : compared) EXPECT_GT(count, 3'000);
 }
 
-TEST_P(GroundMapOf, ValuesBelowTheLimitHaveNoColour) {
+TEST_P(GroundMapOf, ValuesBelowTheLimitHaveNoColor) {
     const RasterScene ground = level_ground();
     const LoadedScene loaded(field_over(ground, 9));
     design::DesignSettings design = ground_design(IntrinsicUncertainty::none);

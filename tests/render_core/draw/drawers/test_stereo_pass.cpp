@@ -58,7 +58,7 @@ Picture seen(StereoMode mode, std::int32_t shift_px) {
     return result;
 }
 
-TEST(StereoPass, AnAnaglyphHasEachEyesColoursTexelByTexel) {
+TEST(StereoPass, AnAnaglyphHasEachEyesColorsTexelByTexel) {
     for (const std::int32_t shift : {0, 3, 5}) {
         const Picture both = seen(StereoMode::anaglyph, shift);
         const auto left = columns(EyeSide::left), right = columns(EyeSide::right);

@@ -108,7 +108,7 @@ TEST(TerrainDrawer, UploadsOnlyWhatIsNew) {
     EXPECT_EQ(first.rgba, second.rgba);
 }
 
-TEST(TerrainDrawer, ANewDesignColoursTheNextFrame) {
+TEST(TerrainDrawer, ANewDesignColorsTheNextFrame) {
     RasterScene scene(eastward_ramp());
     ChunkDrawing drawing(scene, clear_design());
     const TerrainDrawInput input = lit_from_above(scene.view(80, 80, 9000, 0, -90));

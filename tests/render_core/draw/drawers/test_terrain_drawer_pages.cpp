@@ -149,7 +149,7 @@ TEST_P(TerrainDrape, EverySquareOfAChequeredImageIsSeenWhereItLies) {
     }
 }
 
-TEST_P(TerrainDrape, BeyondTheImageThePlainColourIsDrawn) {
+TEST_P(TerrainDrape, BeyondTheImageThePlainColorIsDrawn) {
     // The image covers posts 40 to 119 and has a hole in its middle.
     test_support::ImageFile image = test_support::image_over(gentle_hills(), 2, [](int i, int j) {
         const bool hole = i > 60 && i < 100 && j > 60 && j < 100;
@@ -179,7 +179,7 @@ TEST_P(TerrainDrape, BeyondTheImageThePlainColourIsDrawn) {
     }
 }
 
-TEST_P(TerrainDrape, WithoutPagesThePlainColourIsDrawn) {
+TEST_P(TerrainDrape, WithoutPagesThePlainColorIsDrawn) {
     const RasterScene scene = draped(gentle_hills(), test_support::image_over(gentle_hills(), 1, [](int, int) {
                                          return Rgba{10, 120, 240, 255};
                                      }));

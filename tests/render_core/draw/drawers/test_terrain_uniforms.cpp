@@ -270,7 +270,7 @@ TEST_F(TerrainUniformValues, LightsComeInLocalAxesWithSharesOfOne) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(double{to_local[static_cast<std::size_t>(3 * c)]}, east[c], 1e-6);
 }
 
-TEST_F(TerrainUniformValues, ColoursOfLightsAreSharesOfFullLight) {
+TEST_F(TerrainUniformValues, ColorsOfLightsAreSharesOfFullLight) {
     set_style_uniforms(at_.gl, program_, style_, 500);
     EXPECT_EQ(read<3>("light_color[0]"), (std::array<float, 3>{1, 1, 1}));
     EXPECT_EQ(read<3>("light_color[1]"), (std::array<float, 3>{1, 0.2f, 0}));

@@ -84,7 +84,7 @@ int contrast(const std::vector<int>& picture, int row = 24) {
     return most - least;
 }
 
-TEST(ViewEffectsPass, OnePictureOfOneColourStaysAsItIs) {
+TEST(ViewEffectsPass, OnePictureOfOneColorStaysAsItIs) {
     const Scene scene = [](int x, int) { return Texel{123, 100.0 + 400.0 * x}; };
     ViewEffectsInput both = blur(3000, 4000);
     both.smooths = true;

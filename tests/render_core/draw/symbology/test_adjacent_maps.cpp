@@ -154,7 +154,7 @@ TEST(AdjacentMaps, TheLatticeStandsStillOnTheGround) {
     }
 }
 
-TEST(AdjacentMaps, ColoursAreThoseOfTheScaleAndSignsAreNone) {
+TEST(AdjacentMaps, ColorsAreThoseOfTheScaleAndSignsAreNone) {
     const LoadedScene loaded(wide_grid());
     AdjacentInput input = input_of(loaded);
     const scene::FieldValue sure{7.3, Uncertainty::from_level(0.25), ValueState::valid};
@@ -194,7 +194,7 @@ struct Built {
     Layout layout;
 };
 
-TEST(AdjacentMaps, EveryQuadOfTheMapHasTheColourOfTheValueInItsMiddle) {
+TEST(AdjacentMaps, EveryQuadOfTheMapHasTheColorOfTheValueInItsMiddle) {
     const LoadedScene loaded(wide_grid());
     const AdjacentInput maps = input_of(loaded);
     const Built built(maps);

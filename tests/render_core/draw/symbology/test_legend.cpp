@@ -168,7 +168,7 @@ int distance(Color a, Color b) {
     return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
 }
 
-TEST(Legend, EachNumberStandsAtItsColour) {
+TEST(Legend, EachNumberStandsAtItsColor) {
     const Layout layout = make_layout(1280, 960, 96);
     SymbologyInput input = calm_input();
     input.legend.bands = false;

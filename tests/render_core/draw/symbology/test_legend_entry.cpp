@@ -106,7 +106,7 @@ Color color_on_scale(const DataLegend& legend, LegendDetail detail, double share
     return picture.at(static_cast<int>(100 + 0.3f * t + 4.4f * t * static_cast<float>(share)), static_cast<int>(20 + 1.25f * t));
 }
 
-TEST(LegendEntry, TheScaleHasTheColoursOfItsValues) {
+TEST(LegendEntry, TheScaleHasTheColorsOfItsValues) {
     for (const LegendDetail detail : {LegendDetail::whole, LegendDetail::flat, LegendDetail::scale}) {
         const DataLegend smooth = wind();
         for (const double share : {0.1, 0.3, 0.62, 0.9}) {

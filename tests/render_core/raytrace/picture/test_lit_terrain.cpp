@@ -18,7 +18,7 @@ test_support::HeightField<std::int16_t> walled_plane() {
 TEST(LitTerrain, PathsSeeTheGroundTheWallAndTheSky) {
     test_support::DrawnTrace drawn(walled_plane(), {time_preset()}, 16, 16);
     drawn.look.ground.palette = {};
-    drawn.look.material.colour = {0.5f, 0.5f, 0.5f};
+    drawn.look.material.color = {0.5f, 0.5f, 0.5f};
     drawn.look.material.gloss = 0;
     drawn.look.sun.towards = {0, 0, 1};
     const GridScale scale = {10, 20, 0.5};

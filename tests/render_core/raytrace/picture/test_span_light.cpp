@@ -46,7 +46,7 @@ protected:
         look_.material.sharpness = 1 + static_cast<std::uint32_t>(any(0, 40));
         find_normals(surface_, kPostScale, light_.normal);
         find_eyes(eye_[0], eye_[1], eye_[2], surface_.count, kPostScale, light_.eye);
-        find_colors(surface_, look_, light_.colour);
+        find_colors(surface_, look_, light_.color);
     }
     [[nodiscard]] glm::dvec3 normal(std::uint32_t n) const {
         return normal_of({surface_.height[n], surface_.slope_x[n], surface_.slope_y[n]}, kPostScale);
@@ -112,16 +112,16 @@ TEST_F(SpanLightTest, AperturesLetThroughWhatTheyDoOneByOne) {
     EXPECT_LT(worst_sun, 1e-3);
 }
 
-TEST_F(SpanLightTest, ColoursGoByHeightFromTheFirstToTheLast) {
+TEST_F(SpanLightTest, ColorsGoByHeightFromTheFirstToTheLast) {
     const glm::vec3 palette[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}};
     look_.ground = {palette, 100, 300};
     surface_.count = 5;
     const float heights[] = {-50, 100, 150, 250, 900};
     std::copy(heights, heights + 5, surface_.height);
-    find_colors(surface_, look_, light_.colour);
+    find_colors(surface_, look_, light_.color);
     const glm::vec3 expected[] = {{0, 0, 0}, {0, 0, 0}, {0.5f, 0, 0}, {1, 0.5f, 0.25f}, {1, 1, 0.5f}};
     for (std::uint32_t n = 0; n < 5; ++n)
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(light_.colour[c][n], expected[n][c], 1e-6) << n;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(light_.color[c][n], expected[n][c], 1e-6) << n;
 }
 
 }  // namespace

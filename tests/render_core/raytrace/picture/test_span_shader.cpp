@@ -20,7 +20,7 @@ protected:
     SpanShaderTest() : drawn_(ridge(), {time_preset()}, 16, 16) {
         settings_ = time_preset();
         drawn_.look.ground.palette = {};
-        drawn_.look.material.colour = {0.5f, 0.25f, 1};
+        drawn_.look.material.color = {0.5f, 0.25f, 1};
         drawn_.look.sun.towards = glm::normalize(glm::dvec3(1, 0, 1));
         scale_ = drawn_.scene.scale();
         shader_ = {&settings_, &drawn_.scene.terrain(settings_), drawn_.scene.maps(), &drawn_.look, 0};
@@ -72,10 +72,10 @@ TEST_F(SpanShaderTest, ShadowsLieBehindTheRidgeAsFarAsItsHeightSays) {
     EXPECT_NEAR(light_[0].x, lit, 1e-4);
 }
 
-TEST_F(SpanShaderTest, WithoutShadingColoursAreTheGroundsAndThoseOfData) {
+TEST_F(SpanShaderTest, WithoutShadingColorsAreTheGroundsAndThoseOfData) {
     settings_.shading = Shading::none;
     look_down({10, 20});
-    EXPECT_EQ(light_[0], drawn_.look.material.colour);
+    EXPECT_EQ(light_[0], drawn_.look.material.color);
     const float values[4] = {1, 1, 1, 1}, doubts[4] = {0.25f, 0.25f, 0.25f, 0.25f};
     const glm::vec3 palette[] = {{1, 1, 0}};
     drawn_.look.values = {values, 2, 2, 15, 0, 40, 60};
@@ -83,7 +83,7 @@ TEST_F(SpanShaderTest, WithoutShadingColoursAreTheGroundsAndThoseOfData) {
     drawn_.look.legend.palette = palette;
     settings_.has_data = true;
     look_down({10, 20});
-    EXPECT_EQ(light_[0], drawn_.look.material.colour);
+    EXPECT_EQ(light_[0], drawn_.look.material.color);
     EXPECT_NEAR(light_[1].x, 0.5 * 0.25 + 1 * 0.75, 1e-6);
     EXPECT_NEAR(light_[1].z, 1 * 0.25, 1e-6);
 }

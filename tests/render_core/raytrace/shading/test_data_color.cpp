@@ -26,10 +26,10 @@ struct TwoGrids {
 
 TEST(DataColor, ValuesPickClasses) {
     const TwoGrids made;
-    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 10, 20).colour, kPalette[0]);
-    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 11.9, 18).colour, kPalette[0]);
-    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 12.1, 18).colour, kPalette[1]);
-    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 16, 16).colour, kPalette[2]) << "the last post is inside";
+    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 10, 20).color, kPalette[0]);
+    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 11.9, 18).color, kPalette[0]);
+    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 12.1, 18).color, kPalette[1]);
+    EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 16, 16).color, kPalette[2]) << "the last post is inside";
     EXPECT_EQ(data_color(made.value, made.doubt, made.legend, 16, 16).cover, 1);
     for (const double outside : {9.99, 16.01}) EXPECT_EQ(data_color(made.value, made.doubt, made.legend, outside, 18).cover, 0);
 }

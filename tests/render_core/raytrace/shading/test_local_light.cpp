@@ -62,7 +62,7 @@ TEST(LocalLight, PhongIsBrightestWhereTheMirrorPoints) {
 
 TEST(LocalLight, SkyAndSunAddUp) {
     Material material;
-    material.colour = {0.5f, 0.25f, 1};
+    material.color = {0.5f, 0.25f, 1};
     const DirectedLight sun{{0, 0, 1}, glm::vec3(2)};
     const glm::dvec3 up(0, 0, 1), aside = glm::normalize(glm::dvec3(1, 0, 1));
     const glm::vec3 dark = local_light(material, up, aside, sun, 0, glm::vec3(1), 0.5);

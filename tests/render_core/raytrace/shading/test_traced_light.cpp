@@ -54,18 +54,18 @@ LitScene floor_scene(const Material* material) {
     return scene;
 }
 
-TEST(TracedLight, AFloorUnderAnEvenSkyHasItsColour) {
+TEST(TracedLight, AFloorUnderAnEvenSkyHasItsColor) {
     Material material;
-    material.colour = {0.2f, 0.5f, 0.9f};
+    material.color = {0.2f, 0.5f, 0.9f};
     LitScene scene = floor_scene(&material);
     scene.sun.radiance = glm::vec3(0);
     const glm::vec3 light = traced_light(scene, {0, 0, 5}, {0.3, 0.1, -1}, {1, 64}, 7);
-    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(light[channel], material.colour[channel], 1e-6);
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(light[channel], material.color[channel], 1e-6);
 }
 
 TEST(TracedLight, AFloorInTheSunIsLamberts) {
     Material material;
-    material.colour = glm::vec3(0.5f);
+    material.color = glm::vec3(0.5f);
     LitScene scene = floor_scene(&material);
     scene.sky = glm::vec3(0);
     scene.sun.towards = glm::normalize(glm::dvec3(1, 0, 1));
@@ -77,7 +77,7 @@ TEST(TracedLight, AFloorInTheSunIsLamberts) {
 
 TEST(TracedLight, AMirrorShowsTheSkyAndAHalfMirrorHalfOfIt) {
     Material material;
-    material.colour = glm::vec3(0);
+    material.color = glm::vec3(0);
     material.mirror = 1;
     LitScene scene = floor_scene(&material);
     scene.sun.radiance = glm::vec3(0);
@@ -90,7 +90,7 @@ TEST(TracedLight, BouncesInAHalfOpenBallComeToTheirLimit) {
     // From the lower half of a ball every direction of light is even (the integrating sphere): with half of it open the light of
     // the wall after n bounces is the sum of powers of colour / 2.
     Ball ball;
-    ball.material.colour = glm::vec3(0.8f);
+    ball.material.color = glm::vec3(0.8f);
     ball.is_open_above = true;
     for (const std::uint32_t bounces : {1u, 2u, 4u, 12u}) {
         LitScene scene = ball.scene();

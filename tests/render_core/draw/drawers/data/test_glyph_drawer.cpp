@@ -192,7 +192,7 @@ TEST(GlyphDrawer, BarsStandOnTheirPlace) {
     }
 }
 
-TEST(GlyphDrawer, FlatShapesKeepTheirColourAndFaceWhomTheyAreTold) {
+TEST(GlyphDrawer, FlatShapesKeepTheirColorAndFaceWhomTheyAreTold) {
     for (const char* device : kDevices) {
         Glyphs edge_on, facing;
         const GlyphInstance circle = make_glyph(local(0, 100, 0), {40, 40, 40}, local(1, 0, 0), kRed);

@@ -95,7 +95,7 @@ SolidLook mixed(float opacity) {
     return look;
 }
 
-TEST(SolidDrawer, ColoursAreWhatTheyAreInBothLanes) {
+TEST(SolidDrawer, ColorsAreWhatTheyAreInBothLanes) {
     for (const char* device : {"es2-small", "es3-mid"}) {
         SolidSession test(device);
         test.add_square(100, 500, {12, 200, 99});
