@@ -10,8 +10,8 @@
 
 #include "host_sim/terrain_builder/attributes/attribute_maps.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/attribute_terrain.hpp"
-#include "tests/support/fractal_square.hpp"
+#include "tests/support/terrain/attribute_terrain.hpp"
+#include "tests/support/terrain/fractal_square.hpp"
 
 namespace {
 

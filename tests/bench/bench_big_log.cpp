@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 extern char** environ;
 

@@ -16,8 +16,8 @@
 #include "platform/clock/monotonic_clock.hpp"
 #include "render_core/base/utc_time.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace {
 

@@ -19,8 +19,8 @@
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/threads/thread_workers.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_flight.hpp"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include "host_sim/replay/flight_player.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_flight.hpp"
 
 namespace {
 

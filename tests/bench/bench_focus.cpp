@@ -10,7 +10,7 @@
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace {
 

@@ -21,9 +21,9 @@
 #include "render_core/draw/drawers/data/glyph_drawer.hpp"
 #include "render_core/gl/render_target.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/glyph_sites.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/scene/glyph_sites.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/surface_topology.hpp"
-#include "tests/support/volume_surface.hpp"
+#include "tests/support/scene/surface_topology.hpp"
+#include "tests/support/scene/volume_surface.hpp"
 
 namespace {
 

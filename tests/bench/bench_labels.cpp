@@ -18,7 +18,7 @@
 #include "render_core/display/planner/element_labels.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/paged/database_chunks.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/generated_chunks.hpp"
-#include "tests/support/held_chunks.hpp"
-#include "tests/support/trace_cameras.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/held_chunks.hpp"
+#include "tests/support/raytrace/trace_cameras.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
+#include "tests/support/terrain/generated_chunks.hpp"
 
 namespace {
 

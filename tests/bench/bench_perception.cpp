@@ -26,7 +26,7 @@
 #include "render_core/perception/spectral_residual.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/bench/gpu_edges.hpp"
-#include "tests/support/rank_correlation.hpp"
+#include "tests/support/perception/rank_correlation.hpp"
 
 namespace {
 

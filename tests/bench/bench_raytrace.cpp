@@ -18,9 +18,9 @@
 #include "tests/bench/bench_result.hpp"
 #include "tests/bench/embree_picture.hpp"
 #include "tests/bench/own_picture.hpp"
-#include "tests/support/fractal_heights.hpp"
-#include "tests/support/trace_agreement.hpp"
-#include "tests/support/trace_cameras.hpp"
+#include "tests/support/raytrace/trace_agreement.hpp"
+#include "tests/support/raytrace/trace_cameras.hpp"
+#include "tests/support/terrain/fractal_heights.hpp"
 
 namespace {
 

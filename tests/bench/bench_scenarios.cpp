@@ -26,10 +26,10 @@
 #include "platform/files/file_byte_source.hpp"
 #include "render_core/display/preroll.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/counted_triangles.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/fractal_posts.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/bench/counted_triangles.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/terrain/fractal_posts.hpp"
 
 namespace {
 

@@ -12,8 +12,8 @@
 
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/fractal_posts.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/terrain/fractal_posts.hpp"
 
 namespace {
 

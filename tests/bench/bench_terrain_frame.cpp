@@ -16,11 +16,11 @@
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "render_core/display/preroll.hpp"
+#include "tests/bench/bare_triangles.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/bare_triangles.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/drawn_terrain.hpp"
-#include "tests/support/terrain_on_surface.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/terrain/drawn_terrain.hpp"
+#include "tests/support/terrain/terrain_on_surface.hpp"
 
 namespace {
 

@@ -13,9 +13,9 @@
 #include "render_core/terrain/terrain_database.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/bench/reference_triangulation.hpp"
-#include "tests/support/memory_bytes.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/files/memory_bytes.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace {
 

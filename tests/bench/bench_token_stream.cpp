@@ -9,7 +9,7 @@
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/stream/stream_rewriter.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/synthetic_rays.hpp"
+#include "tests/support/raytrace/synthetic_rays.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "render_core/raytrace/shading/sky_map.hpp"
 #include "render_core/raytrace/surface/average_mipmap.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace {
 

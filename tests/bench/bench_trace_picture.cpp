@@ -11,7 +11,7 @@
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/picture/trace_presets.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/drawn_trace.hpp"
+#include "tests/support/raytrace/drawn_trace.hpp"
 
 namespace {
 

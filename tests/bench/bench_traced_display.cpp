@@ -17,7 +17,7 @@
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/display/preroll.hpp"
 #include "tests/bench/bench_result.hpp"
-#include "tests/support/default_flight.hpp"
+#include "tests/support/flights/default_flight.hpp"
 
 namespace {
 

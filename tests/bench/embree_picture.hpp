@@ -11,8 +11,8 @@
 #endif
 
 #include "render_core/base/ports/workers.hpp"
-#include "tests/support/embree_grid.hpp"
-#include "tests/support/trace_cameras.hpp"
+#include "tests/support/raytrace/embree_grid.hpp"
+#include "tests/support/raytrace/trace_cameras.hpp"
 
 #if defined(__x86_64__)
 #define TEDAVIS_BENCH_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))

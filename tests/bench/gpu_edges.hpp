@@ -7,8 +7,8 @@
 
 #include "render_core/draw/drawers/edge_pass.hpp"
 #include "render_core/effects/device.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::bench {
 

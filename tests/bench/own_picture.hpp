@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "render_core/base/check.hpp"
-#include "tests/support/trace_cameras.hpp"
-#include "tests/support/traced_view.hpp"
+#include "tests/support/raytrace/trace_cameras.hpp"
+#include "tests/support/raytrace/traced_view.hpp"
 
 namespace tedavis::bench {
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "host_sim/terrain_builder/terrain_build.hpp"
-#include "tests/support/budget_flight.hpp"
-#include "tests/support/fractal_posts.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/flights/budget_flight.hpp"
+#include "tests/support/terrain/fractal_posts.hpp"
 
 namespace tedavis::test_budget_flight {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "platform/surface_factory.hpp"
 #include "platform/window/window_surface.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
-#include "tests/support/virtual_screen.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
+#include "tests/support/programs/virtual_screen.hpp"
 
 namespace tedavis::test_surface_contract {
 namespace {

@@ -19,9 +19,9 @@
 #include "host_sim/png_file.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/terrain_builder/generated_image.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::test_golden_pictures {
 namespace {

@@ -17,9 +17,9 @@
 #include "host_sim/layer_mask.hpp"
 #include "host_sim/replay/resolved_design.hpp"
 #include "host_sim/toml_text.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::test_shipped_contracts {
 namespace {

@@ -9,9 +9,9 @@
 #include <random>
 #include <regex>
 
-#include "tests/support/program_samples.hpp"
-#include "tests/support/running_program.hpp"
-#include "tests/support/virtual_screen.hpp"
+#include "tests/support/programs/program_samples.hpp"
+#include "tests/support/programs/running_program.hpp"
+#include "tests/support/programs/virtual_screen.hpp"
 
 namespace tedavis::tests::test_bad_input {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tests/support/scene_files.hpp"
+#include "tests/hard_cases/scene_files.hpp"
 
 namespace tedavis::tests::test_bad_paths {
 namespace {

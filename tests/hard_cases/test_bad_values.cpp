@@ -10,11 +10,11 @@
 
 #include "host_sim/input_file.hpp"
 #include "render_core/base/hash.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/program_words.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/program_words.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::tests::test_bad_values {
 namespace {

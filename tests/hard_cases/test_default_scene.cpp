@@ -8,9 +8,9 @@
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/scenario/scenario_scene.hpp"
 #include "host_sim/scene_builder/sdb_writer.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::test_default_scene {
 namespace {

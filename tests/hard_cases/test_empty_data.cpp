@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/scene_files.hpp"
+#include "tests/hard_cases/scene_files.hpp"
 
 namespace tedavis::tests::test_empty_data {
 namespace {

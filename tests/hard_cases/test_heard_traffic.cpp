@@ -14,10 +14,10 @@
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "render_core/display/preroll.hpp"
-#include "tests/support/sent_traffic.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::host_sim::test_heard_traffic {
 namespace {

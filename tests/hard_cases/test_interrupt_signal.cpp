@@ -9,9 +9,9 @@
 
 #include "bus/candump/candump_log_source.hpp"
 #include "host_sim/evaluation/evaluation_files.hpp"
-#include "tests/support/program_samples.hpp"
-#include "tests/support/running_program.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/program_samples.hpp"
+#include "tests/support/programs/running_program.hpp"
 
 namespace tedavis::tests::test_interrupt_signal {
 namespace {

@@ -11,10 +11,10 @@
 #include "platform/files/file_byte_source.hpp"
 #include "render_core/display/planner/data_legends.hpp"
 #include "render_core/display/planner/spatial_data.hpp"
-#include "tests/support/data_legend_samples.hpp"
-#include "tests/support/loaded_scene.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/scene_files.hpp"
+#include "tests/hard_cases/scene_files.hpp"
+#include "tests/support/draw/data_legend_samples.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::tests::test_land_cover {
 namespace {

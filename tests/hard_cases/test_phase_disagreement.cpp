@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "host_sim/replay/flight_player.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_flight.hpp"
 
 namespace tedavis::host_sim::test_phase_disagreement {
 namespace {

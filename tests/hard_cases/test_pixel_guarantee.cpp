@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "tests/support/paths.hpp"
-#include "tests/support/pose_proof.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/terrain/pose_proof.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::test_pixel_guarantee {
 namespace {

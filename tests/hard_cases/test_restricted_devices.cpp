@@ -11,11 +11,11 @@
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/scenario/scenario_scene.hpp"
 #include "host_sim/scene_builder/sdb_writer.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::test_restricted_devices {
 namespace {

@@ -10,9 +10,9 @@
 #include "host_sim/replay/flight_player.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "render_core/display/preroll.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::test_skipped_effects {
 namespace {

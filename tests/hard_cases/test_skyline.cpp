@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "host_sim/replay/flight_player.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/skyline.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/terrain/skyline.hpp"
 
 namespace tedavis::test_skyline {
 namespace {

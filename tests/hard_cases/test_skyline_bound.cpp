@@ -4,10 +4,10 @@
 
 #include <cstdio>
 
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/headless_backends.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/picture_proof.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/programs/headless_backends.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
+#include "tests/support/terrain/picture_proof.hpp"
 
 namespace tedavis::test_skyline_bound {
 namespace {

@@ -2,8 +2,8 @@
 // ones.
 #include <gtest/gtest.h>
 
-#include "tests/support/paths.hpp"
-#include "tests/support/terrain_forgery.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/terrain/terrain_forgery.hpp"
 
 namespace tedavis::test_terrain_forgery {
 namespace {

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/support/flat_geoid.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/mesh_places.hpp"
-#include "tests/support/picture_proof.hpp"
-#include "tests/support/turned_world.hpp"
-#include "tests/support/watched_surface.hpp"
+#include "tests/hard_cases/flat_geoid.hpp"
+#include "tests/hard_cases/turned_world.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/terrain/mesh_places.hpp"
+#include "tests/support/terrain/picture_proof.hpp"
+#include "tests/support/terrain/watched_surface.hpp"
 
 namespace tedavis::test_turned_worlds {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/files/file_byte_source.hpp"
-#include "tests/support/flight_loop.hpp"
-#include "tests/support/headless_backends.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/flight_loop.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::test_zero_heap {
 namespace {

@@ -6,8 +6,8 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "platform/files/file_byte_source.hpp"
 #include "tests/heap_control/seeded_allocation.hpp"
-#include "tests/support/flight_loop.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/flight_loop.hpp"
 #if defined(TEDAVIS_SEED_TARGET)
 #include "target/live_flight.hpp"
 #endif

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/built_database.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_geoid_below {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::platform::test_surface_factory {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "tests/poses/grounds.hpp"
-#include "tests/support/picture_proof.hpp"
+#include "tests/support/terrain/picture_proof.hpp"
 
 namespace tedavis::test_picture_proof {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "tests/poses/grounds.hpp"
-#include "tests/support/pose_proof.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/terrain/pose_proof.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::test_pose_proof {
 namespace {

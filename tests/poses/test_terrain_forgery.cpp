@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/poses/grounds.hpp"
-#include "tests/support/terrain_forgery.hpp"
+#include "tests/support/terrain/terrain_forgery.hpp"
 
 namespace tedavis::test_terrain_forgery {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tests/support/budget_flight.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/picture_proof.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/budget_flight.hpp"
+#include "tests/support/terrain/picture_proof.hpp"
 
 namespace tedavis::test_budget_flight {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "bus/candump/candump_log_source.hpp"
 #include "bus/state/state_assembler.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::bus::test_bus_logs {
 namespace {

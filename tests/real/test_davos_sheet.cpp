@@ -3,8 +3,8 @@
 
 #include "host_sim/commands/sheet.hpp"
 #include "host_sim/commands/sheet_plan.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/davos_files.hpp"
+#include "tests/real/davos_files.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::test_davos_sheet {
 namespace {

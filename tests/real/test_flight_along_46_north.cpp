@@ -6,10 +6,10 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/picture_proof.hpp"
-#include "tests/support/watched_surface.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/terrain/picture_proof.hpp"
+#include "tests/support/terrain/watched_surface.hpp"
 
 namespace tedavis::test_flight_along_46_north {
 namespace {

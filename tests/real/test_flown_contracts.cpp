@@ -7,9 +7,9 @@
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/terrain.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::test_flown_contracts {
 namespace {

@@ -8,9 +8,9 @@
 #include "host_sim/commands/check_raster.hpp"
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::test_height_formats {
 namespace {

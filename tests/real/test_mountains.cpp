@@ -7,10 +7,10 @@
 
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/replay/flight_player.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/skyline.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/terrain/skyline.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::test_mountains {
 namespace {

@@ -12,8 +12,8 @@
 #include "platform/files/memory_byte_source.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/scene/scene.hpp"
-#include "tests/support/davos_files.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/real/davos_files.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::test_scene {
 namespace {

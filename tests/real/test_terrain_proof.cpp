@@ -8,9 +8,9 @@
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
 #include "render_core/base/hash.hpp"
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
 
 namespace tedavis::host_sim::test_terrain_proof {
 namespace {

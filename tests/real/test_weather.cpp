@@ -9,7 +9,7 @@
 
 #include "host_sim/scene_builder/grid_layer.hpp"
 #include "host_sim/terrain_builder/raster_file.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::test_weather {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render_core/display/calibration_subject.hpp"
 #include "target/board_display.hpp"
-#include "tests/support/even_costs.hpp"
+#include "tests/support/flights/even_costs.hpp"
 
 namespace tedavis::target {
 

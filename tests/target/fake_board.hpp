@@ -16,7 +16,7 @@
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
 #include "target/self_test.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::target {
 

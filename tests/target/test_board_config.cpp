@@ -6,8 +6,8 @@
 #include <set>
 
 #include "bus/canaerospace/identifier_table.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::target::test_board_config {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 #include "tests/target/fake_board.hpp"
 
 namespace tedavis::target::test_board_display {

@@ -9,8 +9,8 @@
 
 #include "host_sim/input_file.hpp"
 #include "target/self_test.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 #include "tests/target/captured_output.hpp"
 
 namespace tedavis::target::test_board_program {

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "tests/support/device_files.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::target::test_design_files {
 namespace {

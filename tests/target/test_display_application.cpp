@@ -10,8 +10,8 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "render_core/display/calibration_subject.hpp"
 #include "render_core/gl/readback.hpp"
-#include "tests/support/scene_drafts.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 #include "tests/target/board_costs.hpp"
 #include "tests/target/fake_board.hpp"
 

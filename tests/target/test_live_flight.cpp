@@ -7,8 +7,8 @@
 
 #include "bus/canaerospace/message_encoder.hpp"
 #include "render_core/display/display.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/sent_traffic.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
 #include "tests/target/fake_board.hpp"
 
 namespace tedavis::target::test_live_flight {

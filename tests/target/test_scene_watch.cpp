@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/scene_drafts.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::target::test_scene_watch {
 namespace {

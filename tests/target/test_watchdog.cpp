@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::target::test_watchdog {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::bus::test_bus_settings {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::bus::test_identifier_table {
 namespace {

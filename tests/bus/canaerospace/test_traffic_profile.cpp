@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/paths.hpp"
-#include "tests/support/sent_traffic.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
 
 namespace tedavis::bus::test_traffic_profile {
 namespace {

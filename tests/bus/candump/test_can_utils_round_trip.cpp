@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bus/candump/candump_log_source.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::bus::test_can_utils_round_trip {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "bus/state/state_assembler.hpp"
-#include "tests/support/sent_traffic.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
 
 namespace tedavis::bus::test_traffic_table {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "bus/switches/switch_config.hpp"
 #include "bus/switches/switch_edge.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::bus {
 

@@ -8,9 +8,9 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "render_core/effects/calibration.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_calibrate {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "host_sim/input_file.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_command_line {
 namespace {

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/command_run.hpp"
-#include "tests/support/contract_runs.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/sheets/contract_runs.hpp"
 
 namespace tedavis::host_sim::test_contract_command {
 namespace {

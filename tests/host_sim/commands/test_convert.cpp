@@ -9,9 +9,9 @@
 #include "bus/candump/candump_log_source.hpp"
 #include "bus/state/state_assembler.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_convert {
 namespace {

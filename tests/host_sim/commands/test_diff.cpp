@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/command_run.hpp"
-#include "tests/support/run_folders.hpp"
+#include "tests/support/files/run_folders.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::host_sim::test_diff {
 namespace {

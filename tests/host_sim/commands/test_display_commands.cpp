@@ -1,4 +1,4 @@
-#include "tests/support/parsed_commands.hpp"
+#include "tests/host_sim/commands/parsed_commands.hpp"
 
 namespace tedavis::host_sim::test_display_commands {
 namespace {

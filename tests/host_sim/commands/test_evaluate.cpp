@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/layer_mask.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/evaluated_flights.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_evaluate {
 namespace {

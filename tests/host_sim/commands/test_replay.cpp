@@ -8,12 +8,12 @@
 #include <set>
 #include <sstream>
 
-#include "tests/support/command_run.hpp"
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/frame_lines.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/flights/frame_lines.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/programs/headless_backends.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
 
 namespace tedavis::host_sim::test_replay {
 namespace {

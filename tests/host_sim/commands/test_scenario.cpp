@@ -6,10 +6,10 @@
 #include "bus/candump/candump_log_source.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_scenario {
 namespace {

@@ -8,10 +8,10 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "platform/programs/program_folder.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_shaders {
 namespace {

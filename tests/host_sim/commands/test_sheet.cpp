@@ -7,10 +7,10 @@
 #include <set>
 
 #include "host_sim/png_file.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
 
 namespace tedavis::host_sim::test_sheet {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_sheet_plan {
 namespace {

@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "host_sim/input_file.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/programs/headless_backends.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
 
 namespace tedavis::host_sim::test_shot {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/input_file.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_start_trial {
 namespace {

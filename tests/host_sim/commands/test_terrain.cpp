@@ -5,11 +5,11 @@
 
 #include "host_sim/terrain_builder/raster.hpp"
 #include "render_core/terrain/tdb_format.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/image_file.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/image_file.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_terrain {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "host_sim/shipped_files.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_contract {
 namespace {

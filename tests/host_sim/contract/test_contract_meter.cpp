@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/contract_runs.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/sheets/contract_runs.hpp"
 
 namespace tedavis::host_sim::test_contract_meter {
 namespace {

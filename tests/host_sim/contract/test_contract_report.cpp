@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "tests/support/contract_samples.hpp"
+#include "tests/host_sim/contract/contract_samples.hpp"
 
 namespace tedavis::host_sim::test_contract_report {
 namespace {

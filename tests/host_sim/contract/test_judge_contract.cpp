@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/contract_samples.hpp"
+#include "tests/host_sim/contract/contract_samples.hpp"
 
 namespace tedavis::host_sim::test_judge_contract {
 namespace {

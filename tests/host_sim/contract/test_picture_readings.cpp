@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
 
 namespace tedavis::host_sim::test_picture_readings {
 namespace {

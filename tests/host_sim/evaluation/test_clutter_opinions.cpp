@@ -7,10 +7,10 @@
 #include "host_sim/evaluation/feature_congestion.hpp"
 #include "host_sim/evaluation/picture_meter.hpp"
 #include "host_sim/evaluation/subband_entropy.hpp"
-#include "tests/support/golden_pictures.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/rank_correlation.hpp"
-#include "tests/support/rgba_of.hpp"
+#include "tests/host_sim/evaluation/rgba_of.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/perception/golden_pictures.hpp"
+#include "tests/support/perception/rank_correlation.hpp"
 
 namespace tedavis::host_sim::test_clutter_opinions {
 namespace {

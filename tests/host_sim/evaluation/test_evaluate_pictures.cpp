@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/evaluated_flights.hpp"
-#include "tests/support/evaluation_work.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/host_sim/evaluation/evaluation_work.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_evaluate_pictures {
 namespace {

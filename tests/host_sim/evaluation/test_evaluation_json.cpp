@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
 
 namespace tedavis::host_sim::test_evaluation_json {
 namespace {

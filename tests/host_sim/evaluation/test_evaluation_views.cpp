@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/measure/lab_picture.hpp"
-#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
 
 namespace tedavis::host_sim::test_evaluation_views {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/congestion_reference.hpp"
-#include "tests/support/rgba_of.hpp"
+#include "tests/host_sim/evaluation/rgba_of.hpp"
+#include "tests/support/perception/congestion_reference.hpp"
 
 namespace tedavis::host_sim::test_feature_congestion {
 namespace {

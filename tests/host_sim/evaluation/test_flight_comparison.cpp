@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/evaluated_flights.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_flight_comparison {
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "tests/support/browser_page.hpp"
-#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
+#include "tests/support/programs/browser_page.hpp"
 
 namespace tedavis::host_sim::test_flight_report {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/synthetic_picture.hpp"
+#include "tests/support/perception/synthetic_picture.hpp"
 
 namespace tedavis::host_sim::test_fourier_transform {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/synthetic_picture.hpp"
+#include "tests/support/perception/synthetic_picture.hpp"
 
 namespace tedavis::host_sim::test_gaussian_window {
 namespace {

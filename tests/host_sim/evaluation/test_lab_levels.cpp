@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/itti_reference.hpp"
-#include "tests/support/rgba_of.hpp"
+#include "tests/host_sim/evaluation/rgba_of.hpp"
+#include "tests/support/perception/itti_reference.hpp"
 
 namespace tedavis::host_sim::test_lab_levels {
 namespace {

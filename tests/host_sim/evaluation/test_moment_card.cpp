@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/evaluated_flights.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
 
 namespace tedavis::host_sim::test_moment_card {
 namespace {

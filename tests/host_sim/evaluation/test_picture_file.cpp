@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_picture_file {
 namespace {

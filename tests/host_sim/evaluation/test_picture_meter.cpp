@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "tests/support/evaluated_flights.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/flights/evaluated_flights.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_picture_meter {
 namespace {

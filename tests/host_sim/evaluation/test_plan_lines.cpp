@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/frame_result.hpp"
+#include "tests/support/flights/frame_result.hpp"
 
 namespace tedavis::host_sim::test_plan_lines {
 namespace {

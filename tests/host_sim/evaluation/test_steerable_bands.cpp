@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "tests/support/synthetic_picture.hpp"
+#include "tests/support/perception/synthetic_picture.hpp"
 
 namespace tedavis::host_sim::test_steerable_bands {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "host_sim/evaluation/steerable_bands.hpp"
-#include "tests/support/itti_reference.hpp"
-#include "tests/support/rgba_of.hpp"
+#include "tests/host_sim/evaluation/rgba_of.hpp"
+#include "tests/support/perception/itti_reference.hpp"
 
 namespace tedavis::host_sim::test_subband_entropy {
 namespace {

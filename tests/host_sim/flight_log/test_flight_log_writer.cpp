@@ -10,8 +10,8 @@
 #include "bus/state/state_assembler.hpp"
 #include "host_sim/flight_log/message_schedule.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/sent_traffic.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_flight_log_writer {
 namespace {

@@ -14,8 +14,8 @@
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/base/driver_scope.hpp"
 #include "render_core/gl/readback.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::test_heap_trap {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_gpx_importer {
 namespace {

@@ -7,7 +7,7 @@
 #include "host_sim/flight_log/pressure_altitude.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_resampled_flight {
 namespace {

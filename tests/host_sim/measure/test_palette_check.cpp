@@ -7,8 +7,8 @@
 
 #include "host_sim/measure/color_vision.hpp"
 #include "render_core/design/color_difference.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::host_sim::test_palette_check {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_core/design/color_difference.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_picture_difference {
 namespace {

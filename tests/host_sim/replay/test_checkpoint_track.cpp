@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_checkpoint_track {
 namespace {

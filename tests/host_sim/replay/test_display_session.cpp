@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/device_files.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::host_sim::test_display_session {
 namespace {

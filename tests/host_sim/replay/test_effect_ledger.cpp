@@ -5,7 +5,7 @@
 #include <set>
 
 #include "render_core/display/preroll.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_effect_ledger {
 namespace {

@@ -15,9 +15,9 @@
 
 #include "platform/files/file_byte_source.hpp"
 #include "tests/host_sim/replay/played_text.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_flight_player {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/frame_instants.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_frame_preroll {
 namespace {

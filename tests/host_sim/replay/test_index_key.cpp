@@ -6,9 +6,9 @@
 #include <sys/stat.h>
 
 #include "platform/files/file_byte_source.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_index_key {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/replay/posed_frame.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_pose_findings {
 namespace {

@@ -9,8 +9,8 @@
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/toml_text.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_resolved_design {
 namespace {

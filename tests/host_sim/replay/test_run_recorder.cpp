@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "host_sim/reports/run_folder.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/frame_lines.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/flights/frame_lines.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_run_recorder {
 namespace {

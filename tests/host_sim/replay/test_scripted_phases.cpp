@@ -7,7 +7,7 @@
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_scripted_phases {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/small_sheet.hpp"
+#include "tests/host_sim/reports/small_sheet.hpp"
 
 namespace tedavis::host_sim::test_contact_sheet {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/frame_result.hpp"
+#include "tests/support/flights/frame_result.hpp"
 
 namespace tedavis::host_sim::test_deadline_tally {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "tests/support/built_database.hpp"
-#include "tests/support/frame_result.hpp"
+#include "tests/support/flights/frame_result.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_flight_tally {
 namespace {

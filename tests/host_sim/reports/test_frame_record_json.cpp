@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/frame_result.hpp"
+#include "tests/support/flights/frame_result.hpp"
 
 namespace tedavis::host_sim::test_frame_record_json {
 namespace {

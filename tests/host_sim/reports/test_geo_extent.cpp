@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/built_database.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_geo_extent {
 namespace {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_height_findings {
 namespace {

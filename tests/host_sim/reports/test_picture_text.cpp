@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "render_core/draw/font_atlas.hpp"
-#include "tests/support/batch_rasterizer.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
 
 namespace tedavis::host_sim::test_picture_text {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/command_run.hpp"
+#include "tests/support/programs/command_run.hpp"
 
 namespace tedavis::host_sim::test_run_findings {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/run_folders.hpp"
+#include "tests/support/files/run_folders.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_run_records {
 namespace {

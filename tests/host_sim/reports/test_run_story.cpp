@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/frame_result.hpp"
+#include "tests/support/flights/frame_result.hpp"
 
 namespace tedavis::host_sim::test_run_story {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "tests/support/small_sheet.hpp"
+#include "tests/host_sim/reports/small_sheet.hpp"
 
 namespace tedavis::host_sim::test_sheet_page {
 namespace {

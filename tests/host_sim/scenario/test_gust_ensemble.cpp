@@ -7,7 +7,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::host_sim::test_gust_ensemble {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "host_sim/replay/display_session.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_posed_aircraft {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "host_sim/input_file.hpp"
 #include "host_sim/scenario/square_grid.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::host_sim::test_radar_frames {
 namespace {

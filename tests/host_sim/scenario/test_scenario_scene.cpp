@@ -13,9 +13,9 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/scene/wind.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_scenario_scene {
 namespace {

@@ -7,8 +7,8 @@
 #include "bus/switches/switch_log_source.hpp"
 #include "bus/switches/switch_to_phase.hpp"
 #include "host_sim/input_file.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_scenario_switches {
 namespace {

@@ -9,7 +9,7 @@
 #include "render_core/earth/geodetic.hpp"
 #include "render_core/scene/grid_field.hpp"
 #include "render_core/scene/wind.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::host_sim::test_wind_forecast {
 namespace {

@@ -7,8 +7,8 @@
 #include <glm/vec2.hpp>
 #include <limits>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_derived_attribute {
 namespace {

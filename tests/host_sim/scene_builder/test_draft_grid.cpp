@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/scene/grid_field.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::host_sim::test_draft_grid {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_feature_layer {
 namespace {

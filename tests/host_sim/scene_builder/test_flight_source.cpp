@@ -9,8 +9,8 @@
 
 #include "host_sim/geoid_egm96.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_flight_source {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdio>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/netcdf_file.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/host_sim/scene_builder/netcdf_file.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_grid_layer {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/scene_builder/source_kind.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_grid_source {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_grid_speed {
 namespace {

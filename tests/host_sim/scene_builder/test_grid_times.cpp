@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-#include "tests/support/raster_file.hpp"
+#include "tests/support/files/raster_file.hpp"
 
 namespace tedavis::host_sim::test_grid_times {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/model_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/host_sim/scene_builder/model_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_model_source {
 namespace {

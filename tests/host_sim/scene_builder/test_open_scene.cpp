@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/scene_drafts.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_open_scene {
 namespace {

@@ -5,7 +5,7 @@
 #include <GeographicLib/Geodesic.hpp>
 #include <cmath>
 
-#include "tests/support/expect_user_error.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_openair_source {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/user_error.hpp"
-#include "tests/support/loaded_scene.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_sdb_writer {
 namespace {

@@ -9,8 +9,8 @@
 #include "host_sim/layer_mask.hpp"
 #include "host_sim/replay/posed_frame.hpp"
 #include "host_sim/user_error.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_draw_sweep {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/made_sweep.hpp"
+#include "tests/host_sim/sweep/made_sweep.hpp"
 
 namespace tedavis::host_sim::test_sweep_json {
 namespace {

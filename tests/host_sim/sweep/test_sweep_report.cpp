@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "tests/support/browser_page.hpp"
-#include "tests/support/made_sweep.hpp"
+#include "tests/host_sim/sweep/made_sweep.hpp"
+#include "tests/support/programs/browser_page.hpp"
 
 namespace tedavis::host_sim::test_sweep_report {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/built_database.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_swept_ground {
 namespace {

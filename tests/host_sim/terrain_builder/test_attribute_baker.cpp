@@ -6,7 +6,7 @@
 #include <set>
 
 #include "host_sim/terrain_builder/height_pyramid.hpp"
-#include "tests/support/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
 
 namespace tedavis::host_sim::test_attribute_baker {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/post_grid.hpp"
+#include "tests/host_sim/terrain_builder/post_grid.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_build_plan {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "tests/support/image_file.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/files/image_file.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::host_sim::test_build_stages {
 namespace {

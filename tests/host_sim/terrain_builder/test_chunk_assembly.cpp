@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "tests/support/build_ground.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_chunk_assembly {
 namespace {

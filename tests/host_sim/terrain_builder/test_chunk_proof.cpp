@@ -4,8 +4,8 @@
 
 #include <GeographicLib/Geocentric.hpp>
 
-#include "tests/support/built_database.hpp"
-#include "tests/support/true_surface.hpp"
+#include "tests/host_sim/terrain_builder/true_surface.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_chunk_proof {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/tin_check.hpp"
+#include "tests/host_sim/terrain_builder/tin_check.hpp"
 
 namespace tedavis::host_sim::test_chunk_tin {
 namespace {

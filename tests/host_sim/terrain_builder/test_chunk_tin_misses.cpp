@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host_sim/terrain_builder/surface_error.hpp"
-#include "tests/support/tin_check.hpp"
+#include "tests/host_sim/terrain_builder/tin_check.hpp"
 
 namespace tedavis::host_sim::test_chunk_tin_misses {
 namespace {

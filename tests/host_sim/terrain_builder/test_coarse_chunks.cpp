@@ -6,7 +6,7 @@
 
 #include "host_sim/terrain_builder/surface_heights.hpp"
 #include "render_core/terrain/chunk_payload.hpp"
-#include "tests/support/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
 
 namespace tedavis::host_sim::test_coarse_chunks {
 namespace {

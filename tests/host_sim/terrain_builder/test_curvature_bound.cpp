@@ -11,7 +11,7 @@
 
 #include "host_sim/terrain_builder/build_plan.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/post_grid.hpp"
+#include "tests/host_sim/terrain_builder/post_grid.hpp"
 
 namespace tedavis::host_sim::test_curvature_bound {
 namespace {

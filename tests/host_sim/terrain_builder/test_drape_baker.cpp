@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "host_sim/quiet_gdal.hpp"
-#include "tests/support/build_ground.hpp"
-#include "tests/support/image_file.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
+#include "tests/support/files/image_file.hpp"
 
 namespace tedavis::host_sim::test_drape_baker {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster_source.hpp"
-#include "tests/support/build_ground.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/image_file.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
+#include "tests/support/files/image_file.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_drape_sampler {
 namespace {

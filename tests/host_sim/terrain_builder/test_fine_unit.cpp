@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "tests/support/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
 
 namespace tedavis::host_sim::test_fine_unit {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "host_sim/terrain_builder/fractal_terrain.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_fractal_geotiff {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render_core/base/hash.hpp"
-#include "tests/support/fractal_square.hpp"
+#include "tests/support/terrain/fractal_square.hpp"
 
 namespace tedavis::host_sim::test_fractal_terrain {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "host_sim/terrain_builder/image_source.hpp"
 #include "render_core/base/hash.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
 
 namespace tedavis::host_sim::test_generated_image {
 namespace {

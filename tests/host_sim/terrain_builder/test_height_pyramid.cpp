@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_height_pyramid {
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "host_sim/quiet_gdal.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/image_file.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/image_file.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_image_source {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "tests/support/build_ground.hpp"
-#include "tests/support/post_grid.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/post_grid.hpp"
 
 namespace tedavis::host_sim::test_import_posts {
 namespace {

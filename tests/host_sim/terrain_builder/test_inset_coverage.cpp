@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/terrain_builder/build_plan.hpp"
-#include "tests/support/post_grid.hpp"
+#include "tests/host_sim/terrain_builder/post_grid.hpp"
 
 namespace tedavis::host_sim::test_inset_coverage {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "tests/support/build_ground.hpp"
-#include "tests/support/lattice_windows.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
+#include "tests/support/terrain/lattice_windows.hpp"
 
 namespace tedavis::host_sim::test_inset_posts {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
 
 namespace tedavis::host_sim::test_inset_slopes {
 namespace {

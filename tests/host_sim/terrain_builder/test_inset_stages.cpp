@@ -11,8 +11,8 @@
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
 #include "render_core/terrain/chunk_payload.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/chunk_side.hpp"
+#include "tests/host_sim/terrain_builder/chunk_side.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::host_sim::test_inset_stages {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "host_sim/quiet_gdal.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_post_interpolator {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
 
 namespace tedavis::host_sim::test_post_places {
 namespace {

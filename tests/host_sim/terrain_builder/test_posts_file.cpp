@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/lattice_windows.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/terrain/lattice_windows.hpp"
 
 namespace tedavis::host_sim::test_posts_file {
 namespace {

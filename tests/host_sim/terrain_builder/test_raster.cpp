@@ -7,10 +7,10 @@
 
 #include "host_sim/geoid_egm96.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_raster {
 namespace {

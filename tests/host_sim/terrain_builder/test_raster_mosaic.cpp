@@ -7,8 +7,8 @@
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_raster_mosaic {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "host_sim/quiet_gdal.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_raster_source {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/build_ground.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
 
 namespace tedavis::host_sim::test_slope_map {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::host_sim::test_staged_run {
 namespace {

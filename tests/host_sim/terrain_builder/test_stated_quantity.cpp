@@ -4,9 +4,9 @@
 
 #include "host_sim/terrain_builder/raster_file.hpp"
 #include "host_sim/terrain_builder/raster_source.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/raster_file.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/raster_file.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_stated_quantity {
 namespace {

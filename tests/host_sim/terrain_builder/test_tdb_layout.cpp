@@ -6,7 +6,7 @@
 #include <set>
 
 #include "render_core/terrain/regular_chunk.hpp"
-#include "tests/support/post_grid.hpp"
+#include "tests/host_sim/terrain_builder/post_grid.hpp"
 
 namespace tedavis::host_sim::test_tdb_layout {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "host_sim/user_error.hpp"
 #include "render_core/terrain/chunk_payload.hpp"
-#include "tests/support/chunk_side.hpp"
-#include "tests/support/draped_database.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/host_sim/terrain_builder/chunk_side.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/draped_database.hpp"
 
 namespace tedavis::host_sim::test_terrain_build {
 namespace {

@@ -9,11 +9,11 @@
 #include <filesystem>
 
 #include "render_core/base/hash.hpp"
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/draped_database.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
+#include "tests/support/terrain/draped_database.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::host_sim::test_terrain_check {
 namespace {

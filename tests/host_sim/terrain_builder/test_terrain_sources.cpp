@@ -4,8 +4,8 @@
 
 #include <cstring>
 
-#include "tests/support/build_ground.hpp"
-#include "tests/support/expect_user_error.hpp"
+#include "tests/host_sim/terrain_builder/build_ground.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_terrain_sources {
 namespace {

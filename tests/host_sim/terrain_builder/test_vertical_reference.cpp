@@ -8,9 +8,9 @@
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/height_files.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/host_sim/terrain_builder/height_files.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_vertical_reference {
 namespace {

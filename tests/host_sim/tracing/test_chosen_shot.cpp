@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "host_sim/commands/trace.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_chosen_shot {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "host_sim/commands/option_texts.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_ground_look {
 namespace {

@@ -8,8 +8,8 @@
 #include "host_sim/commands/trace.hpp"
 #include "host_sim/temporary_folder.hpp"
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::host_sim::test_paged_drawer {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/tracing/chosen_shot.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_require_pageable {
 namespace {

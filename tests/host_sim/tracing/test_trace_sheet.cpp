@@ -6,7 +6,7 @@
 
 #include "host_sim/commands/trace.hpp"
 #include "host_sim/user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_trace_sheet {
 namespace {

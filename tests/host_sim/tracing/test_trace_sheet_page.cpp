@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_trace_sheet_page {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/trace.hpp"
-#include "tests/support/command_run.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_traced_data {
 namespace {

@@ -8,8 +8,8 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/temporary_folder.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::host_sim::test_traced_ground {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "host_sim/commands/trace.hpp"
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_traced_shot {
 namespace {

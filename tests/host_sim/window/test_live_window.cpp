@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
-#include "tests/support/frame_lines.hpp"
-#include "tests/support/scripted_window.hpp"
+#include "tests/host_sim/window/scripted_window.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/flights/frame_lines.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_live_window {
 namespace {

@@ -5,7 +5,7 @@
 #include "bus/switches/switch_log_source.hpp"
 #include "bus/switches/switch_to_phase.hpp"
 #include "host_sim/input_file.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::host_sim::test_switch_recording {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/scripted_window.hpp"
+#include "tests/host_sim/window/scripted_window.hpp"
 
 namespace tedavis::host_sim::test_window_controller {
 namespace {

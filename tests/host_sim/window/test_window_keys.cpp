@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "tests/support/scripted_window.hpp"
+#include "tests/host_sim/window/scripted_window.hpp"
 
 namespace tedavis::host_sim::test_window_keys {
 namespace {

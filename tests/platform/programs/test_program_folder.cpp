@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::platform::test_program_folder {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "platform/surface_factory.hpp"
 #include "render_core/display/calibration_subject.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/even_costs.hpp"
-#include "tests/support/memory_bytes.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/memory_bytes.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/even_costs.hpp"
 
 namespace tedavis::platform::test_display_host {
 namespace {

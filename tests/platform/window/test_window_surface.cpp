@@ -8,7 +8,7 @@
 #include <string>
 
 #include "platform/surface_factory.hpp"
-#include "tests/support/virtual_screen.hpp"
+#include "tests/support/programs/virtual_screen.hpp"
 
 #if defined(TEDAVIS_HAVE_SDL2)
 #include <SDL.h>

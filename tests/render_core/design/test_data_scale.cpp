@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/support/grey_palettes.hpp"
+#include "tests/support/display/grey_palettes.hpp"
 
 namespace tedavis::design::test_data_scale {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/support/grey_palettes.hpp"
+#include "tests/support/display/grey_palettes.hpp"
 
 namespace tedavis::design::test_data_style {
 namespace {

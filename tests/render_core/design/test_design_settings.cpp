@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/device_files.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::design::test_design_settings {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render_core/design/data_element.hpp"
-#include "tests/support/grey_palettes.hpp"
+#include "tests/support/display/grey_palettes.hpp"
 
 namespace tedavis::design::test_element_cues {
 namespace {

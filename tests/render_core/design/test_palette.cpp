@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/device_files.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::design::test_palette {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_calibration_subject {
 namespace {

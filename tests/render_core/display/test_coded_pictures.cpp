@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "host_sim/scenario/posed_aircraft.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/drawn_pixels.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::display::test_coded_pictures {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/shown_elements.hpp"
+#include "tests/support/display/shown_elements.hpp"
 
 namespace tedavis::display::test_cued_elements {
 namespace {

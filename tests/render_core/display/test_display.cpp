@@ -10,7 +10,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/preroll.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_display {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "render_core/display/preroll.hpp"
 #include "render_core/effects/calibration.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_display_budget {
 namespace {

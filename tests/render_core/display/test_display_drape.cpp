@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/draped_database.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/terrain/draped_database.hpp"
 
 namespace tedavis::display::test_display_drape {
 namespace {

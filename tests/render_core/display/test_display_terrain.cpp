@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
 
 namespace tedavis::display::test_display_terrain {
 namespace {

@@ -1,6 +1,6 @@
 #include "render_core/display/element_painter.hpp"
 
-#include "tests/support/shown_elements.hpp"
+#include "tests/support/display/shown_elements.hpp"
 
 namespace tedavis::display::test_element_painter {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/device_files.hpp"
-#include "tests/support/policy_states.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/flights/policy_states.hpp"
 
 namespace tedavis::display::test_failure_table {
 namespace {

@@ -1,9 +1,9 @@
 // Displays with foci: pictures and records over a small scene, on both lanes.
 #include <gtest/gtest.h>
 
-#include "tests/support/foci_of_test.hpp"
-#include "tests/support/hills_display.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/display/foci_of_test.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_foci_pictures {
 namespace {

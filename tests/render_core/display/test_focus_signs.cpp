@@ -1,8 +1,8 @@
 // Signs of the data elements, and what foci make of them.
 #include <gtest/gtest.h>
 
-#include "tests/support/foci_of_test.hpp"
-#include "tests/support/shown_elements.hpp"
+#include "tests/support/display/foci_of_test.hpp"
+#include "tests/support/display/shown_elements.hpp"
 
 namespace tedavis::display::test_focus_signs {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "render_core/display/display.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_frame_painter {
 namespace {

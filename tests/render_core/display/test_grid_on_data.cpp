@@ -9,10 +9,10 @@
 
 #include "render_core/display/display.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/hills_display.hpp"
-#include "tests/support/loaded_scene.hpp"
-#include "tests/support/raster_scene.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
+#include "tests/support/terrain/raster_scene.hpp"
 
 namespace tedavis::display::test_grid_on_data {
 namespace {

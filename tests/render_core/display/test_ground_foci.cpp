@@ -3,7 +3,7 @@
 
 #include "render_core/effects/design_effects.hpp"
 #include "render_core/effects/effect_requests.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_ground_foci {
 namespace {

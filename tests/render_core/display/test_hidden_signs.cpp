@@ -10,12 +10,12 @@
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/drawn_meshes.hpp"
-#include "tests/support/filled_drawers.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/selection.hpp"
+#include "tests/support/display/filled_drawers.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/terrain/drawn_meshes.hpp"
+#include "tests/support/terrain/selection.hpp"
 
 namespace tedavis::display::test_hidden_signs {
 namespace {

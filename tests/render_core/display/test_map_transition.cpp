@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "tests/support/map_scene.hpp"
+#include "tests/support/scene/map_scene.hpp"
 
 namespace tedavis::display::test_map_transition {
 namespace {

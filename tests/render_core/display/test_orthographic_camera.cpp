@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/camera_views.hpp"
+#include "tests/support/display/camera_views.hpp"
 
 namespace tedavis::display::test_orthographic_camera {
 namespace {

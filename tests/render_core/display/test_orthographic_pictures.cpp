@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/map_scene.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/map_scene.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_orthographic_pictures {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "render_core/display/display.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/hills_display.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_phase_matrix {
 namespace {

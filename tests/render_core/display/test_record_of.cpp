@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "tests/support/hills_planner.hpp"
+#include "tests/support/display/hills_planner.hpp"
 
 namespace tedavis::display::test_record_of {
 namespace {

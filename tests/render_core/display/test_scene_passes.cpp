@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::display::test_scene_passes {
 namespace {

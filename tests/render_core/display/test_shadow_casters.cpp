@@ -1,6 +1,6 @@
 #include "render_core/display/shadow_casters.hpp"
 
-#include "tests/support/shaded_view.hpp"
+#include "tests/support/display/shaded_view.hpp"
 
 namespace tedavis::display::test_shadow_casters {
 namespace {

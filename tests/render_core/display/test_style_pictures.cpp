@@ -11,11 +11,11 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/placed_aircraft.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/flights/placed_aircraft.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::display::test_style_pictures {
 namespace {

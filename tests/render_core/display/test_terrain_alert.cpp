@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "render_core/display/display.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_terrain_alert {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/hills_display.hpp"
-#include "tests/support/terrain_on_surface.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/terrain/terrain_on_surface.hpp"
 
 namespace tedavis::display::test_terrain_painter {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "host_sim/scenario/posed_aircraft.hpp"
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::display::test_traced_pictures {
 namespace {

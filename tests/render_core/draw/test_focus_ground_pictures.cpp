@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-#include "tests/support/focus_grounds.hpp"
+#include "tests/support/draw/focus_grounds.hpp"
 
 namespace tedavis::draw::test_focus_ground_pictures {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/focus_grounds.hpp"
+#include "tests/support/draw/focus_grounds.hpp"
 
 namespace tedavis::draw::test_ground_focus_kind {
 namespace {

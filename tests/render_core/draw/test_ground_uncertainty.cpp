@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "tests/support/ground_drawing.hpp"
+#include "tests/support/draw/ground_drawing.hpp"
 
 namespace tedavis::draw::test_ground_uncertainty {
 namespace {

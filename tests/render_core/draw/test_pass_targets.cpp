@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/effects/device.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_pass_targets {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render_core/draw/font_atlas.hpp"
-#include "tests/support/batch_rasterizer.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
 
 namespace tedavis::draw::test_quad_batch {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/free_view.hpp"
+#include "tests/support/display/free_view.hpp"
 
 namespace tedavis::draw::test_shadow_frame {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/chunk_drawing.hpp"
+#include "tests/support/terrain/chunk_drawing.hpp"
 
 namespace tedavis::draw::test_terrain_drawer_colors {
 namespace {

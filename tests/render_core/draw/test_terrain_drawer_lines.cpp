@@ -7,7 +7,7 @@
 #include <set>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/chunk_drawing.hpp"
+#include "tests/support/terrain/chunk_drawing.hpp"
 
 namespace tedavis::draw::test_terrain_drawer_lines {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <GeographicLib/Geodesic.hpp>
 #include <cmath>
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::draw::test_texel_size {
 namespace {

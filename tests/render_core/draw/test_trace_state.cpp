@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::draw::test_trace_state {
 namespace {

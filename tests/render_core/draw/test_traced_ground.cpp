@@ -5,7 +5,7 @@
 #include <random>
 
 #include "render_core/terrain/regular_chunk.hpp"
-#include "tests/support/ground_files.hpp"
+#include "tests/support/terrain/ground_files.hpp"
 
 namespace tedavis::draw::test_traced_ground {
 namespace {

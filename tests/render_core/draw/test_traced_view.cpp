@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/traced_file.hpp"
+#include "tests/support/raytrace/traced_file.hpp"
 
 namespace tedavis::draw::test_traced_view {
 namespace {

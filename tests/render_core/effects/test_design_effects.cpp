@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/full_design.hpp"
+#include "tests/support/display/full_design.hpp"
 
 namespace tedavis::effects::test_design_effects {
 namespace {

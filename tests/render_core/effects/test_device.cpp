@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/support/device_files.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::effects::test_device {
 namespace {

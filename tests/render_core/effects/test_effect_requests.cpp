@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/requesting_frame.hpp"
+#include "tests/render_core/effects/requesting_frame.hpp"
 
 namespace tedavis::effects::test_effect_requests {
 namespace {

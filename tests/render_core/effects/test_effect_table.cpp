@@ -7,7 +7,7 @@
 #include <string>
 
 #include "render_core/effects/quality_level.hpp"
-#include "tests/support/device_files.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::effects::test_effect_table {
 namespace {

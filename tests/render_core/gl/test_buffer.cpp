@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::gl::test_buffer {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::gl::test_capability_probe {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::gl::test_draw_triangles {
 namespace {

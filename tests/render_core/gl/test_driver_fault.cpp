@@ -6,9 +6,9 @@
 #include <string>
 
 #include "platform/surface_factory.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/renamed_driver.hpp"
+#include "tests/render_core/gl/renamed_driver.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::gl::test_driver_fault {
 namespace {

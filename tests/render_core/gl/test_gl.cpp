@@ -6,7 +6,7 @@
 #include <string>
 
 #include "platform/surface_factory.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::gl::test_gl {
 namespace {

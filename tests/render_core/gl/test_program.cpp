@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "platform/surface_factory.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::gl::test_program {
 namespace {

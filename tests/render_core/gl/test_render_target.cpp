@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "render_core/gl/readback.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::gl::test_render_target {
 namespace {

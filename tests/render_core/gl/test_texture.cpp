@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::gl::test_texture {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/held_plane.hpp"
+#include "tests/render_core/perception/held_plane.hpp"
 
 namespace tedavis::perception::test_center_surround {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/support/synthetic_picture.hpp"
+#include "tests/support/perception/synthetic_picture.hpp"
 
 namespace tedavis::perception::test_condition_watch {
 namespace {

@@ -6,9 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "tests/support/golden_pictures.hpp"
-#include "tests/support/held_edges.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/perception/golden_pictures.hpp"
+#include "tests/support/perception/held_edges.hpp"
 
 namespace tedavis::perception::test_edge_detector {
 namespace {

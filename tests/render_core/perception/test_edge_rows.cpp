@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tests/support/synthetic_picture.hpp"
+#include "tests/support/perception/synthetic_picture.hpp"
 
 namespace tedavis::perception::test_edge_rows {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render_core/design/color_difference.hpp"
-#include "tests/support/held_plane.hpp"
+#include "tests/render_core/perception/held_plane.hpp"
 
 namespace tedavis::perception::test_lab_planes {
 namespace {

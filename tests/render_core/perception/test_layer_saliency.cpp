@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/held_saliency.hpp"
+#include "tests/render_core/perception/held_saliency.hpp"
 
 namespace tedavis::perception::test_layer_saliency {
 namespace {

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/golden_pictures.hpp"
-#include "tests/support/held_saliency.hpp"
-#include "tests/support/itti_reference.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/rank_correlation.hpp"
+#include "tests/render_core/perception/held_saliency.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/perception/golden_pictures.hpp"
+#include "tests/support/perception/itti_reference.hpp"
+#include "tests/support/perception/rank_correlation.hpp"
 
 namespace tedavis::perception::test_saliency_model {
 namespace {

@@ -10,9 +10,9 @@
 #include <opencv2/saliency.hpp>
 #include <vector>
 
-#include "tests/support/golden_pictures.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/rank_correlation.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/perception/golden_pictures.hpp"
+#include "tests/support/perception/rank_correlation.hpp"
 
 namespace tedavis::perception::test_spectral_residual {
 namespace {

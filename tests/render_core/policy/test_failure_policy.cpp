@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "tests/support/policy_states.hpp"
+#include "tests/support/flights/policy_states.hpp"
 
 namespace tedavis::policy::test_failure_policy {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/built_element.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::policy::test_hazard_watch {
 namespace {

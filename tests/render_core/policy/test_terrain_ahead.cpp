@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::policy::test_terrain_ahead {
 namespace {

@@ -10,10 +10,10 @@
 #include "render_core/base/units.hpp"
 #include "render_core/base/utc_time.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/placed_aircraft.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/flights/placed_aircraft.hpp"
+#include "tests/support/terrain/built_database.hpp"
 
 namespace tedavis::policy::test_terrain_light {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/traced_view.hpp"
+#include "tests/support/raytrace/traced_view.hpp"
 
 namespace tedavis::raytrace::test_hit_place {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "tests/support/embree_grid.hpp"
-#include "tests/support/trace_agreement.hpp"
-#include "tests/support/trace_cameras.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/embree_grid.hpp"
+#include "tests/support/raytrace/trace_agreement.hpp"
+#include "tests/support/raytrace/trace_cameras.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_agreement {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_bounds {
 namespace {

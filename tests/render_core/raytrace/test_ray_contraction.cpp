@@ -12,8 +12,8 @@
 #include <string>
 
 #include "tests/support/contraction/seams.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_contraction {
 namespace {

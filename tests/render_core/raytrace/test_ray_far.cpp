@@ -9,8 +9,8 @@
 #include <immintrin.h>
 #endif
 
-#include "tests/support/trace_agreement.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/trace_agreement.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_far {
 namespace {

@@ -2,8 +2,8 @@
 // that the eye is on a level with. Beams and lanes must find what single rays find, bit for bit (NUMERICS A25, finding 7).
 #include <gtest/gtest.h>
 
-#include "tests/support/kernel_check.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/kernel_check.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_pictures {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/trace_agreement.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/trace_agreement.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_starts {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/embree_grid.hpp"
-#include "tests/support/fractal_heights.hpp"
-#include "tests/support/reference_trace.hpp"
+#include "tests/support/raytrace/embree_grid.hpp"
+#include "tests/support/raytrace/reference_trace.hpp"
+#include "tests/support/terrain/fractal_heights.hpp"
 
 namespace tedavis::raytrace::test_reference_embree {
 namespace {

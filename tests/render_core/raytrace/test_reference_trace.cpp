@@ -1,13 +1,13 @@
 // The oracle itself, before anything is held against it: planes whose answer is a formula, and every cell of a small grid by
 // another method.
-#include "tests/support/reference_trace.hpp"
+#include "tests/support/raytrace/reference_trace.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "tests/support/fractal_heights.hpp"
+#include "tests/support/terrain/fractal_heights.hpp"
 
 namespace tedavis::raytrace::test_reference_trace {
 namespace {

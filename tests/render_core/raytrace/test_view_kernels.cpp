@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/traced_view.hpp"
+#include "tests/support/raytrace/traced_view.hpp"
 
 namespace tedavis::raytrace::test_view_kernels {
 namespace {

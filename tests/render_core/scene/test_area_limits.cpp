@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::scene::test_area_limits {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::scene::test_data_time {
 namespace {

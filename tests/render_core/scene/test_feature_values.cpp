@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/built_element.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::scene::test_feature_values {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "tests/support/glyph_sites.hpp"
+#include "tests/support/scene/glyph_sites.hpp"
 
 namespace tedavis::scene::test_glyph_field {
 namespace {

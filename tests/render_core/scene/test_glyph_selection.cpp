@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "tests/support/glyph_sites.hpp"
+#include "tests/support/scene/glyph_sites.hpp"
 
 namespace tedavis::scene::test_glyph_selection {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "tests/support/glyph_sites.hpp"
+#include "tests/support/scene/glyph_sites.hpp"
 
 namespace tedavis::scene::test_glyphs_in_focus {
 namespace {

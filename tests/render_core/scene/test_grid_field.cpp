@@ -10,8 +10,8 @@
 #include <optional>
 #include <random>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::scene::test_grid_field {
 namespace {

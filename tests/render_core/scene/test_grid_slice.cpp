@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::scene::test_grid_slice {
 namespace {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <set>
 
-#include "tests/support/post_topology.hpp"
-#include "tests/support/surface_topology.hpp"
-#include "tests/support/volume_surface.hpp"
+#include "tests/render_core/scene/post_topology.hpp"
+#include "tests/support/scene/surface_topology.hpp"
+#include "tests/support/scene/volume_surface.hpp"
 
 namespace tedavis::scene::test_isosurface {
 namespace {

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <string>
 
-#include "tests/support/paths.hpp"
-#include "tests/support/surface_topology.hpp"
-#include "tests/support/volume_surface.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/scene/surface_topology.hpp"
+#include "tests/support/scene/volume_surface.hpp"
 
 namespace tedavis::scene::test_isosurface_reference {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/loaded_scene.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::scene::test_scene {
 namespace {

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "render_core/base/hash.hpp"
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::scene::test_scene_reader {
 namespace {

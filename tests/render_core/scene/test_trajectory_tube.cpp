@@ -8,7 +8,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/curve_frames.hpp"
+#include "tests/render_core/scene/curve_frames.hpp"
 
 namespace tedavis::scene::test_trajectory_tube {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/curve_frames.hpp"
+#include "tests/render_core/scene/curve_frames.hpp"
 
 namespace tedavis::scene::test_tube_frame {
 namespace {

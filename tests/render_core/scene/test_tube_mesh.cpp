@@ -8,7 +8,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/surface_topology.hpp"
+#include "tests/support/scene/surface_topology.hpp"
 
 namespace tedavis::scene::test_tube_mesh {
 namespace {

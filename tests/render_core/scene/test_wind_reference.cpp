@@ -8,7 +8,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/scene/wind.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
 
 namespace tedavis::scene::test_wind_reference {
 namespace {

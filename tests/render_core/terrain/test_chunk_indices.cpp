@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "tests/support/drawn_terrain.hpp"
-#include "tests/support/memory_bytes.hpp"
-#include "tests/support/raster_scene.hpp"
+#include "tests/support/files/memory_bytes.hpp"
+#include "tests/support/terrain/drawn_terrain.hpp"
+#include "tests/support/terrain/raster_scene.hpp"
 
 namespace tedavis::terrain::test_chunk_indices {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <functional>
 
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::terrain::test_chunk_payload {
 namespace {

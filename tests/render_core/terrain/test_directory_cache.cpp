@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::terrain::test_directory_cache {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/support/drawn_mesh_check.hpp"
-#include "tests/support/resident_tdb.hpp"
-#include "tests/support/selection.hpp"
-#include "tests/support/terrain_views.hpp"
+#include "tests/render_core/terrain/drawn_mesh_check.hpp"
+#include "tests/support/terrain/resident_tdb.hpp"
+#include "tests/support/terrain/selection.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::terrain::test_drawn_surface {
 namespace {

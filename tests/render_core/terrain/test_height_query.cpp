@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::terrain::test_height_query {
 namespace {

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "render_core/terrain/chunk_mesh.hpp"
-#include "tests/support/drawn_meshes.hpp"
-#include "tests/support/selection.hpp"
-#include "tests/support/terrain_views.hpp"
+#include "tests/support/terrain/drawn_meshes.hpp"
+#include "tests/support/terrain/selection.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::terrain::test_line_of_sight {
 namespace {

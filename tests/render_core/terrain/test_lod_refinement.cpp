@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "tests/support/resident_tdb.hpp"
-#include "tests/support/terrain_views.hpp"
+#include "tests/support/terrain/resident_tdb.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::terrain::test_lod_refinement {
 namespace {

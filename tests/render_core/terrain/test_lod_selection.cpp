@@ -8,9 +8,9 @@
 #include <set>
 
 #include "render_core/terrain/projected_error.hpp"
-#include "tests/support/drawn_mesh_check.hpp"
-#include "tests/support/lod_grounds.hpp"
-#include "tests/support/resident_tdb.hpp"
+#include "tests/render_core/terrain/drawn_mesh_check.hpp"
+#include "tests/render_core/terrain/lod_grounds.hpp"
+#include "tests/support/terrain/resident_tdb.hpp"
 
 namespace tedavis::terrain::test_lod_selection {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "render_core/terrain/projected_error.hpp"
-#include "tests/support/lod_grounds.hpp"
-#include "tests/support/resident_tdb.hpp"
+#include "tests/render_core/terrain/lod_grounds.hpp"
+#include "tests/support/terrain/resident_tdb.hpp"
 
 namespace tedavis::terrain::test_lod_wanted {
 namespace {

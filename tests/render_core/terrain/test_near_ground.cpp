@@ -11,8 +11,8 @@
 #include <random>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::terrain::test_near_ground {
 namespace {

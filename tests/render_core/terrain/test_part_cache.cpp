@@ -8,8 +8,8 @@
 #include <set>
 
 #include "render_core/terrain/chunk_payload.hpp"
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::terrain::test_part_cache {
 namespace {

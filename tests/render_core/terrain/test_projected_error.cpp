@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/terrain_views.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::terrain::test_projected_error {
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::terrain::test_terrain_database {
 namespace {

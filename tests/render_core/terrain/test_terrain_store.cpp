@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "platform/threads/thread_reader.hpp"
-#include "tests/support/started_store.hpp"
+#include "tests/render_core/terrain/started_store.hpp"
 
 namespace tedavis::terrain::test_terrain_store {
 namespace {

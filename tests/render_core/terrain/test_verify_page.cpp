@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "platform/files/memory_byte_source.hpp"
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/terrain_image.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
+#include "tests/support/terrain/terrain_image.hpp"
 
 namespace tedavis::terrain::test_verify_page {
 namespace {

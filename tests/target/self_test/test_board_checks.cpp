@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "tests/support/damaged_terrain.hpp"
-#include "tests/support/scene_drafts.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
+#include "tests/support/terrain/damaged_terrain.hpp"
 #include "tests/target/board_costs.hpp"
 #include "tests/target/fake_board.hpp"
 

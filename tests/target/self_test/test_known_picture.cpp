@@ -16,7 +16,7 @@
 #include "render_core/gl/readback.hpp"
 #include "target/self_test.hpp"
 #include "target/self_test/known_flight.hpp"
-#include "tests/support/device_files.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::target::test_known_picture {
 namespace {

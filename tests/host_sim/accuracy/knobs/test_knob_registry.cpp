@@ -5,8 +5,8 @@
 #include <set>
 
 #include "tests/host_sim/accuracy/made_knob.hpp"
-#include "tests/support/expect_user_error.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_knob_registry {
 namespace {

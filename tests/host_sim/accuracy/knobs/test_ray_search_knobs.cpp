@@ -8,7 +8,7 @@
 #include "host_sim/accuracy/knobs/traced_square.hpp"
 #include "host_sim/accuracy/statistics.hpp"
 #include "render_core/raytrace/search/trace_surface.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_ray_search_knobs {
 namespace {

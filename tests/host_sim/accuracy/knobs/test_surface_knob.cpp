@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/accuracy/statistics.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_surface_knob {
 namespace {

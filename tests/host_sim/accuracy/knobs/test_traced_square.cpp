@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/raytrace/surface/surface_height.hpp"
-#include "tests/support/flown_circle.hpp"
+#include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_traced_square {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/attribute_terrain.hpp"
-#include "tests/support/fractal_square.hpp"
+#include "tests/support/terrain/attribute_terrain.hpp"
+#include "tests/support/terrain/fractal_square.hpp"
 
 namespace tedavis::host_sim::test_attribute_maps {
 namespace {

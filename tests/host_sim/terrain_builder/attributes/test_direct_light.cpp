@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/attribute_terrain.hpp"
+#include "tests/support/terrain/attribute_terrain.hpp"
 
 namespace tedavis::host_sim::test_direct_light {
 namespace {

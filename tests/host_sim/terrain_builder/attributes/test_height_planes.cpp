@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/support/attribute_terrain.hpp"
+#include "tests/support/terrain/attribute_terrain.hpp"
 
 namespace tedavis::host_sim::test_height_planes {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/attribute_terrain.hpp"
-#include "tests/support/fractal_square.hpp"
+#include "tests/support/terrain/attribute_terrain.hpp"
+#include "tests/support/terrain/fractal_square.hpp"
 
 namespace tedavis::host_sim::test_sky_sweep {
 namespace {

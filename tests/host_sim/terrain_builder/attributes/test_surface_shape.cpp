@@ -10,8 +10,8 @@
 
 #include "host_sim/terrain_builder/attributes/direct_light.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
-#include "tests/support/attribute_terrain.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/terrain/attribute_terrain.hpp"
 
 namespace tedavis::host_sim::test_surface_shape {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/camera_views.hpp"
+#include "tests/support/display/camera_views.hpp"
 
 namespace tedavis::display::test_camera {
 namespace {

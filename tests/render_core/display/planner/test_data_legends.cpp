@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/grey_palettes.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/display/grey_palettes.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::display::test_data_legends {
 namespace {

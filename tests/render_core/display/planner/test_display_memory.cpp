@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/device_files.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::display::test_display_memory {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::display::test_element_labels {
 namespace {

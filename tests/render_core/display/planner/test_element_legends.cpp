@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/grey_palettes.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/display/grey_palettes.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::display::test_element_legends {
 namespace {

@@ -12,10 +12,10 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/sent_traffic.hpp"
-#include "tests/support/shown_elements.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/display/shown_elements.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
 
 namespace tedavis::display::test_element_planner {
 namespace {

@@ -1,7 +1,7 @@
 // Icons, names, diagrams and barbs of the data elements on their sheet.
 #include <gtest/gtest.h>
 
-#include "tests/support/shown_elements.hpp"
+#include "tests/support/display/shown_elements.hpp"
 
 namespace tedavis::display::test_element_signs {
 namespace {

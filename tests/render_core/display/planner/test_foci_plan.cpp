@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/foci_of_test.hpp"
-#include "tests/support/shown_elements.hpp"
+#include "tests/support/display/foci_of_test.hpp"
+#include "tests/support/display/shown_elements.hpp"
 
 namespace tedavis::display::test_foci_plan {
 namespace {

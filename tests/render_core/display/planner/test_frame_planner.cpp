@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "tests/support/hills_planner.hpp"
+#include "tests/support/display/hills_planner.hpp"
 
 namespace tedavis::display::test_frame_planner {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "render_core/display/display.hpp"
 #include "render_core/display/preroll.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_frame_planner_designs {
 namespace {

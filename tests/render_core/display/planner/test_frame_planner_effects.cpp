@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "render_core/display/planner/frame_planner.hpp"
-#include "tests/support/hills_planner.hpp"
+#include "tests/support/display/hills_planner.hpp"
 
 namespace tedavis::display::test_frame_planner_effects {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "tests/support/held_edges.hpp"
-#include "tests/support/map_scene.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/perception/held_edges.hpp"
+#include "tests/support/scene/map_scene.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_frame_planner_elements {
 namespace {

@@ -1,7 +1,7 @@
 // Displays whose design asks for a larger focus, beside the same without.
 #include <gtest/gtest.h>
 
-#include "tests/support/map_scene.hpp"
+#include "tests/support/scene/map_scene.hpp"
 
 namespace tedavis::display::test_frame_planner_view {
 namespace {

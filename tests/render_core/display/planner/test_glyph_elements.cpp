@@ -8,9 +8,9 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::display::test_glyph_elements {
 namespace {

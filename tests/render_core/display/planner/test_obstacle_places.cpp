@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "tests/support/built_element.hpp"
-#include "tests/support/drawn_meshes.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/scene_drafts.hpp"
-#include "tests/support/selection.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
+#include "tests/support/terrain/drawn_meshes.hpp"
+#include "tests/support/terrain/selection.hpp"
 
 namespace tedavis::display::test_obstacle_places {
 namespace {

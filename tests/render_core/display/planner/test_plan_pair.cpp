@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render_core/display/planner/display_memory.hpp"
-#include "tests/support/device_files.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::display::test_plan_pair {
 namespace {

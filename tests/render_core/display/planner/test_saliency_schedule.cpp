@@ -10,8 +10,8 @@
 
 #include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_saliency_schedule {
 namespace {

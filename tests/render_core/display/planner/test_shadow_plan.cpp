@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/shaded_view.hpp"
+#include "tests/support/display/shaded_view.hpp"
 
 namespace tedavis::display::test_shadow_plan {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "render_core/display/planner/element_legends.hpp"
-#include "tests/support/grey_palettes.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/display/grey_palettes.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::display::test_sign_legend {
 namespace {

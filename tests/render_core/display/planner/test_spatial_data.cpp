@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "tests/support/flaky_bytes.hpp"
-#include "tests/support/grey_palettes.hpp"
-#include "tests/support/scene_drafts.hpp"
+#include "tests/support/display/grey_palettes.hpp"
+#include "tests/support/files/flaky_bytes.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_spatial_data {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "tests/support/data_legend_samples.hpp"
-#include "tests/support/loaded_scene.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/data_legend_samples.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::display::test_symbology_data {
 namespace {

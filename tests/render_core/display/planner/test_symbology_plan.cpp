@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render_core/draw/symbology/symbology.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_symbology_plan {
 namespace {

@@ -13,10 +13,10 @@
 #include "render_core/gl/render_target.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
 #include "render_core/terrain/projected_error.hpp"
-#include "tests/support/built_database.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/raster_ray_caster.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/terrain/built_database.hpp"
+#include "tests/support/terrain/raster_ray_caster.hpp"
 
 namespace tedavis::display::test_terrain_planner {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render_core/draw/data/traffic_state.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/sent_traffic.hpp"
+#include "tests/support/draw/built_element.hpp"
+#include "tests/support/flights/sent_traffic.hpp"
 
 namespace tedavis::display::test_traffic_layer {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdlib>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/default_flight.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/hills_display.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/display/hills_display.hpp"
+#include "tests/support/flights/default_flight.hpp"
 
 namespace tedavis::display::test_visible_bounds {
 namespace {

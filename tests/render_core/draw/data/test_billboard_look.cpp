@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_billboard_look {
 namespace {

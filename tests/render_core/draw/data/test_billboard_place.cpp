@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_billboard_place {
 namespace {

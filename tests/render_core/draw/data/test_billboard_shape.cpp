@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/draw/font_atlas.hpp"
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_billboard_shape {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render_core/draw/drawers/view_projection.hpp"
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_billboard_sheet {
 namespace {

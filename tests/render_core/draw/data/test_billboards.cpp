@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "render_core/draw/data/placement.hpp"
-#include "tests/support/labelled_layer.hpp"
+#include "tests/render_core/draw/data/labelled_layer.hpp"
 
 namespace tedavis::draw::test_billboards {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::draw::test_degree_of_interest {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_diagrams {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_feature_importance {
 namespace {

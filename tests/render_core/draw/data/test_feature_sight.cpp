@@ -7,8 +7,8 @@
 #include <random>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/free_view.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_feature_sight {
 namespace {

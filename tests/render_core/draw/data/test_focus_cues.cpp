@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/billboard_room.hpp"
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_focus_cues {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <GeographicLib/Geodesic.hpp>
 
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace tedavis::draw::test_focus_place {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace tedavis::draw::test_focus_values {
 namespace {

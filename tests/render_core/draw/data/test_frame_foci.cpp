@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace tedavis::draw::test_frame_foci {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace tedavis::draw::test_glyph_focus {
 namespace {

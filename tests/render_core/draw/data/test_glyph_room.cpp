@@ -8,7 +8,7 @@
 #include "render_core/draw/drawers/data/glyph_drawer.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/scene/glyph_selection.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_glyph_room {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_ground_section {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_icons {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "render_core/draw/data/layer_foci.hpp"
-#include "tests/support/foci_of_test.hpp"
-#include "tests/support/labelled_layer.hpp"
+#include "tests/render_core/draw/data/labelled_layer.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace tedavis::draw::test_label_features {
 namespace {

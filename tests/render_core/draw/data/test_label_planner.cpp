@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render_core/flight/decision_interval.hpp"
-#include "tests/support/planned_labels.hpp"
+#include "tests/render_core/draw/data/planned_labels.hpp"
 
 namespace tedavis::draw::test_label_planner {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/foci_of_test.hpp"
+#include "tests/support/display/foci_of_test.hpp"
 
 namespace tedavis::draw::test_layer_foci {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_core/scene/grid_field.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::draw::test_layer_values {
 namespace {

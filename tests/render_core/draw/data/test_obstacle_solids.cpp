@@ -9,7 +9,7 @@
 
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_obstacle_solids {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/placement.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_place_ellipsoids {
 namespace {

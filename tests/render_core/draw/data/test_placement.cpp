@@ -8,8 +8,8 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_element.hpp"
-#include "tests/support/grey_palettes.hpp"
+#include "tests/support/display/grey_palettes.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_placement {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/loaded_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::draw::test_planned_track {
 namespace {

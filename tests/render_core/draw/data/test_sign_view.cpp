@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/free_view.hpp"
+#include "tests/support/display/free_view.hpp"
 
 namespace tedavis::draw::test_sign_view {
 namespace {

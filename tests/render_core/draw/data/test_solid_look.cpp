@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_solid_look {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_solid_shapes {
 namespace {

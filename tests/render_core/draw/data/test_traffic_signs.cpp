@@ -7,7 +7,7 @@
 
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/traffic_state.hpp"
-#include "tests/support/billboard_room.hpp"
+#include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_traffic_signs {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_traffic_state {
 namespace {

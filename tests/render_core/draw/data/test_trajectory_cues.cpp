@@ -12,7 +12,7 @@
 #include "render_core/draw/data/ground_section.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_trajectory_cues {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_tube_path {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/built_element.hpp"
+#include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_tube_skin {
 namespace {

@@ -15,8 +15,8 @@
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_air_table {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "render_core/draw/drawers/terrain_program.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_color_table {
 namespace {

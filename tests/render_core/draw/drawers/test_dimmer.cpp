@@ -6,7 +6,7 @@
 #include <string>
 
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_dimmer {
 namespace {

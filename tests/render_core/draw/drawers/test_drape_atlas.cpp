@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_drape_atlas {
 namespace {

@@ -13,12 +13,12 @@
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/readback.hpp"
 #include "render_core/perception/edge_density.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
-#include "tests/support/held_edges.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/perception/held_edges.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::draw::test_edge_pass {
 namespace {

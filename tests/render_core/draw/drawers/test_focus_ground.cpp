@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/focus_grounds.hpp"
+#include "tests/support/draw/focus_grounds.hpp"
 
 namespace tedavis::draw::test_focus_ground {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/grey_palettes.hpp"
-#include "tests/support/ground_drawing.hpp"
+#include "tests/support/display/grey_palettes.hpp"
+#include "tests/support/draw/ground_drawing.hpp"
 
 namespace tedavis::draw::test_ground_map {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "render_core/gl/render_target.hpp"
 #include "render_core/terrain/attribute_map.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_page_atlas {
 namespace {

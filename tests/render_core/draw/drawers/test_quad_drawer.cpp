@@ -9,11 +9,11 @@
 
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/filled_drawers.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/display/filled_drawers.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::draw::test_quad_drawer {
 namespace {

@@ -14,11 +14,11 @@
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/readback.hpp"
 #include "render_core/perception/saliency_model.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/paths.hpp"
-#include "tests/support/rank_correlation.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/perception/rank_correlation.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_saliency_pass {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_screen_grid {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/program.hpp"
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_screen_triangle {
 namespace {

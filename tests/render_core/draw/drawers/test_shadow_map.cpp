@@ -13,10 +13,10 @@
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
-#include "tests/support/filled_drawers.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/display/filled_drawers.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_shadow_map {
 namespace {

@@ -10,8 +10,8 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::draw::test_sky_drawer {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "render_core/effects/device.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_stereo_pass {
 namespace {

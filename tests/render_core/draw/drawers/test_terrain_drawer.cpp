@@ -8,9 +8,9 @@
 
 #include "host_sim/geoid_egm96.hpp"
 #include "render_core/base/units.hpp"
-#include "tests/support/chunk_drawing.hpp"
-#include "tests/support/headless_backends.hpp"
-#include "tests/support/raster_ray_caster.hpp"
+#include "tests/support/programs/headless_backends.hpp"
+#include "tests/support/terrain/chunk_drawing.hpp"
+#include "tests/support/terrain/raster_ray_caster.hpp"
 
 namespace tedavis::draw::test_terrain_drawer {
 namespace {

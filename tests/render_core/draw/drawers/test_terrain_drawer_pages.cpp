@@ -8,10 +8,10 @@
 #include "render_core/base/units.hpp"
 #include "render_core/draw/drawers/terrain_drawer.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/draped_database.hpp"
-#include "tests/support/drawn_terrain.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/raster_scene.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/terrain/draped_database.hpp"
+#include "tests/support/terrain/drawn_terrain.hpp"
+#include "tests/support/terrain/raster_scene.hpp"
 
 namespace tedavis::draw::test_terrain_drawer_pages {
 namespace {

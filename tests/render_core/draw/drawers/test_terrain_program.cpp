@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/gl_session.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_terrain_program {
 namespace {

@@ -15,11 +15,11 @@
 #include "host_sim/scenario/posed_aircraft.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/terrain/drawn_surface.hpp"
-#include "tests/support/drawn_pixels.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/synthetic_raster.hpp"
-#include "tests/support/terrain_views.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::draw::test_terrain_uniforms {
 namespace {

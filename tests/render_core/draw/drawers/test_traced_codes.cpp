@@ -7,7 +7,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/draw/drawers/terrain_program.hpp"
-#include "tests/support/traced_file.hpp"
+#include "tests/support/raytrace/traced_file.hpp"
 
 namespace tedavis::draw::test_traced_codes {
 namespace {

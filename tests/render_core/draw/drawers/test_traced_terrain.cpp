@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/traced_file.hpp"
+#include "tests/support/files/device_files.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/raytrace/traced_file.hpp"
 
 namespace tedavis::draw::test_traced_terrain {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "render_core/draw/drawers/terrain_program.hpp"
 #include "render_core/effects/device.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/screen_triangle.hpp"
+#include "tests/support/draw/screen_triangle.hpp"
+#include "tests/support/programs/gl_session.hpp"
 
 namespace tedavis::draw::test_view_effects_pass {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render_core/draw/view_frame.hpp"
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/free_view.hpp"
+#include "tests/support/display/free_view.hpp"
 
 namespace tedavis::draw::test_view_projection {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
-#include "tests/support/data_legend_samples.hpp"
-#include "tests/support/loaded_scene.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/data_legend_samples.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
+#include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::draw::test_adjacent_maps {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_air {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/device_files.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::draw::test_legend {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "render_core/draw/symbology/symbology.hpp"
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/data_legend_samples.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/data_legend_samples.hpp"
 
 namespace tedavis::draw::test_legend_entry {
 namespace {

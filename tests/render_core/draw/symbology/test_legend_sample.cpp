@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "render_core/draw/symbology/painter.hpp"
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_legend_sample {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_map_symbols {
 namespace {

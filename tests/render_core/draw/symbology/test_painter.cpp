@@ -8,7 +8,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/font_atlas.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_painter {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "render_core/earth/wgs84.hpp"
-#include "tests/support/batch_rasterizer.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_symbology {
 namespace {

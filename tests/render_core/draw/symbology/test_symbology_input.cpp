@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_symbology_input {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tests/support/symbology_scene.hpp"
+#include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_vertical_tape {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/ground_files.hpp"
+#include "tests/support/terrain/ground_files.hpp"
 
 namespace tedavis::raytrace::test_exact_posts {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/terrain/regular_chunk.hpp"
-#include "tests/support/ground_files.hpp"
+#include "tests/support/terrain/ground_files.hpp"
 
 namespace tedavis::raytrace::test_ground_reader {
 namespace {

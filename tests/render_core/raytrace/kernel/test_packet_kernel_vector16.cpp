@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/support/paged_check.hpp"
+#include "tests/render_core/raytrace/kernel/paged_check.hpp"
 
 namespace tedavis::raytrace::test_packet_kernel_vector16 {
 namespace {

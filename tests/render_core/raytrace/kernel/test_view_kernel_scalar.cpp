@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/support/kernel_check.hpp"
+#include "tests/support/raytrace/kernel_check.hpp"
 
 namespace tedavis::raytrace::test_view_kernel_scalar {
 namespace {

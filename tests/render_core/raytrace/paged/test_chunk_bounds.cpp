@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/held_chunks.hpp"
+#include "tests/support/raytrace/held_chunks.hpp"
 
 namespace tedavis::raytrace::test_chunk_bounds {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/ground_files.hpp"
-#include "tests/support/held_chunks.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/held_chunks.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
+#include "tests/support/terrain/ground_files.hpp"
 
 namespace tedavis::raytrace::test_database_chunks {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/generated_chunks.hpp"
-#include "tests/support/held_chunks.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/held_chunks.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
+#include "tests/support/terrain/generated_chunks.hpp"
 
 namespace tedavis::raytrace::test_paged_tracer {
 namespace {

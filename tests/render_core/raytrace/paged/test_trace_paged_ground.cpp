@@ -7,10 +7,10 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/paged/database_chunks.hpp"
-#include "tests/support/ground_files.hpp"
-#include "tests/support/held_chunks.hpp"
-#include "tests/support/terrain_views.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/held_chunks.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
+#include "tests/support/terrain/ground_files.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::raytrace::test_trace_paged_ground {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/traced_view.hpp"
+#include "tests/support/raytrace/traced_view.hpp"
 
 namespace tedavis::raytrace {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "render_core/raytrace/search/trace_surface.hpp"
-#include "tests/support/surface_scene.hpp"
-#include "tests/support/traced_view.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
+#include "tests/support/raytrace/traced_view.hpp"
 
 namespace tedavis::raytrace {
 namespace {

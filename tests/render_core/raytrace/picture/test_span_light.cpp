@@ -5,7 +5,7 @@
 #include <random>
 
 #include "render_core/raytrace/shading/aperture_light.hpp"
-#include "tests/support/traced_ground.hpp"
+#include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace {
 namespace {

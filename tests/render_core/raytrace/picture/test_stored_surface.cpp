@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/raytrace/surface/surface_height.hpp"
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace {
 namespace {

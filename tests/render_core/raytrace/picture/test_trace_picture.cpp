@@ -7,7 +7,7 @@
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/picture/trace_presets.hpp"
 #include "render_core/raytrace/stream/token_writer.hpp"
-#include "tests/support/drawn_trace.hpp"
+#include "tests/support/raytrace/drawn_trace.hpp"
 
 namespace tedavis::raytrace {
 namespace {

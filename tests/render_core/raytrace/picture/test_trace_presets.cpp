@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/drawn_trace.hpp"
+#include "tests/support/raytrace/drawn_trace.hpp"
 
 namespace tedavis::raytrace {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_core/raytrace/picture/trace_presets.hpp"
-#include "tests/support/drawn_trace.hpp"
+#include "tests/support/raytrace/drawn_trace.hpp"
 
 namespace tedavis::raytrace {
 namespace {

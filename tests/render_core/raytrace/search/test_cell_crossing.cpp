@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/held_heights.hpp"
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_cell_crossing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_search_surface {
 namespace {

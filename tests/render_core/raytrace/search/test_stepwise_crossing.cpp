@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/held_heights.hpp"
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_stepwise_crossing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render_core/raytrace/shading/cast_shadow.hpp"
 #include "render_core/raytrace/trace_ray.hpp"
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_tracers_agree {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render_core/raytrace/search/row_start.hpp"
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_undersampling {
 namespace {

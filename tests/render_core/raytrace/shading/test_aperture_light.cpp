@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/raytrace/shading/arc_functions.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_aperture_light {
 namespace {

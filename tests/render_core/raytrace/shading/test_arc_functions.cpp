@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_arc_functions {
 namespace {

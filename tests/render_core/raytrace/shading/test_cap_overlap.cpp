@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_core/raytrace/shading/arc_functions.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_cap_overlap {
 namespace {

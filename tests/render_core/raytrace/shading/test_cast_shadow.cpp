@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/support/surface_scene.hpp"
+#include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_cast_shadow {
 namespace {

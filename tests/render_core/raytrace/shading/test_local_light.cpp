@@ -8,8 +8,8 @@
 #include <string>
 
 #include "render_core/raytrace/surface/surface_height.hpp"
-#include "tests/support/held_heights.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_local_light {
 namespace {

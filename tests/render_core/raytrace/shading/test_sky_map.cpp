@@ -7,7 +7,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/shading/arc_functions.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_sky_map {
 namespace {

@@ -5,7 +5,7 @@
 #include <GeographicLib/GeodesicExact.hpp>
 
 #include "render_core/base/units.hpp"
-#include "tests/support/tdb_writer.hpp"
+#include "tests/support/terrain/tdb_writer.hpp"
 
 namespace tedavis::raytrace::test_ground_space {
 namespace {

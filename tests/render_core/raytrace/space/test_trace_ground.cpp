@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "platform/threads/thread_workers.hpp"
-#include "tests/support/terrain_views.hpp"
-#include "tests/support/traced_view.hpp"
+#include "tests/support/raytrace/traced_view.hpp"
+#include "tests/support/terrain/terrain_views.hpp"
 
 namespace tedavis::raytrace::test_trace_ground {
 namespace {

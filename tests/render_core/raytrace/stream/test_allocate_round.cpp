@@ -1,7 +1,7 @@
 #include "render_core/raytrace/stream/allocate_round.hpp"
 
-#include "tests/support/passes_by_hand.hpp"
-#include "tests/support/stream_program.hpp"
+#include "tests/render_core/raytrace/stream/passes_by_hand.hpp"
+#include "tests/render_core/raytrace/stream/stream_program.hpp"
 
 namespace tedavis::raytrace::test_allocate_round {
 namespace {

@@ -1,7 +1,7 @@
 #include "render_core/raytrace/stream/picture_tasks.hpp"
 
-#include "tests/support/rewritten_stream.hpp"
-#include "tests/support/synthetic_rays.hpp"
+#include "tests/support/raytrace/rewritten_stream.hpp"
+#include "tests/support/raytrace/synthetic_rays.hpp"
 
 namespace tedavis::raytrace::test_picture_tasks {
 namespace {

@@ -1,7 +1,7 @@
 #include "render_core/raytrace/stream/range_task.hpp"
 
-#include "tests/support/rewritten_stream.hpp"
-#include "tests/support/stream_program.hpp"
+#include "tests/render_core/raytrace/stream/stream_program.hpp"
+#include "tests/support/raytrace/rewritten_stream.hpp"
 
 namespace tedavis::raytrace::test_range_task {
 namespace {

@@ -1,8 +1,8 @@
 #include "render_core/raytrace/stream/stream_rewriter.hpp"
 
-#include "tests/support/rewritten_stream.hpp"
-#include "tests/support/stream_interpreter.hpp"
-#include "tests/support/stream_program.hpp"
+#include "tests/render_core/raytrace/stream/stream_program.hpp"
+#include "tests/support/raytrace/rewritten_stream.hpp"
+#include "tests/support/raytrace/stream_interpreter.hpp"
 
 namespace tedavis::raytrace::test_stream_rewriter {
 namespace {

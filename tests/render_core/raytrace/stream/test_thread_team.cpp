@@ -1,6 +1,6 @@
 #include "render_core/raytrace/stream/thread_team.hpp"
 
-#include "tests/support/rewritten_stream.hpp"
+#include "tests/support/raytrace/rewritten_stream.hpp"
 
 namespace tedavis::raytrace::test_thread_team {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/stream_program.hpp"
+#include "tests/render_core/raytrace/stream/stream_program.hpp"
 
 namespace tedavis::raytrace::test_token_writer {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/surface/surface_height.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_average_mipmap {
 namespace {

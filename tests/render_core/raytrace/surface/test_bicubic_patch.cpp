@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "tests/support/held_heights.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_bicubic_patch {
 namespace {

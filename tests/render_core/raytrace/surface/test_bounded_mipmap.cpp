@@ -6,7 +6,7 @@
 #include "render_core/raytrace/height_mipmap.hpp"
 #include "render_core/raytrace/surface/average_mipmap.hpp"
 #include "render_core/raytrace/surface/surface_bounds.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_bounded_mipmap {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_cell_patch {
 namespace {

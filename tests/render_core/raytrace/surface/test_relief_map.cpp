@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_relief_map {
 namespace {

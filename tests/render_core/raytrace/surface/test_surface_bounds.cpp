@@ -7,7 +7,7 @@
 
 #include "render_core/raytrace/height_mipmap.hpp"
 #include "render_core/raytrace/surface/surface_height.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_surface_bounds {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "render_core/raytrace/surface/pixel_footprint.hpp"
 #include "render_core/raytrace/surface/surface_height.hpp"
-#include "tests/support/held_heights.hpp"
+#include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_surface_point {
 namespace {

@@ -17,10 +17,10 @@
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/gl/render_target.hpp"
-#include "tests/support/filled_drawers.hpp"
-#include "tests/support/free_view.hpp"
-#include "tests/support/gl_session.hpp"
-#include "tests/support/raster_scene.hpp"
+#include "tests/support/display/filled_drawers.hpp"
+#include "tests/support/display/free_view.hpp"
+#include "tests/support/programs/gl_session.hpp"
+#include "tests/support/terrain/raster_scene.hpp"
 
 namespace tedavis::draw::test_data_grid {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "render_core/earth/wgs84.hpp"
 #include "render_core/effects/device.hpp"
-#include "tests/support/glyph_picture.hpp"
-#include "tests/support/headless_backends.hpp"
+#include "tests/render_core/draw/drawers/data/glyph_picture.hpp"
+#include "tests/support/programs/headless_backends.hpp"
 
 namespace tedavis::draw::test_glyph_drawer {
 namespace {
