@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "host_sim/accuracy/accuracy_json.hpp"
+#include "host_sim/accuracy/accuracy_page.hpp"
 #include "host_sim/accuracy/accuracy_text.hpp"
 #include "host_sim/accuracy/knobs/knob_registry.hpp"
 #include "host_sim/accuracy/measure_knob.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr const char* kJsonName = "/accuracy.json";
 constexpr const char* kCsvName = "/accuracy.csv";
+constexpr const char* kPageName = "/report.html";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
 constexpr double kKnob_s = 120, kQuickKnob_s = 8;  ///< for the rounds of a knob
 
@@ -55,13 +57,12 @@ const MeasuredKnob* knob_of(const AccuracyReport& report, const std::string& nam
 }
 
 void write_report(const AccuracyReport& report, const std::string& folder) {
-    AtomicFile json(folder + kJsonName), csv(folder + kCsvName);
+    AtomicFile json(folder + kJsonName), csv(folder + kCsvName), page(folder + kPageName);
     json.stream() << json_text(accuracy_json(report), 1) << "\n";
     csv.stream() << accuracy_csv(report);
-    json.seal();
-    csv.seal();
-    json.commit();
-    csv.commit();
+    page.stream() << accuracy_page(report);
+    for (AtomicFile* const file : {&json, &csv, &page}) file->seal();
+    for (AtomicFile* const file : {&json, &csv, &page}) file->commit();
 }
 
 /// Takes the place of the knob's earlier figures, in the registry's order.
@@ -158,7 +159,7 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     list_unmeasured(knobs, report);
     write_report(report, options.output);
     folder.keep();
-    console.result(accuracy_text(report) + answers(options, report) + "\n\n" + options.output + kJsonName,
+    console.result(accuracy_text(report) + answers(options, report) + "\n\n" + options.output + kPageName,
                    json_text(accuracy_json(report)));
     return is_whole ? 0 : kInterruptedExitCode;
 }

@@ -149,7 +149,9 @@ void add_accuracy(CLI::App& app, CommandLine& line) {
     CLI::App* command =
         add_command(app, line, "accuracy", "what accuracy costs in time: errors and times of every setting's levels",
                     [&o](Console& console) { return run_accuracy(o, console); });
-    command->add_option("-o", o.output, "folder for accuracy.json and accuracy.csv; a run that was stopped goes on there")
+    command
+        ->add_option("-o", o.output,
+                     "folder for report.html, accuracy.json and accuracy.csv; a run that was stopped goes on there")
         ->required();
     command->add_flag("--quick", o.is_quick, "fewer samples and rounds");
     command->add_option("--knob", o.knobs, "only this setting; may be repeated; default: all")->allow_extra_args(false);

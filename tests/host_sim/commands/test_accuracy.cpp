@@ -47,6 +47,7 @@ TEST(Accuracy, LeavesItsFilesAndAnswers) {
     EXPECT_EQ(json.at("knobs").size(), 1u);
     EXPECT_FALSE(json.at("interrupted"));
     EXPECT_THAT(read_file(options.output + "/accuracy.csv"), HasSubstr("\nray_halvings,\"0 halvings\","));
+    EXPECT_THAT(read_file(options.output + "/report.html"), HasSubstr("id='ray_halvings'"));
 }
 
 TEST(Accuracy, GoesOnWhereItWas) {

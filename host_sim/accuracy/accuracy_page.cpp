@@ -1,0 +1,170 @@
+#include "host_sim/accuracy/accuracy_page.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "host_sim/accuracy/next_level.hpp"
+#include "host_sim/accuracy/work_precision_chart.hpp"
+#include "host_sim/evaluation/html_parts.hpp"
+#include "host_sim/evaluation/report_look.hpp"
+#include "host_sim/reports/line_chart.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr const char* kAccuracyStyle =
+    ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}";
+
+template <class... Values>
+std::string figure_text(const char* format, Values... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+std::string significant(double value) { return figure_text("%.3g", value); }
+
+std::string bytes_text(double bytes) { return bytes == 0 ? "0" : figure_text("%.1f kB", bytes / 1000); }
+
+std::string heads(std::initializer_list<const char*> names) {
+    std::string row = "<tr>";
+    for (const char* const name : names) row += "<th>" + escaped_html(name) + "</th>";
+    return row + "</tr>";
+}
+
+std::string level_row(const MeasuredLevel& level) {
+    const char* const remark = level.is_dominated ? "dominated" : level.is_near_reference ? "at the reference" : "";
+    return "<tr" + std::string(level.is_dominated ? " class='dominated'" : "") + "><th>" + escaped_html(level.name) + "</th>" +
+           html_number(decimal(level.ms.median, 3)) + html_aside(decimal(level.ms.p5, 3) + " - " + decimal(level.ms.p95, 3)) +
+           html_number(significant(level.error.mean)) + html_aside(significant(level.error.p95)) +
+           html_aside(significant(level.error.p99)) + html_number(significant(level.error.max)) +
+           html_aside(bytes_text(static_cast<double>(level.bytes))) + html_aside(decimal(level.build_ms, 2)) + html_cell(remark) +
+           "</tr>";
+}
+
+std::string level_table(const MeasuredKnob& knob) {
+    std::string rows;
+    for (const MeasuredLevel& level : knob.levels) rows += level_row(level);
+    return html_table(
+        "<tr><th>level</th><th class='n'>ms</th><th class='n aside'>5 - 95 %</th><th class='n'>mean error</th><th "
+        "class='n aside'>95 %</th><th class='n aside'>99 %</th><th class='n'>greatest</th><th class='n aside'>memory"
+        "</th><th class='n aside'>build ms</th><th></th></tr>",
+        rows);
+}
+
+std::string next_table(const MeasuredKnob& knob) {
+    std::string rows;
+    for (const NextLevel& step : next_levels(knob))
+        rows += "<tr>" + html_cell(step.from->name) + html_cell(step.to->name) +
+                html_number("x " + significant(step.error_ratio)) + html_number("x " + significant(step.time_ratio)) +
+                html_number(bytes_text(step.more_bytes)) + "</tr>";
+    if (rows.empty()) return "<p>Only one level is worth its time.</p>\n";
+    return "<h3>What the next level costs</h3>\n" + html_table(heads({"from", "to", "mean error", "time", "memory"}), rows);
+}
+
+std::string law_words(const char* what, const FittedLaw& law) {
+    if (!law.holds) return std::string(what) + ": no law, since " + law.reason + ". ";
+    return figure_text("%s ~ amount^%.2f (R2 %.3f; every point within a factor of %.2f of it). ", what, law.exponent, law.r2,
+                       law.worst_residual);
+}
+
+std::string worst_words(const MeasuredKnob& knob) {
+    const auto worst = std::max_element(knob.levels.begin(), knob.levels.end(),
+                                        [](const auto& a, const auto& b) { return a.error.max < b.error.max; });
+    if (worst == knob.levels.end() || worst->error.max <= 0) return "";
+    return "The greatest error, " + significant(worst->error.max) + " " + knob.unit + ", is that of " + worst->name + " at " +
+           worst->worst_place + ". ";
+}
+
+std::string knob_section(const MeasuredKnob& knob) {
+    const std::string facts =
+        "<p>" +
+        escaped_html("Error: " + knob.metric + ", in " + knob.unit + ". Reference: " + knob.reference + ", itself within " +
+                     significant(knob.reference_bound) + ": " + knob.reference_reason + ". Second oracle: " + knob.second_oracle +
+                     ".") +
+        "</p>\n<p class='soft'>" +
+        escaped_html("Setting: " + knob.setting + ". " + knob.never_trades + " " + std::to_string(knob.rounds) + " rounds of " +
+                     std::to_string(knob.samples) + " samples; medians that differ by less than " + decimal(100 * knob.noise, 1) +
+                     " % are not ranked.") +
+        "</p>\n";
+    const std::string expected =
+        knob.law_expected.empty()
+            ? std::string()
+            : "Expected: " + knob.law_expected + (knob.law_agrees ? "; the measurement agrees. " : "; the measurement differs. ");
+    const std::string laws = "<p>" +
+                             escaped_html("The amount is " + knob.amount + ". " + law_words("Error", knob.error_law) +
+                                          law_words("Time", knob.time_law) + expected + worst_words(knob)) +
+                             "</p>\n";
+    return "<section class='knob' id='" + escaped_html(knob.name) + "'><h2>" + escaped_html(knob.title) + " <code>" +
+           escaped_html(knob.name) + "</code></h2>\n" + facts + work_precision_svg(knob) + level_table(knob) + laws +
+           next_table(knob) + "</section>\n";
+}
+
+/// A line a knob: its cheapest and its most accurate level that are worth their time.
+std::string summary_table(const AccuracyReport& report) {
+    std::string rows;
+    for (const MeasuredKnob& knob : report.knobs) {
+        const MeasuredLevel *quick = nullptr, *exact = nullptr;
+        for (const MeasuredLevel& level : knob.levels) {
+            if (level.is_dominated) continue;
+            if (quick == nullptr || level.ms.median < quick->ms.median) quick = &level;
+            if (exact == nullptr || level.ms.median > exact->ms.median) exact = &level;
+        }
+        if (quick == nullptr) continue;
+        rows += "<tr><th><a href='#" + escaped_html(knob.name) + "'>" + escaped_html(knob.title) + "</a></th>" +
+                html_cell(quick->name) + html_number(decimal(quick->ms.median, 3)) + html_number(significant(quick->error.mean)) +
+                html_cell(exact->name) + html_number(decimal(exact->ms.median, 3)) + html_number(significant(exact->error.mean)) +
+                html_cell(knob.unit) + "</tr>";
+    }
+    return html_table(heads({"setting", "quickest", "ms", "mean error", "most accurate", "ms", "mean error", "unit"}), rows);
+}
+
+std::string summary_words(const AccuracyReport& report) {
+    std::size_t levels = 0, dominated = 0, agree = 0, expected = 0;
+    for (const MeasuredKnob& knob : report.knobs) {
+        levels += knob.levels.size();
+        for (const MeasuredLevel& level : knob.levels) dominated += level.is_dominated ? 1 : 0;
+        expected += knob.law_expected.empty() ? 0 : 1;
+        agree += knob.law_agrees ? 1 : 0;
+    }
+    return "<div class='facts'>" + html_fact(std::to_string(report.knobs.size()), "settings measured") +
+           html_fact(std::to_string(dominated) + " of " + std::to_string(levels), "levels that another one beats") +
+           html_fact(std::to_string(agree) + " of " + std::to_string(expected), "expected laws that the measurements follow") +
+           html_fact(decimal(report.conditions.load, 1), "load of the machine at the start") + "</div>\n";
+}
+
+std::string page_header(const AccuracyReport& report) {
+    const MeasuringConditions& on = report.conditions;
+    return "<header><h1>What accuracy costs in time</h1><p>" +
+           escaped_html(on.processor + ", " + std::to_string(on.processors) + " processors; " + on.terrain +
+                        (on.is_quick ? "; quick run" : "") + (report.interrupted ? "; interrupted, the rest is missing" : "")) +
+           ".</p><p class='soft'>" +
+           escaped_html("Measured " + on.date + " with tedavis " + on.version + ", built by " + on.compiler + ": " + on.command) +
+           "</p></header>\n";
+}
+
+std::string not_measured_section(const AccuracyReport& report) {
+    if (report.not_measured.empty()) return "";
+    std::string names;
+    for (const std::string& name : report.not_measured) names += (names.empty() ? "" : ", ") + name;
+    return html_section("Not measured", "<p>" + escaped_html(names) + ". The same command goes on with them.</p>\n");
+}
+
+}  // namespace
+
+std::string accuracy_page(const AccuracyReport& report) {
+    std::string page =
+        "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
+        "content='width=device-width,initial-scale=1'><title>What accuracy costs in time</title><style>" +
+        std::string(kReportStyle) + kAccuracyStyle + "</style></head><body>\n" + page_header(report) + summary_words(report) +
+        "<main>\n" + html_section("From the quickest to the most accurate", summary_table(report));
+    for (const MeasuredKnob& knob : report.knobs) page += knob_section(knob);
+    return page + not_measured_section(report) +
+           "</main>\n<footer><p>Charts: a disc is a level that is worth its time, a cross one that another level beats, a square "
+           "on "
+           "the lower border one without an error. The bar is the 5th to the 95th percentile of the times, the dashed line "
+           "reaches "
+           "up to the greatest error.</p></footer></body></html>\n";
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,20 @@
+/// What the next more accurate level of a knob costs.
+#pragma once
+
+#include <vector>
+
+#include "host_sim/accuracy/measured_knob.hpp"
+
+namespace tedavis::host_sim {
+
+struct NextLevel {
+    const MeasuredLevel *from = nullptr, *to = nullptr;
+    double error_ratio = 0;  ///< mean error of `to` by that of `from`; below 1
+    double time_ratio = 0;   ///< medians
+    double more_bytes = 0;   ///< below 0 where it takes less
+};
+
+/// From each level that is not dominated to the next slower one. The knob must outlive them.
+[[nodiscard]] std::vector<NextLevel> next_levels(const MeasuredKnob& knob);
+
+}  // namespace tedavis::host_sim
