@@ -10,20 +10,20 @@
 
 namespace tedavis::bus {
 
-/// Port: receives the text, for example a file or a buffer. Implemented by the composition root.
+/// Port: receives the text and writes it, for example to a file or a buffer. The caller of the writer implements it.
 class TextSink {
 public:
     virtual ~TextSink() = default;
-    /// Returns false when not all bytes could be written.
+    /// Returns false if not all bytes could be written.
     [[nodiscard]] virtual bool write(const char* text, std::size_t count) = 0;
 };
 
-/// Thread  one. Memory  none. Failure  write() returns false, and refused() counts the frame, where candump has no form for it or
-/// the sink is full.
+/// Thread  one. Memory  fixed, inside. Failure  write() returns false and refused() counts the frame if the candump format cannot
+/// express it, its channel has no name, or the sink did not write it.
 class CandumpLogWriter {
 public:
-    /// Frames of channel n are written with the n-th name; frames of a channel without a name are refused. With `direction` a
-    /// line states whether its frame was received or sent.
+    /// Frames of channel n are written with the name at index n, of 16 names at most; frames of a channel without a name are
+    /// refused. With `direction` each line states whether its frame was received or sent. The sink must outlive the writer.
     CandumpLogWriter(TextSink& sink, base::Span<const std::string_view> interface_names, StampDigits digits, bool direction);
 
     [[nodiscard]] bool write(const CanFrame& frame);

@@ -1,7 +1,7 @@
 /// Measures a knob: errors once, since they are the same in every run, and times in interleaved rounds.
 ///
-/// In a round every level does all samples once, in an order that changes from round to round, so that what slows the machine
-/// for a while slows all levels. Odd and even rounds are an A/A run: what differs between them is noise.
+/// In each round every level processes all samples once. The order of the levels changes from round to round, so that a temporary
+/// load on the machine slows all levels. The odd and the even rounds form an A/A test: the difference between them is noise.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,11 @@ struct MeasuringPlan {
     static constexpr std::size_t kMinRounds = 6;
 
     std::size_t rounds = 11;  ///< kMinRounds or more
-    double most_s = 0;        ///< no further round begins after that time, but for the first kMinRounds; 0: no limit
-    /// Milliseconds of a clock that does not run back.
+    double most_s = 0;        ///< after kMinRounds rounds, no round begins later than this time; 0: no limit
+    /// Returns the milliseconds of a clock that never runs back.
     std::function<double()> clock_ms;
-    /// May throw; `done` of `total` rounds, 0 while errors are found.
+    /// Called before each round with the number of rounds that are done, and with 0 while errors are determined. It may throw,
+    /// which ends the measurement.
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 

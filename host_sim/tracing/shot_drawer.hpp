@@ -1,4 +1,4 @@
-/// What draws pictures of the ground by the tracer, with the memory that it takes.
+/// Draws pictures of the ground with the ray tracer, and owns the memory that this needs.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// At the row below the eye.
+/// Returns the lengths of the units of grid space at the row below the eye, or at the nearest row of the ground.
 inline raytrace::GridScale scale_at(const TracedGround& ground, const terrain::View& view) {
     const raytrace::GroundSpace& space = ground.space();
     const double row = std::clamp(space.place(view.eye).y, 0.0, ground.rows() - 1.0);
@@ -26,7 +26,7 @@ public:
         require(scene_.start(grid, scale_at(ground, view_), settings_, size_, arena));
         require(picture_.start(size_.width, size_.height, stream_, arena));
     }
-    /// Over a terrain that is traced elsewhere, and that must outlive the drawer.
+    /// Draws over `terrain`, which finds the hits of the rays and must outlive the drawer.
     ShotDrawer(const TracedGround& ground, const raytrace::TracedTerrain& terrain, const raytrace::TraceSettings& settings,
                const TracedShotPlan& plan)
         : ShotDrawer(ground, plan, {settings}) {
@@ -40,8 +40,9 @@ public:
         scene_.set_view(raytrace::PictureSight::of_world(ground.space(), view_), raytrace::view_kernels<Height>()[0],
                         raytrace::view_kernels<float>()[0]);
     }
-    /// Which of the settings each region gets, row by row; empty: the first everywhere. Gives the rounds of the stream, 0 where
-    /// the stages are called directly.
+    /// `regions` states, row by row, the number of the settings for each region of the picture; empty: the first settings are
+    /// used everywhere. Returns the number of rounds of the token stream; 0 if `is_direct`, which calls the stages without the
+    /// stream.
     std::uint32_t draw(const raytrace::TraceLook& look, base::Span<const std::uint8_t> regions, bool is_direct,
                        base::Workers& workers) {
         if (!picture_.begin(scene_, look, {settings_, regions}, rgb_))
@@ -82,7 +83,7 @@ private:
         size_.height = plan.height;
         rgb_.resize(std::size_t{3} * plan.width * plan.height);
     }
-    /// Memory for a picture and `scene_bytes`.
+    /// Allocates memory for a picture and for `scene_bytes` bytes of the scene.
     base::Arena reserve(std::uint64_t scene_bytes) {
         memory_.resize((scene_bytes + raytrace::TracePicture<Height>::bytes_needed(size_.width, size_.height, stream_)) / 8 + 64);
         return {memory_.data(), memory_.size() * 8};

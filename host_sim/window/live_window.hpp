@@ -1,4 +1,4 @@
-/// `tedavis replay --window`: the flight in a window on the screen.
+/// Shows the flight of `tedavis replay --window` in a window on the screen.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@ namespace tedavis::host_sim {
 using WindowMaker = std::function<base::Result<std::unique_ptr<platform::Window>, base::Error>(const platform::SurfaceSettings&,
                                                                                                const char* title)>;
 
-/// Runs until the window is closed or Ctrl-C. Returns the exit code. Throws UserError, also where there
-/// is no screen; then nothing is written.
+/// Runs until the user closes the window or presses Ctrl-C, and returns the exit code. Throws UserError; if the reason is that
+/// there is no screen, nothing has been written.
 [[nodiscard]] int run_live_window(const ReplayOptions& options, Console& console,
                                   const WindowMaker& make_window = platform::make_window);
 

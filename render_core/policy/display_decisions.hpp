@@ -1,4 +1,4 @@
-/// What a frame may show: the decisions of the failure policy, read by planner and drawers.
+/// What a frame may show: the decisions of the failure policy, which the planner and the drawers read.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ enum class Element : std::uint8_t {
     ground_height,
     flight_path,
     position,  ///< position of the own ship on the map
-    map_up,    ///< what is up on the map; `source` is true_track, the view's heading instead, or count_ for north
+    map_up,    ///< direction at the top of the map; `source` is true_track, else the heading of the view, else count_ for north
     wind,      ///< measured on board
     outside_temperature,
     count_
@@ -34,15 +34,15 @@ inline constexpr std::size_t kElementCount = static_cast<std::size_t>(Element::c
 
 enum class ElementShow : std::uint8_t {
     normal,
-    substituted,  ///< shown from another source than the first choice; an amber label names it
+    substituted,  ///< the value comes from a source of second choice; an amber label names the source
     flagged,      ///< stale: the last value is shown with an amber flag
-    failed,       ///< red cross and text instead of the value
-    absent,       ///< nothing is shown: the aircraft does not supply it, or it has no meaning now
+    failed,       ///< a red cross and a text replace the value
+    absent,       ///< nothing is shown: the aircraft does not supply the value, or the value has no meaning now
 };
 
 struct ElementDecision {
     ElementShow show = ElementShow::failed;
-    flight::Signal source = flight::Signal::count_;  ///< signal whose value is shown; count_ for none
+    flight::Signal source = flight::Signal::count_;  ///< signal whose value is shown; count_: no value is shown
 };
 
 enum class NoticeLevel : std::uint8_t { warning, caution, information };
@@ -51,18 +51,19 @@ struct Notice {
     base::FixedString<31> text;  ///< upper case ASCII
 };
 
-inline constexpr std::string_view kUnusualAttitudeFlag = "attitude.unusual";  ///< flag of the recovery picture
+inline constexpr std::string_view kUnusualAttitudeFlag = "attitude.unusual";  ///< flag of records with the recovery picture
 
 struct DisplayDecisions {
     bool show_terrain = false;
     bool show_warning_colors = false;
-    bool terrain_degraded = false;  ///< terrain is shown, but position or height are not reliable
-    bool plain_horizon = false;     ///< blue over brown by attitude, without terrain; never on the map
-    bool below_terrain = false;     ///< the own ship flies below the database's surface: the plain horizon is grey over red
-    TerrainAhead terrain_ahead = TerrainAhead::none;  ///< shown by a notice, and by the warning colours where they may be shown
-    bool unusual_attitude = false;                    ///< recovery picture: chevrons, decluttered; flagged
-    /// Signal that gives the view's azimuth: true_heading, magnetic_heading (plus variation), true_track, or count_ (none: the
-    /// view faces north and no terrain is drawn).
+    bool terrain_degraded = false;  ///< terrain is shown, but the position or the height is not reliable
+    bool plain_horizon = false;     ///< a horizon of two plain colours replaces the terrain; never on the map
+    bool below_terrain = false;     ///< the own ship flies below the database's surface: the plain horizon is grey over red, not
+                                    ///< blue over brown
+    TerrainAhead terrain_ahead = TerrainAhead::none;  ///< a notice shows it, and so do warning colours if they may be shown
+    bool unusual_attitude = false;                    ///< the recovery picture is shown: chevrons, decluttered; flagged
+    /// Signal that states the view's azimuth: true_heading, magnetic_heading (plus variation) or true_track. count_: no signal
+    /// states it, the view faces north, and the 3D view shows no terrain.
     flight::Signal view_heading = flight::Signal::count_;
     std::array<ElementDecision, kElementCount> elements{};
     base::FixedVector<Notice, 16> notices;               ///< most urgent first

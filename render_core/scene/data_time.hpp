@@ -1,5 +1,5 @@
-/// The times at which data are evaluated: whole minutes, so that the same time shows the same data and they are not computed
-/// again in every frame. Pure functions; any thread.
+/// The times at which the display evaluates data: whole minutes, so that all frames of a minute show the same values, which need
+/// not be computed for each frame. Pure functions; any thread.
 #pragma once
 
 #include "render_core/scene/scene.hpp"
@@ -8,14 +8,14 @@ namespace tedavis::scene {
 
 inline constexpr std::int64_t kDataStep_ns = 60'000'000'000;
 
-/// Returns the start of the step that contains a time.
+/// Returns the start of the minute that contains `time_ns`, which may be negative.
 [[nodiscard]] constexpr std::int64_t start_of_data_step(std::int64_t time_ns) noexcept {
     const std::int64_t into = time_ns % kDataStep_ns;
     return time_ns - (into < 0 ? into + kDataStep_ns : into);
 }
 
-/// Returns the time at which a layer's data begin, for a source without a date: their first time, else the layer's time, else
-/// 0.
+/// Returns the time for which a layer is shown while the flight's time is not a date: the first of the layer's times; the time of
+/// its data if it has no times; 0 if neither is stated.
 [[nodiscard]] inline std::int64_t own_time_ns(const Layer& layer) noexcept {
     if (!layer.times_ns.empty()) return layer.times_ns[0];
     return layer.entry->data_time_ns == kNoTime ? 0 : layer.entry->data_time_ns;

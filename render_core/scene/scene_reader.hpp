@@ -1,6 +1,6 @@
 /// Reads a scene database into an arena and verifies all of it (Scene::load).
 ///
-/// A part is accepted when it lies in the file, its size matches the layer's counts, its checksum is right, and its values are
+/// A part is accepted if it lies within the file, its size matches the layer's counts, its checksum is right, and its values are
 /// in range.
 #pragma once
 
@@ -12,7 +12,7 @@ class SceneReader {
 public:
     SceneReader(base::ByteSource& source, base::Arena& arena) : source_(source), arena_(arena) {}
 
-    /// Returns the error `none` when both results are complete.
+    /// Reads the header and all layers. Returns the error `none` if both are complete.
     [[nodiscard]] SdbFailure read(SceneHeader& header, base::Span<const Layer>& layers);
 
 private:
@@ -21,7 +21,8 @@ private:
     [[nodiscard]] SdbFailure read_layer(const LayerEntry& entry, Layer& layer);
     [[nodiscard]] SdbFailure read_attributes(const LayerEntry& entry, Layer& layer);
     [[nodiscard]] SdbFailure read_attribute(const AttributeEntry& entry, Attribute& attribute);
-    /// An empty part is refused where `count` is not 0, unless the part is optional.
+    /// Reads an array of `count` values; verifies its place, size and checksum. An empty part is damage if `count` is not 0,
+    /// unless `may_be_left_out`.
     template <class T>
     [[nodiscard]] SdbFailure read_part(const ScenePart& part, std::uint64_t count, bool may_be_left_out,
                                        base::Span<const T>& values);

@@ -1,7 +1,7 @@
 /// A setting of the product whose accuracy costs time: its levels, what they are measured against, and how one is run.
 ///
 /// Everything that a reader of the report needs to believe a figure is a member that has no default, so a knob that does not
-/// state it does not compile; knob_registry.hpp refuses what is stated but empty or not credible.
+/// state it does not compile; a test with fault_of() (knob_registry.hpp) refuses what is stated but empty or not credible.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Every knob of `tedavis accuracy`.
+/// The list of all knobs that `tedavis accuracy` can measure.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,15 @@ struct RegisteredKnob {
     std::unique_ptr<Knob> (*make)(const KnobGround& ground);
 };
 
-/// In the order in which they are measured.
+/// Returns all knobs, in the order in which they are measured.
 [[nodiscard]] const std::vector<RegisteredKnob>& knob_registry();
 
-/// The knobs of these names, all where there are none; in the registry's order. Throws UserError for one that is unknown.
+/// Returns the knobs with these names, or all knobs if `names` is empty, in the registry's order. Throws UserError for a name
+/// that no knob has.
 [[nodiscard]] std::vector<RegisteredKnob> chosen_knobs(const std::vector<std::string>& names);
 
-/// Why a knob cannot be measured credibly; empty where it can: a statement that is empty, no levels, two levels of one name, a
-/// reference without a bound.
+/// Returns why a knob cannot be measured credibly, or an empty text if it can. The faults are an empty statement, fewer than two
+/// levels, two levels with the same name, and a reference whose error bound is not 0 or more. Tests call it for every knob.
 [[nodiscard]] std::string fault_of(const KnobFacts& facts);
 
 }  // namespace tedavis::host_sim
