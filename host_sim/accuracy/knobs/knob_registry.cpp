@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
+#include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -31,7 +33,13 @@ const char* empty_statement(const KnobFacts& facts) {
 
 const std::vector<RegisteredKnob>& knob_registry() {
     static const std::vector<RegisteredKnob> kKnobs = {
-        {"ray_steps", make_ray_steps_knob}, {"ray_halvings", make_ray_halvings_knob}, {"smooth_surface", make_surface_knob}};
+        {"ray_steps", make_ray_steps_knob},
+        {"ray_halvings", make_ray_halvings_knob},
+        {"smooth_surface", make_surface_knob},
+        {"sky_azimuths", make_sky_azimuths_knob},
+        {"sky_radius", make_sky_radius_knob},
+        {"cap_overlap", make_cap_overlap_knob},
+    };
     return kKnobs;
 }
 
