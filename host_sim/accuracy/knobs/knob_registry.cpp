@@ -4,9 +4,12 @@
 #include <set>
 
 #include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
+#include "host_sim/accuracy/knobs/color_classes_knob.hpp"
+#include "host_sim/accuracy/knobs/isosurface_knob.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
+#include "host_sim/accuracy/knobs/tube_knobs.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -39,6 +42,10 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"sky_azimuths", make_sky_azimuths_knob},
         {"sky_radius", make_sky_radius_knob},
         {"cap_overlap", make_cap_overlap_knob},
+        {"isosurface_step", make_isosurface_step_knob},
+        {"tube_sides", make_tube_sides_knob},
+        {"tube_points", make_tube_points_knob},
+        {"color_classes", make_color_classes_knob},
     };
     return kKnobs;
 }
