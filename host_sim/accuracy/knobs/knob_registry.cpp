@@ -6,6 +6,8 @@
 #include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
 #include "host_sim/accuracy/knobs/color_classes_knob.hpp"
 #include "host_sim/accuracy/knobs/isosurface_knob.hpp"
+#include "host_sim/accuracy/knobs/own_ship_knob.hpp"
+#include "host_sim/accuracy/knobs/perception_knobs.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
@@ -46,6 +48,9 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"tube_sides", make_tube_sides_knob},
         {"tube_points", make_tube_points_knob},
         {"color_classes", make_color_classes_knob},
+        {"saliency_start", make_saliency_start_knob},
+        {"edge_size", make_edge_size_knob},
+        {"own_ship_filter", make_own_ship_filter_knob},
     };
     return kKnobs;
 }
