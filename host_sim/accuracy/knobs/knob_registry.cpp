@@ -8,6 +8,7 @@
 #include "host_sim/accuracy/knobs/isosurface_knob.hpp"
 #include "host_sim/accuracy/knobs/own_ship_knob.hpp"
 #include "host_sim/accuracy/knobs/perception_knobs.hpp"
+#include "host_sim/accuracy/knobs/picture_knobs.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
@@ -41,6 +42,8 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"ray_steps", make_ray_steps_knob},
         {"ray_halvings", make_ray_halvings_knob},
         {"smooth_surface", make_surface_knob},
+        {"antialias_rays", make_antialias_rays_knob},
+        {"light_paths", make_light_paths_knob},
         {"sky_azimuths", make_sky_azimuths_knob},
         {"sky_radius", make_sky_radius_knob},
         {"cap_overlap", make_cap_overlap_knob},
