@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "host_sim/accuracy/knobs/measured_pictures.hpp"
+#include "host_sim/accuracy/knobs/measured_picture.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/perception/edge_density.hpp"
 #include "render_core/perception/edge_detector.hpp"

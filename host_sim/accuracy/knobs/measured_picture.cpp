@@ -1,4 +1,4 @@
-#include "host_sim/accuracy/knobs/measured_pictures.hpp"
+#include "host_sim/accuracy/knobs/measured_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

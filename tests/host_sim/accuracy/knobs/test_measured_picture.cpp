@@ -1,14 +1,14 @@
-#include "host_sim/accuracy/knobs/measured_pictures.hpp"
+#include "host_sim/accuracy/knobs/measured_picture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <set>
 
-namespace tedavis::host_sim::test_measured_pictures {
+namespace tedavis::host_sim::test_measured_picture {
 namespace {
 
-TEST(MeasuredPictures, AreTheSameOnEveryRun) {
+TEST(MeasuredPicture, AreTheSameOnEveryRun) {
     SampleNumbers numbers(1), same(1), others(2);
     const MeasuredPicture picture(numbers), again(same), other(others);
     const std::size_t bytes = 3u * MeasuredPicture::kWidth * MeasuredPicture::kHeight;
@@ -19,7 +19,7 @@ TEST(MeasuredPictures, AreTheSameOnEveryRun) {
     EXPECT_GT(levels.size(), 100u) << "the picture has smooth ground";
 }
 
-TEST(MeasuredPictures, AShrunkPictureHasMeans) {
+TEST(MeasuredPicture, AShrunkPictureHasMeans) {
     SampleNumbers numbers(3);
     const MeasuredPicture picture(numbers), half = picture.shrunk(2);
     EXPECT_EQ(half.view().width, MeasuredPicture::kWidth / 2);
@@ -33,4 +33,4 @@ TEST(MeasuredPictures, AShrunkPictureHasMeans) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim::test_measured_pictures
+}  // namespace tedavis::host_sim::test_measured_picture

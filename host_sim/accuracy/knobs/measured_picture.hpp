@@ -1,4 +1,4 @@
-/// Pictures that the knobs of perception are measured on: smooth ground, lines and signs, by numbers that are the same on every
+/// A picture that the knobs of perception are measured on: smooth ground, lines and signs, by numbers that are the same on every
 /// machine.
 #pragma once
 
