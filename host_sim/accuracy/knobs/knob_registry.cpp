@@ -3,8 +3,16 @@
 #include <algorithm>
 #include <set>
 
+#include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
+#include "host_sim/accuracy/knobs/color_classes_knob.hpp"
+#include "host_sim/accuracy/knobs/isosurface_knob.hpp"
+#include "host_sim/accuracy/knobs/own_ship_knob.hpp"
+#include "host_sim/accuracy/knobs/perception_knobs.hpp"
+#include "host_sim/accuracy/knobs/picture_knobs.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
+#include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
+#include "host_sim/accuracy/knobs/tube_knobs.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -31,7 +39,22 @@ const char* empty_statement(const KnobFacts& facts) {
 
 const std::vector<RegisteredKnob>& knob_registry() {
     static const std::vector<RegisteredKnob> kKnobs = {
-        {"ray_steps", make_ray_steps_knob}, {"ray_halvings", make_ray_halvings_knob}, {"smooth_surface", make_surface_knob}};
+        {"ray_steps", make_ray_steps_knob},
+        {"ray_halvings", make_ray_halvings_knob},
+        {"smooth_surface", make_surface_knob},
+        {"antialias_rays", make_antialias_rays_knob},
+        {"light_paths", make_light_paths_knob},
+        {"sky_azimuths", make_sky_azimuths_knob},
+        {"sky_radius", make_sky_radius_knob},
+        {"cap_overlap", make_cap_overlap_knob},
+        {"isosurface_step", make_isosurface_step_knob},
+        {"tube_sides", make_tube_sides_knob},
+        {"tube_points", make_tube_points_knob},
+        {"color_classes", make_color_classes_knob},
+        {"saliency_start", make_saliency_start_knob},
+        {"edge_size", make_edge_size_knob},
+        {"own_ship_filter", make_own_ship_filter_knob},
+    };
     return kKnobs;
 }
 

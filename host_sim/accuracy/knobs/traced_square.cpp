@@ -29,7 +29,7 @@ raytrace::Ray ray_over(const TracedSquare& square, SampleNumbers& numbers) {
 TracedSquare::TracedSquare(const TracedGround& ground)
     : columns_(std::min(ground.columns(), kMaxSide)),
       rows_(std::min(ground.rows(), kMaxSide)),
-      cell_m_(ground.space().column_m(0.5 * ground.rows())) {
+      scale_{ground.space().column_m(0.5 * ground.rows()), ground.space().row_m(0.5 * ground.rows()), 1} {
     const double step_m = ground.space().step_m();
     ground.is_whole() ? take(ground.grid<std::int16_t>(), step_m) : take(ground.grid<float>(), step_m);
 }

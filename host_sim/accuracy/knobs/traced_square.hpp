@@ -8,6 +8,7 @@
 #include "host_sim/tracing/traced_ground.hpp"
 #include "render_core/raytrace/height_mipmap.hpp"
 #include "render_core/raytrace/ray.hpp"
+#include "render_core/raytrace/surface/surface_point.hpp"
 #include "render_core/raytrace/surface/surface_settings.hpp"
 
 namespace tedavis::host_sim {
@@ -33,7 +34,9 @@ public:
 
     /// Metres above MSL, grid space (height_grid.hpp).
     [[nodiscard]] raytrace::HeightGrid<float> grid() const { return {posts_.data(), columns_, rows_, columns_}; }
-    [[nodiscard]] double cell_m() const { return cell_m_; }  ///< spacing of columns in the middle row
+    /// Of the middle row; heights are in metres.
+    [[nodiscard]] const raytrace::GridScale& scale() const { return scale_; }
+    [[nodiscard]] double cell_m() const { return scale_.column_m; }
 
 private:
     template <class Height>
@@ -41,7 +44,7 @@ private:
 
     std::vector<float> posts_;
     std::uint32_t columns_ = 0, rows_ = 0;
-    double cell_m_ = 0;
+    raytrace::GridScale scale_;
 };
 
 /// The bounds of a surface over a square.

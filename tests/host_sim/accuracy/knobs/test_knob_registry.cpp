@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "tests/host_sim/accuracy/knob_errors.hpp"
 #include "tests/host_sim/accuracy/made_knob.hpp"
-#include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_knob_registry {
@@ -13,12 +13,10 @@ namespace {
 
 /// Every level of every knob does its work, and finds errors at places that can be named.
 TEST(KnobRegistry, EveryKnobStatesWhatAFigureNeedsAndRuns) {
-    const test_support::FlownFiles files;
-    base::SerialWorkers workers;
-    const TracedGround ground(files.terrain, workers);
+    const test_support::MadeKnobGround made;
     std::set<std::string> names;
     for (const RegisteredKnob& registered : knob_registry()) {
-        const auto knob = registered.make({ground, true});
+        const auto knob = registered.make(made.quick());
         EXPECT_EQ(knob->facts().name.text(), registered.name);
         EXPECT_TRUE(names.insert(registered.name).second) << registered.name;
         EXPECT_EQ(fault_of(knob->facts()), "") << registered.name;

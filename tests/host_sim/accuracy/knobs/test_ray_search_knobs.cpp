@@ -6,35 +6,18 @@
 #include <limits>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
-#include "host_sim/accuracy/statistics.hpp"
 #include "render_core/raytrace/search/trace_surface.hpp"
-#include "tests/support/flights/flown_circle.hpp"
+#include "tests/host_sim/accuracy/knob_errors.hpp"
 
 namespace tedavis::host_sim::test_ray_search_knobs {
 namespace {
 
-struct Grounded {
-    test_support::FlownFiles files;
-    base::SerialWorkers workers;
-    TracedGround ground{files.terrain, workers};
-};
-
-ErrorDistribution errors_of(Knob& knob, std::size_t level) {
-    std::vector<double> all, errors;
-    for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
-        errors.clear();
-        knob.find_errors(level, sample, errors);
-        all.insert(all.end(), errors.begin(), errors.end());
-    }
-    return distribution_of(all);
-}
-
 /// What the knobs state of their reference: within the bound the ray is on both sides of the surface.
 TEST(RaySearchKnobs, TheReferenceIsWithinItsBound) {
-    const Grounded g;
+    const test_support::MadeKnobGround g;
     const TracedSquare square(g.ground);
     const BoundedSurface surface(square, {});
-    const double bound = make_ray_steps_knob({g.ground, true})->facts().reference.error_bound();
+    const double bound = make_ray_steps_knob(g.quick())->facts().reference.error_bound();
     const auto gap = [&](const raytrace::Ray& ray, double t) {
         raytrace::SurfacePoint ground;
         if (!raytrace::find_surface(square.grid(), {}, ray.origin.x + t * ray.direction.x,
@@ -54,21 +37,18 @@ TEST(RaySearchKnobs, TheReferenceIsWithinItsBound) {
 }
 
 TEST(RaySearchKnobs, FewStepsLandVisiblyWrong) {
-    const Grounded g;
-    const auto knob = make_ray_steps_knob({g.ground, true});
+    const test_support::MadeKnobGround g;
+    const auto knob = make_ray_steps_knob(g.quick());
     const std::size_t last = knob->facts().levels.size() - 1;
-    const ErrorDistribution few = errors_of(*knob, 0), many = errors_of(*knob, last);
+    const ErrorDistribution few = test_support::errors_of(*knob, 0), many = test_support::errors_of(*knob, last);
     EXPECT_GT(few.mean, 10 * many.mean);
     EXPECT_GT(few.max, 1) << "cells";
 }
 
 TEST(RaySearchKnobs, EachHalvingHalvesTheError) {
-    const Grounded g;
-    const auto knob = make_ray_halvings_knob({g.ground, true});
-    std::vector<LawPoint> points;
-    for (std::size_t level = 0; level < knob->facts().levels.size(); ++level)
-        points.push_back({knob->facts().levels[level].amount, errors_of(*knob, level).mean});
-    const FittedLaw law = fit_law(points);
+    const test_support::MadeKnobGround g;
+    const auto knob = make_ray_halvings_knob(g.quick());
+    const FittedLaw law = test_support::law_of(*knob);
     EXPECT_TRUE(law.holds);
     EXPECT_NEAR(law.exponent, -1, 0.05);
 }

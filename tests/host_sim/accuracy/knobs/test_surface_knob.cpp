@@ -2,23 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "host_sim/accuracy/statistics.hpp"
-#include "tests/support/flights/flown_circle.hpp"
+#include "tests/host_sim/accuracy/knob_errors.hpp"
 
 namespace tedavis::host_sim::test_surface_knob {
 namespace {
 
 TEST(SurfaceKnob, MoreSubdivisionsComeCloserToTheSmoothSurface) {
-    const test_support::FlownFiles files;
-    base::SerialWorkers workers;
-    const TracedGround ground(files.terrain, workers);
-    const auto knob = make_surface_knob({ground, true});
+    const test_support::MadeKnobGround made;
+    const auto knob = make_surface_knob(made.quick());
     const std::size_t levels = knob->facts().levels.size();
     std::vector<double> means;
     for (std::size_t level = 0; level < levels; ++level) {
-        std::vector<double> errors;
-        for (std::size_t sample = 0; sample < knob->samples(); ++sample) knob->find_errors(level, sample, errors);
-        means.push_back(distribution_of(errors).mean);
+        means.push_back(test_support::errors_of(*knob, level).mean);
         EXPECT_GT(knob->bytes(level), 0u);
     }
     for (std::size_t level = 1; level < levels; ++level) EXPECT_LT(means[level], 0.5 * means[level - 1]) << level;

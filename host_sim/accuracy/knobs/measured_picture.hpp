@@ -1,0 +1,35 @@
+/// A picture that the knobs of perception are measured on: smooth ground, lines and signs, by numbers that are the same on every
+/// machine.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "render_core/perception/picture_view.hpp"
+
+namespace tedavis::host_sim {
+
+class MeasuredPicture {
+public:
+    static constexpr int kWidth = 640, kHeight = 480;
+
+    explicit MeasuredPicture(SampleNumbers& numbers);
+
+    [[nodiscard]] perception::PictureView view() const { return perception::packed_picture(pixels_.data(), width_, height_); }
+    /// Means of n x n pixels; n divides both sides.
+    [[nodiscard]] MeasuredPicture shrunk(int n) const;
+
+private:
+    MeasuredPicture(int width, int height);
+    [[nodiscard]] std::uint8_t* at(int x, int y) { return pixels_.data() + perception::kColors * (y * width_ + x); }
+    [[nodiscard]] const std::uint8_t* at(int x, int y) const { return pixels_.data() + perception::kColors * (y * width_ + x); }
+    void add_ground(SampleNumbers& numbers);
+    void add_sign(SampleNumbers& numbers);
+    void add_line(SampleNumbers& numbers);
+
+    int width_ = 0, height_ = 0;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace tedavis::host_sim
