@@ -53,7 +53,7 @@ double run_ms(Knob& knob, std::size_t level, const MeasuringPlan& plan) {
 /// Times of the rounds, by level.
 using RoundTimes = std::vector<std::vector<double>>;
 
-/// Every level stands at every place of a round equally often.
+/// The level that begins a round is the next one in each round, so each level begins about equally often.
 RoundTimes time_rounds(Knob& knob, const MeasuringPlan& plan) {
     const std::size_t levels = knob.facts().levels.size(), rounds = std::max(plan.rounds, MeasuringPlan::kMinRounds);
     RoundTimes times(levels);

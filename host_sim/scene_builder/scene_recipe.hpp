@@ -50,7 +50,7 @@ struct AttributeRecipe {
 /// How the values of a grid or the features of a layer are prepared.
 struct PreparationRecipe {
     std::optional<RegionRecipe> region;
-    double fill_cells = 0;          ///< largest width of a gap that is interpolated, in cells
+    double fill_cells = 0;          ///< distance from known values up to which missing ones are interpolated, in cells
     double fill_uncertainty = 0.5;  ///< level of uncertainty that is added for each interpolated cell
     double smooth_cells = 0;        ///< standard deviation of the Gaussian filter, in cells
     std::string keep_attribute;     ///< features whose value of it lies in [keep_least, keep_most] are kept; empty: all

@@ -96,8 +96,9 @@ PagedTime time_paged(ChunkHeights<Height>& chunks, const GridCamera& camera, std
         times.push_back(spent_ms(trace));
     }
     paged.ms = median(times);
+    const auto are_same_bits = [](float a, float b) { return a == b && std::signbit(a) == std::signbit(b); };  // none is NaN
     for (std::size_t n = 0; expected != nullptr && n < hits.size(); ++n)
-        paged.different += std::memcmp(&hits[n].t, &expected->t[n], sizeof(float)) != 0 || hits[n].side != expected->side[n];
+        paged.different += !are_same_bits(hits[n].t, expected->t[n]) || hits[n].side != expected->side[n];
     return paged;
 }
 

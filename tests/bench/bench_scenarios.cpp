@@ -317,7 +317,7 @@ std::string own_terrain(const test_support::TemporaryFolder& folder, const Scena
     host_sim::Console console(results, notes, false, false);
     if (!scenario.is_large)
         return host_sim::build_own_terrain({host_sim::shipped_root() + host_sim::kOwnRaster}, folder.path(), console);
-    const std::string database = folder.file("fractal.tdb");
+    std::string database = folder.file("fractal.tdb");
     if (!std::filesystem::exists(database)) host_sim::build_terrain(test_support::fractal_posts(kFractalPosts), database, {});
     return database;
 }
@@ -354,7 +354,7 @@ Options options_of(int count, char** given) {
         else if (argument == "--gl" && n + 1 < count)
             options.gl = given[++n];
         else if (argument == "--frames" && n + 1 < count)
-            options.frames = std::atoi(given[++n]);
+            options.frames = static_cast<int>(std::strtol(given[++n], nullptr, 10));
         else if (argument[0] != '-')
             databases.push_back(argument);
         else

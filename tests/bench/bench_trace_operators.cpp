@@ -106,7 +106,8 @@ void measure_bounds(const Heights& heights, std::vector<BenchResult>& results) {
         for (std::uint32_t column = 0; column + 1 < kSide; column += 3, ++cells) {
             const CellPatch patch = cell_patch(heights.grid(), settings, column, row);
             double top = -1e9, posts = -1e9;
-            for (int n = 0; n < 17 * 17; ++n) top = std::max(top, patch.at(n % 17 / 16.0, n / 17 / 16.0).height);
+            for (int v = 0; v <= 16; ++v)
+                for (int u = 0; u <= 16; ++u) top = std::max(top, patch.at(u / 16.0, v / 16.0).height);
             for (std::uint32_t k = 0; k < 4; ++k)
                 posts = std::max(posts, static_cast<double>(heights.grid().at(column + k % 2, row + k / 2)));
             slack += patch.range().highest - top;
