@@ -66,7 +66,7 @@ void write_report(const AccuracyReport& report, const std::string& folder) {
 }
 
 /// Takes the place of the knob's earlier figures, in the registry's order.
-void put(MeasuredKnob measured, AccuracyReport& report) {
+void put(const MeasuredKnob& measured, AccuracyReport& report) {
     std::vector<MeasuredKnob> ordered;
     for (const RegisteredKnob& known : knob_registry())
         if (known.name == measured.name)
