@@ -1,7 +1,9 @@
 #include "host_sim/calendar_time.hpp"
 
 #include <cctype>
+#include <chrono>
 #include <cstdint>
+#include <cstdio>
 
 namespace tedavis::host_sim {
 namespace {
@@ -83,6 +85,19 @@ CalendarDate calendar_date(base::Time time) {
     while (days >= days_of(date.year, date.month)) days -= days_of(date.year, date.month++);
     date.day = static_cast<int>(days) + 1;
     return date;
+}
+
+std::string utc_text(base::Time time) {
+    const CalendarDate date = calendar_date(time);
+    char text[32];
+    std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02dZ", date.year, date.month, date.day, date.second_of_day / 3600,
+                  date.second_of_day / 60 % 60, date.second_of_day % 60);
+    return text;
+}
+
+std::string utc_now() {
+    const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+    return utc_text({std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count()});
 }
 
 std::optional<base::Time> parse_iso8601(std::string_view text) {

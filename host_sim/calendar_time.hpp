@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "render_core/base/time.hpp"
@@ -17,6 +18,10 @@ struct CalendarDate {
 };
 /// Returns the UTC date of an instant, and the whole seconds since that date began. For years 1900..2199.
 [[nodiscard]] CalendarDate calendar_date(base::Time time);
+/// "2026-06-01T14:00:00Z": the whole second. For years 1900..2199.
+[[nodiscard]] std::string utc_text(base::Time time);
+/// Now, by the machine's clock.
+[[nodiscard]] std::string utc_now();
 /// Parses ISO 8601 "2020-04-12T09:47:00[.fraction][Z|+hh:mm|-hh:mm]"; without a zone it is UTC. The "T" may be a space. Returns
 /// nothing for any other text.
 [[nodiscard]] std::optional<base::Time> parse_iso8601(std::string_view text);

@@ -103,14 +103,28 @@ MeasuredKnob knob_of(const Json& json) {
 }
 
 Json conditions_json(const MeasuringConditions& conditions) {
-    return {{"version", conditions.version}, {"compiler", conditions.compiler},   {"command", conditions.command},
-            {"date", conditions.date},       {"processor", conditions.processor}, {"processors", conditions.processors},
-            {"load", conditions.load},       {"terrain", conditions.terrain},     {"quick", conditions.is_quick}};
+    return {{"version", conditions.version},     {"compiler", conditions.compiler},
+            {"command", conditions.command},     {"date", conditions.date},
+            {"processor", conditions.processor}, {"processors", conditions.processors},
+            {"load", conditions.load},           {"terrain", conditions.terrain},
+            {"program", conditions.program},     {"terrain_identity", conditions.terrain_identity},
+            {"quick", conditions.is_quick}};
 }
 
 MeasuringConditions conditions_of(const Json& json) {
-    return {json.at("version"),    json.at("compiler"), json.at("command"), json.at("date"), json.at("processor"),
-            json.at("processors"), json.at("load"),     json.at("terrain"), json.at("quick")};
+    MeasuringConditions conditions;
+    conditions.version = json.at("version");
+    conditions.compiler = json.at("compiler");
+    conditions.command = json.at("command");
+    conditions.date = json.at("date");
+    conditions.processor = json.at("processor");
+    conditions.processors = json.at("processors");
+    conditions.load = json.at("load");
+    conditions.terrain = json.at("terrain");
+    conditions.program = json.at("program");
+    conditions.terrain_identity = json.at("terrain_identity");
+    conditions.is_quick = json.at("quick");
+    return conditions;
 }
 
 AccuracyReport report_of(const Json& json) {

@@ -26,9 +26,15 @@ std::string significant(double value) { return figure_text("%.3g", value); }
 
 std::string bytes_text(double bytes) { return bytes == 0 ? "0" : figure_text("%.1f kB", bytes / 1000); }
 
-std::string heads(std::initializer_list<const char*> names) {
+struct Head {
+    const char *text, *css = "";
+};
+constexpr const char *kNumberHead = "n", *kAsideHead = "n aside";
+
+std::string heads(std::initializer_list<Head> columns) {
     std::string row = "<tr>";
-    for (const char* const name : names) row += "<th>" + escaped_html(name) + "</th>";
+    for (const Head& column : columns)
+        row += "<th class='" + std::string(column.css) + "'>" + escaped_html(column.text) + "</th>";
     return row + "</tr>";
 }
 
@@ -45,11 +51,17 @@ std::string level_row(const MeasuredLevel& level) {
 std::string level_table(const MeasuredKnob& knob) {
     std::string rows;
     for (const MeasuredLevel& level : knob.levels) rows += level_row(level);
-    return html_table(
-        "<tr><th>level</th><th class='n'>ms</th><th class='n aside'>5 - 95 %</th><th class='n'>mean error</th><th "
-        "class='n aside'>95 %</th><th class='n aside'>99 %</th><th class='n'>greatest</th><th class='n aside'>memory"
-        "</th><th class='n aside'>build ms</th><th></th></tr>",
-        rows);
+    return html_table(heads({{"level"},
+                             {"ms", kNumberHead},
+                             {"5 - 95 %", kAsideHead},
+                             {"mean error", kNumberHead},
+                             {"95 %", kAsideHead},
+                             {"99 %", kAsideHead},
+                             {"greatest", kNumberHead},
+                             {"memory", kAsideHead},
+                             {"build ms", kAsideHead},
+                             {""}}),
+                      rows);
 }
 
 std::string next_table(const MeasuredKnob& knob) {
@@ -59,7 +71,9 @@ std::string next_table(const MeasuredKnob& knob) {
                 html_number("x " + significant(step.error_ratio)) + html_number("x " + significant(step.time_ratio)) +
                 html_number(bytes_text(step.more_bytes)) + "</tr>";
     if (rows.empty()) return "<p>Only one level is worth its time.</p>\n";
-    return "<h3>What the next level costs</h3>\n" + html_table(heads({"from", "to", "mean error", "time", "memory"}), rows);
+    return "<h3>What the next level costs</h3>\n" +
+           html_table(heads({{"from"}, {"to"}, {"mean error", kNumberHead}, {"time", kNumberHead}, {"memory", kNumberHead}}),
+                      rows);
 }
 
 std::string law_words(const char* what, const FittedLaw& law) {
@@ -116,7 +130,15 @@ std::string summary_table(const AccuracyReport& report) {
                 html_cell(exact->name) + html_number(decimal(exact->ms.median, 3)) + html_number(significant(exact->error.mean)) +
                 html_cell(knob.unit) + "</tr>";
     }
-    return html_table(heads({"setting", "quickest", "ms", "mean error", "most accurate", "ms", "mean error", "unit"}), rows);
+    return html_table(heads({{"setting"},
+                             {"quickest"},
+                             {"ms", kNumberHead},
+                             {"mean error", kNumberHead},
+                             {"most accurate"},
+                             {"ms", kNumberHead},
+                             {"mean error", kNumberHead},
+                             {"unit"}}),
+                      rows);
 }
 
 std::string summary_words(const AccuracyReport& report) {

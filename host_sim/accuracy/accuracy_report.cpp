@@ -1,10 +1,11 @@
 #include "host_sim/accuracy/accuracy_report.hpp"
 
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <thread>
 
+#include "host_sim/calendar_time.hpp"
+#include "host_sim/replay/index_key.hpp"
 #include "host_sim/version.hpp"
 
 namespace tedavis::host_sim {
@@ -25,34 +26,27 @@ double load_of_a_minute() {
     return getloadavg(load, 1) == 1 ? load[0] : 0;
 }
 
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text;
-}
-
 }  // namespace
 
-MeasuringConditions conditions_now(const std::string& command, const std::string& terrain, bool is_quick) {
+MeasuringConditions conditions_now(const std::string& command, const MeasuredTerrain& terrain, bool is_quick) {
     MeasuringConditions now;
     now.version = version();
+    now.program = program_identity();
     now.compiler = __VERSION__;
     now.command = command;
     now.date = utc_now();
     now.processor = processor_name();
     now.processors = std::thread::hardware_concurrency();
     now.load = load_of_a_minute();
-    now.terrain = terrain;
+    now.terrain = terrain.name;
+    now.terrain_identity = terrain.identity;
     now.is_quick = is_quick;
     return now;
 }
 
-bool are_comparable(const MeasuringConditions& a, const MeasuringConditions& b) {
-    return a.version == b.version && a.compiler == b.compiler && a.processor == b.processor && a.processors == b.processors &&
-           a.terrain == b.terrain && a.is_quick == b.is_quick;
+bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b) {
+    return a.program == b.program && a.processor == b.processor && a.processors == b.processors &&
+           a.terrain_identity == b.terrain_identity && a.is_quick == b.is_quick;
 }
 
 }  // namespace tedavis::host_sim

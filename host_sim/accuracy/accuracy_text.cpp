@@ -1,6 +1,7 @@
 #include "host_sim/accuracy/accuracy_text.hpp"
 
 #include <cstdio>
+#include <set>
 
 #include "host_sim/user_error.hpp"
 
@@ -65,14 +66,13 @@ std::string budget_text(const AccuracyReport& report, double budget_ms) {
 
 std::string target_text(const AccuracyReport& report, double target_error, const std::string& unit, const std::string& option) {
     std::string text = printed("\n\nthe quickest with at most %g ", target_error) + unit, units;
-    bool any = false;
+    std::set<std::string> known;
     for (const MeasuredKnob& knob : report.knobs) {
-        if (units.find(knob.unit) == std::string::npos) units += (units.empty() ? "" : ", ") + knob.unit;
-        if (knob.unit != unit) continue;
-        any = true;
-        text += choice_text(knob, cheapest_for(knob, target_error));
+        if (known.insert(knob.unit).second) units += (units.empty() ? "" : ", ") + knob.unit;
+        if (knob.unit == unit) text += choice_text(knob, cheapest_for(knob, target_error));
     }
-    if (!any) throw UserError(option + ": no measured knob has errors in '" + unit + "'; the units are " + units);
+    if (known.count(unit) == 0)
+        throw UserError(option + ": no measured knob has errors in '" + unit + "'; the units are " + units);
     return text;
 }
 

@@ -35,7 +35,11 @@ public:
     [[nodiscard]] std::string svg() const {
         std::string text = drawn("<svg class='chart' viewBox='0 0 %g %g' role='img'>", kWidth, kHeight);
         text += "<title>" + escaped_html(knob_.title) + ": error over time</title>" + grid() + front();
-        for (const MeasuredLevel& level : knob_.levels) text += mark(level);
+        bool is_above = true;
+        for (const MeasuredLevel& level : knob_.levels) {
+            text += mark(level) + label(level, is_above);
+            is_above = !is_above;  // neighbours often lie side by side
+        }
         return text + "</svg>\n";
     }
 
@@ -87,10 +91,14 @@ private:
             text += drawn("<rect x='%.1f' y='%.1f' width='%g' height='%g'/>", at_x - kMark, at_y - kMark, 2 * kMark, 2 * kMark);
         else
             text += drawn("<circle cx='%.1f' cy='%.1f' r='%g'/>", at_x, at_y, kMark);
+        return text + "</g>";
+    }
+
+    [[nodiscard]] std::string label(const MeasuredLevel& level, bool is_above) const {
+        const double at_x = x(level.ms.median), at_y = y(level.error.mean);
         const bool is_right = at_x > 0.7 * kWidth;
-        return text +
-               drawn("</g><text x='%.1f' y='%.1f' text-anchor='%s'>", at_x + (is_right ? -kLabelGap : kLabelGap), at_y - 4,
-                     is_right ? "end" : "start") +
+        return drawn("<text x='%.1f' y='%.1f' text-anchor='%s'>", at_x + (is_right ? -kLabelGap : kLabelGap),
+                     at_y + (is_above ? -kLabelGap : 2 * kLabelGap), is_right ? "end" : "start") +
                escaped_html(level.name) + "</text>";
     }
 

@@ -14,6 +14,7 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
+#include "host_sim/replay/index_key.hpp"
 #include "host_sim/temporary_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
@@ -38,12 +39,14 @@ std::string command_of(const AccuracyOptions& options) {
     return command;
 }
 
-/// What an earlier run has left in the folder; empty where there is none.
-AccuracyReport earlier_run(const std::string& folder, const MeasuringConditions& now) {
+/// What an earlier run has left in the folder, with its conditions; without one a report of nothing.
+AccuracyReport begun_report(const std::string& folder, const MeasuringConditions& now) {
     const std::string path = folder + kJsonName;
-    if (!std::filesystem::exists(path)) return {};
+    if (!std::filesystem::exists(path)) return {now, false, {}, {}};
     AccuracyReport earlier = read_accuracy(read_file(path), path);
-    if (!are_comparable(earlier.conditions, now))
+    earlier.interrupted = false;
+    if (earlier.knobs.empty()) earlier.conditions = now;
+    if (!are_of_one_kind(earlier.conditions, now))
         throw UserError(path +
                         ": was measured with another program, machine, terrain or extent, which cannot stand in one report; "
                         "name another folder with -o");
@@ -148,12 +151,11 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     const std::vector<RegisteredKnob> knobs = chosen_knobs(options.knobs);
     if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
     const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
-    AccuracyReport report;
-    report.conditions = conditions_now(command_of(options), name, options.is_quick);
-    report.knobs = earlier_run(options.output, report.conditions).knobs;
     const TemporaryFolder temporary;
     const std::unique_ptr<base::Workers> workers = trace_workers(0);
     const TracedGround ground(database_of({options.terrain, ""}, temporary.path(), console), *workers);
+    const MeasuredTerrain terrain = {name, terrain_identity(&ground.database())};
+    AccuracyReport report = begun_report(options.output, conditions_now(command_of(options), terrain, options.is_quick));
     NewFolder folder(options.output);
     const bool is_whole = AccuracyRun(options, console).measure(knobs, {ground, options.is_quick}, report);
     list_unmeasured(knobs, report);

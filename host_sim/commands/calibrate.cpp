@@ -1,9 +1,9 @@
 #include "host_sim/commands/calibrate.hpp"
 
-#include <ctime>
 #include <filesystem>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/calendar_time.hpp"
 #include "host_sim/commands/own_ground.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/cost_bench.hpp"
@@ -18,15 +18,6 @@ namespace {
 /// Over the own terrain, with data of every kind in view.
 constexpr AircraftPose kPose{36.64, -84.36, 2100, 140, -14, 0};
 constexpr const char* kTime = "2026-06-01T14:02:00Z";
-
-std::string now_as_text() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text;
-}
 
 /// Where the bench stands and what lies round it.
 BenchPlace place_of(const CalibrateOptions& options, const std::string& folder, Console& console) {
@@ -72,7 +63,7 @@ int run_calibrate(const CalibrateOptions& options, Console& console) {
         if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
     });
     console.progress_done();
-    measured.date = now_as_text();
+    measured.date = utc_now();
     measured.design = options.picture.design;
     measured.terrain =
         options.picture.terrain.empty() ? std::filesystem::path(kOwnRaster).filename().string() : options.picture.terrain;

@@ -78,10 +78,8 @@ void add_shot(CLI::App& app, CommandLine& line) {
     add_picture_options(command, o.picture);
 }
 
-void add_trace(CLI::App& app, CommandLine& line) {
-    TraceOptions& o = line.trace;
-    CLI::App* command = add_command(app, line, "trace", "one picture of the terrain by the ray tracer, and what it took",
-                                    [&o](Console& console) { return run_trace(o, console); });
+/// What is traced, and from where.
+void add_traced_ground(CLI::App* command, TraceOptions& o) {
     command->add_option("--terrain", o.terrain.database, "terrain database (.tdb); default: built from the shipped raster");
     command->add_option("--heights", o.terrain.heights, "raster of heights, which is built into a database first");
     command->add_option("--scene", o.scene,
@@ -91,6 +89,10 @@ void add_trace(CLI::App& app, CommandLine& line) {
     command->add_option_function<std::string>(
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
         "lat,lon,alt_m,heading,pitch,roll; default: over the south of the terrain, northwards");
+}
+
+/// By which settings: a preset, or chosen by region.
+void add_trace_settings(CLI::App* command, TraceOptions& o) {
     static const std::map<std::string, TracePreset> kPresets = {
         {"time", TracePreset::time}, {"quality", TracePreset::quality}, {"memory", TracePreset::memory}};
     command
@@ -111,6 +113,14 @@ void add_trace(CLI::App& app, CommandLine& line) {
             "how far the picture may be from the best, root mean square of light 0..1: the cheapest such settings are chosen")
         ->check(above_zero())
         ->excludes("--preset");
+}
+
+void add_trace(CLI::App& app, CommandLine& line) {
+    TraceOptions& o = line.trace;
+    CLI::App* command = add_command(app, line, "trace", "one picture of the terrain by the ray tracer, and what it took",
+                                    [&o](Console& console) { return run_trace(o, console); });
+    add_traced_ground(command, o);
+    add_trace_settings(command, o);
     command
         ->add_option_function<std::string>(
             "--size",

@@ -42,15 +42,7 @@ struct AttributeSummary {
     [[nodiscard]] bool has_levels() const { return missing + unknown < values; }
 };
 
-std::string iso8601(std::int64_t time_ns) {
-    const CalendarDate date = calendar_date(base::Time{time_ns});
-    char text[80];
-    std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02dZ", date.year, date.month, date.day, date.second_of_day / 3600,
-                  date.second_of_day / 60 % 60, date.second_of_day % 60);
-    return text;
-}
-
-Json time_or_null(std::int64_t time_ns, std::int64_t none) { return time_ns == none ? Json(nullptr) : Json(iso8601(time_ns)); }
+Json time_or_null(std::int64_t time_ns, std::int64_t none) { return time_ns == none ? Json(nullptr) : Json(utc_text({time_ns})); }
 
 /// Of a float as a reader writes it: 0.1, not 0.10000000149.
 double rounded(double value) {
@@ -107,8 +99,8 @@ Json describe(const scene::Layer& layer) {
             {"rows", entry.grid.rows},
             {"levels", entry.grid.levels},
             {"times", entry.grid.times},
-            {"first_time", layer.times_ns.empty() ? Json(nullptr) : Json(iso8601(layer.times_ns[0]))},
-            {"last_time", layer.times_ns.empty() ? Json(nullptr) : Json(iso8601(layer.times_ns[layer.times_ns.size() - 1]))}};
+            {"first_time", layer.times_ns.empty() ? Json(nullptr) : Json(utc_text({layer.times_ns[0]}))},
+            {"last_time", layer.times_ns.empty() ? Json(nullptr) : Json(utc_text({layer.times_ns[layer.times_ns.size() - 1]}))}};
     return json;
 }
 
@@ -180,10 +172,10 @@ void write_in_words(std::ostream& text, const scene::Layer& layer) {
         text << entry.grid.columns << " x " << entry.grid.rows << " posts, " << entry.grid.levels << " levels, "
              << entry.grid.times << " times";
     if (!layer.times_ns.empty())
-        text << " from " << iso8601(layer.times_ns[0]) << " to " << iso8601(layer.times_ns[layer.times_ns.size() - 1]);
+        text << " from " << utc_text({layer.times_ns[0]}) << " to " << utc_text({layer.times_ns[layer.times_ns.size() - 1]});
     if (entry.feature_count != entry.point_count) text << " of " << entry.point_count << " points";
     if (entry.data_time_ns != scene::kNoTime)
-        text << ", " << (has_forecast(layer) ? "computed " : "") << iso8601(entry.data_time_ns);
+        text << ", " << (has_forecast(layer) ? "computed " : "") << utc_text({entry.data_time_ns});
     text << ", from " << entry.source;
     for (const scene::Attribute& attribute : layer.attributes) write_in_words(text, attribute);
 }

@@ -12,6 +12,8 @@ public:
 
     /// Uniform in [0, 1), 53 bits.
     [[nodiscard]] double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    /// Uniform in [low, high).
+    [[nodiscard]] double between(double low, double high) { return low + (high - low) * unit(); }
     /// Uniform in [centre - spread, centre + spread).
     [[nodiscard]] double within(double centre, double spread) { return centre + spread * (2 * unit() - 1); }
 

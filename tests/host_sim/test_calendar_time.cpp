@@ -23,6 +23,13 @@ TEST(CalendarTime, AgreesWithTheSystemCalendar) {
     }
 }
 
+TEST(CalendarTime, InstantsAreWrittenAsTheyAreRead) {
+    for (const char* const text : {"2026-06-01T14:00:07Z", "1970-01-01T00:00:00Z", "2024-02-29T23:59:59Z"})
+        EXPECT_EQ(utc_text(parse_iso8601(text).value()), text);
+    EXPECT_EQ(utc_text({kSecond - 1}), "1970-01-01T00:00:00Z") << "a second is not rounded up";
+    EXPECT_GT(utc_now(), "2026") << "not before this was written";
+}
+
 TEST(CalendarTime, KnowsWhichDaysExist) {
     EXPECT_TRUE(midnight_of(2000, 2, 29));
     EXPECT_FALSE(midnight_of(1900, 2, 29));

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/raytrace/shading/aperture_light.hpp"
 
@@ -39,7 +40,7 @@ struct CrossingCaps {
 class CapOverlapKnob final : public Knob {
 public:
     explicit CapOverlapKnob(const KnobGround& ground) : Knob(cap_overlap_facts()) {
-        SampleNumbers numbers(11);
+        SeededRandom numbers(11);
         const std::size_t count = kCapPairs * (ground.is_quick ? kQuickCapSamples : kCapSamples);
         for (std::size_t n = 0; n < count; ++n) {
             const double aperture_rad = numbers.between(kMinAperture_rad, kMaxAperture_rad);

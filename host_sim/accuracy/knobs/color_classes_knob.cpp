@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/design/data_scale.hpp"
 
 namespace tedavis::host_sim {
@@ -44,7 +45,7 @@ public:
             scale.palette = design::alpine_palette();
             design::reduce_classes(scale, count);
         }
-        SampleNumbers numbers(16);
+        SeededRandom numbers(16);
         const auto& stops = scales_.front().palette.stops;
         const std::size_t count = kColoredValues * (ground.is_quick ? kQuickColoredSamples : kColoredSamples);
         for (std::size_t n = 0; n < count; ++n) values_.push_back(numbers.between(stops[0].value, stops.back().value));

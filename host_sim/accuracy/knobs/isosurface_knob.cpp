@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/scene/isosurface.hpp"
 
@@ -43,7 +44,7 @@ struct RingField {
     glm::dvec3 middle, axis;
     double radius, thickness;
 
-    explicit RingField(SampleNumbers& numbers) {
+    explicit RingField(SeededRandom& numbers) {
         const double half = (kPostsAlong - 1) / 2.0;
         middle = glm::dvec3(half) + glm::dvec3(numbers.between(-1, 1), numbers.between(-1, 1), numbers.between(-1, 1));
         axis = glm::normalize(glm::dvec3(numbers.between(-1, 1), numbers.between(-1, 1), numbers.between(0.3, 1)));
@@ -90,7 +91,7 @@ public:
           indices_(6 * kSurfaceRoom) {
         base::Arena arena(memory_.data(), memory_.size());
         if (!builder_.start(arena, kPostsAlong, kPostsAlong)) throw UserError("no memory for an isosurface");
-        SampleNumbers numbers(15);
+        SeededRandom numbers(15);
         for (std::size_t n = 0; n < (ground.is_quick ? kQuickRingFields : kRingFields); ++n)
             fields_.emplace_back(RingField(numbers));
     }
@@ -98,8 +99,9 @@ public:
     [[nodiscard]] std::size_t samples() const override { return fields_.size(); }
     void run(std::size_t level, std::size_t sample) override {
         const scene::IsosurfaceOutput output = {{vertices_.data(), vertices_.size()}, {indices_.data(), indices_.size()}};
-        static_cast<void>(builder_.begin(fields_[sample].view(level), 0, output));
-        static_cast<void>(builder_.step(std::numeric_limits<std::uint64_t>::max()));
+        const bool is_begun = builder_.begin(fields_[sample].view(level), 0, output) == scene::IsosurfaceError::none;
+        if (!is_begun || builder_.step(std::numeric_limits<std::uint64_t>::max()) != scene::IsosurfaceProgress::done)
+            throw UserError("the measured isosurface finds no room");
     }
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         run(level, sample);

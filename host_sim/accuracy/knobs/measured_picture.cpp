@@ -12,7 +12,7 @@ constexpr double kWholeTurn_rad = 6.283185307179586;
 struct GroundWave {
     double across, down, phase, strength[perception::kColors];
 
-    explicit GroundWave(SampleNumbers& numbers)
+    explicit GroundWave(SeededRandom& numbers)
         : across(numbers.between(-0.08, 0.08)),
           down(numbers.between(-0.08, 0.08)),
           phase(numbers.between(0, kWholeTurn_rad)),
@@ -26,13 +26,13 @@ std::uint8_t as_level(double value) { return static_cast<std::uint8_t>(std::clam
 MeasuredPicture::MeasuredPicture(int width, int height)
     : width_(width), height_(height), pixels_(perception::kColors * perception::pixels_of(width, height)) {}
 
-MeasuredPicture::MeasuredPicture(SampleNumbers& numbers) : MeasuredPicture(kWidth, kHeight) {
+MeasuredPicture::MeasuredPicture(SeededRandom& numbers) : MeasuredPicture(kWidth, kHeight) {
     add_ground(numbers);
     for (int n = 0; n < kLines; ++n) add_line(numbers);
     for (int n = 0; n < kSigns; ++n) add_sign(numbers);
 }
 
-void MeasuredPicture::add_ground(SampleNumbers& numbers) {
+void MeasuredPicture::add_ground(SeededRandom& numbers) {
     std::vector<GroundWave> waves;
     for (int n = 0; n < kGroundWaves; ++n) waves.emplace_back(numbers);
     for (int y = 0; y < height_; ++y)
@@ -46,7 +46,7 @@ void MeasuredPicture::add_ground(SampleNumbers& numbers) {
 }
 
 /// A round or square sign of 6 to 40 pixels.
-void MeasuredPicture::add_sign(SampleNumbers& numbers) {
+void MeasuredPicture::add_sign(SeededRandom& numbers) {
     const double half = numbers.between(3, 20), middle_x = numbers.between(0, width_), middle_y = numbers.between(0, height_);
     const bool is_round = numbers.between(0, 1) < 0.5;
     const double color[] = {numbers.between(0, 255), numbers.between(0, 255), numbers.between(0, 255)};
@@ -57,7 +57,7 @@ void MeasuredPicture::add_sign(SampleNumbers& numbers) {
 }
 
 /// A line of 1 to 3 pixels across the picture.
-void MeasuredPicture::add_line(SampleNumbers& numbers) {
+void MeasuredPicture::add_line(SeededRandom& numbers) {
     const double from = numbers.between(0, height_), slope = numbers.between(-0.7, 0.7), level = numbers.between(0, 255);
     const int thick = static_cast<int>(numbers.between(1, 4));
     for (int x = 0; x < width_; ++x)

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/perception/picture_view.hpp"
 
 namespace tedavis::host_sim {
@@ -14,7 +14,7 @@ class MeasuredPicture {
 public:
     static constexpr int kWidth = 640, kHeight = 480;
 
-    explicit MeasuredPicture(SampleNumbers& numbers);
+    explicit MeasuredPicture(SeededRandom& numbers);
 
     [[nodiscard]] perception::PictureView view() const { return perception::packed_picture(pixels_.data(), width_, height_); }
     /// Means of n x n pixels; n divides both sides.
@@ -24,9 +24,9 @@ private:
     MeasuredPicture(int width, int height);
     [[nodiscard]] std::uint8_t* at(int x, int y) { return pixels_.data() + perception::kColors * (y * width_ + x); }
     [[nodiscard]] const std::uint8_t* at(int x, int y) const { return pixels_.data() + perception::kColors * (y * width_ + x); }
-    void add_ground(SampleNumbers& numbers);
-    void add_sign(SampleNumbers& numbers);
-    void add_line(SampleNumbers& numbers);
+    void add_ground(SeededRandom& numbers);
+    void add_sign(SeededRandom& numbers);
+    void add_line(SeededRandom& numbers);
 
     int width_ = 0, height_ = 0;
     std::vector<std::uint8_t> pixels_;

@@ -6,6 +6,7 @@
 
 #include "bus/state/own_ship_filter.hpp"
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
@@ -63,7 +64,7 @@ Time after_start(double seconds) { return Time{1'000'000'000'000} + Duration::fr
 /// A turn at constant rate and speed round a place, and what a bus says of it.
 class TurnFlight {
 public:
-    explicit TurnFlight(SampleNumbers& numbers)
+    explicit TurnFlight(SeededRandom& numbers)
         : latitude_rad_(numbers.between(-1, 1)),
           longitude_rad_(numbers.between(-3, 3)),
           turn_per_s_(base::radians(numbers.between(1, 4))),
@@ -99,12 +100,12 @@ private:
         return east_m_per_rad(at_s) * radius_longitude_rad_ * turn_per_s_ * std::sin(angle(at_s));
     }
     /// Twelve even numbers make one that is normally distributed for all that matters here.
-    static double noise(SampleNumbers& numbers) {
+    static double noise(SeededRandom& numbers) {
         double sum = -6;
         for (int n = 0; n < 12; ++n) sum += numbers.between(0, 1);
         return sum;
     }
-    void send_all(double at_s, SampleNumbers& numbers) {
+    void send_all(double at_s, SeededRandom& numbers) {
         for (const OwnShipMessage kind : {OwnShipMessage::latitude, OwnShipMessage::longitude, OwnShipMessage::height,
                                           OwnShipMessage::speed, OwnShipMessage::track}) {
             const double sent_s = at_s + numbers.between(0, kStampJitter_s);
@@ -112,7 +113,7 @@ private:
                                  measured(kind, sent_s, numbers)});
         }
     }
-    [[nodiscard]] double measured(OwnShipMessage kind, double at_s, SampleNumbers& numbers) const {
+    [[nodiscard]] double measured(OwnShipMessage kind, double at_s, SeededRandom& numbers) const {
         const double off = noise(numbers);
         switch (kind) {
             case OwnShipMessage::latitude: return latitude_rad(at_s) + off * kPositionNoise_m / north_m_per_rad(at_s);
@@ -142,7 +143,7 @@ void tell(bus::OwnShipFilter& filter, const SentMessage& message) {
 class OwnShipFilterKnob final : public Knob {
 public:
     explicit OwnShipFilterKnob(const KnobGround& ground) : Knob(own_ship_filter_facts()) {
-        SampleNumbers numbers(17);
+        SeededRandom numbers(17);
         for (std::size_t n = 0; n < (ground.is_quick ? kQuickTurnFlights : kTurnFlights); ++n) flights_.emplace_back(numbers);
     }
 

@@ -19,7 +19,7 @@ constexpr const char* kPerceptionNeverTrades =
     "No picture is drawn from a measure; gaze and contracts state the size they measured at.";
 
 std::vector<MeasuredPicture> measured_pictures(std::uint64_t seed, bool is_quick) {
-    SampleNumbers numbers(seed);
+    SeededRandom numbers(seed);
     std::vector<MeasuredPicture> pictures;
     for (std::size_t n = 0; n < (is_quick ? kQuickPictures : kPictures); ++n) pictures.emplace_back(numbers);
     return pictures;

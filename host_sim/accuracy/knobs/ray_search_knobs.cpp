@@ -1,8 +1,10 @@
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 
 #include <cmath>
+#include <iterator>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/user_error.hpp"
 #include "render_core/raytrace/search/search_surface.hpp"
 
 namespace tedavis::host_sim {
@@ -64,13 +66,30 @@ protected:
     [[nodiscard]] const SurfaceHit& exact(std::size_t sample, std::size_t n) const { return exact_[sample * kRaysOfSample + n]; }
     [[nodiscard]] const TracedSquare& square() const { return square_; }
     [[nodiscard]] const BoundedSurface& surface() const { return surface_; }
+    [[nodiscard]] double cells_off(std::size_t level, const raytrace::Ray& ray, const SurfaceHit& exact) const {
+        return std::abs(cells_along(ray, found(level, ray)) - cells_along(ray, exact));
+    }
+    /// Leaves out the rays whose hit a level passes over, and those that then make no whole sample.
+    void keep_rays_found_by(std::size_t level) {
+        std::size_t kept = 0;
+        for (std::size_t n = 0; n < rays_.size(); ++n) {
+            if (!(cells_off(level, rays_[n], exact_[n]) < kSameHit_cells)) continue;
+            rays_[kept] = rays_[n];
+            exact_[kept++] = exact_[n];
+        }
+        kept -= kept % kRaysOfSample;
+        if (kept == 0) throw UserError("too few rays meet the terrain; name another --terrain");
+        rays_.resize(kept);
+        exact_.resize(kept);
+    }
+
+private:
     /// How far along the ray, in cells of its way over the ground; who meets nothing is at the end of the square.
     [[nodiscard]] double cells_along(const raytrace::Ray& ray, const SurfaceHit& hit) const {
         const double t = hit.side == HitSide::none ? end_over(square_, ray) : hit.t;
         return t * std::hypot(double{ray.direction.x}, double{ray.direction.y});
     }
 
-private:
     TracedSquare square_;
     BoundedSurface surface_;
     std::vector<raytrace::Ray> rays_;
@@ -88,9 +107,7 @@ public:
               ground) {}
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
-        for (std::size_t n = 0; n < kRaysOfSample; ++n)
-            errors.push_back(std::abs(cells_along(ray(sample, n), found(level, ray(sample, n))) -
-                                      cells_along(ray(sample, n), exact(sample, n))));
+        for (std::size_t n = 0; n < kRaysOfSample; ++n) errors.push_back(cells_off(level, ray(sample, n), exact(sample, n)));
     }
 
 private:
@@ -107,14 +124,12 @@ public:
                          "distance along the ray from the exact hit, of rays that find it within a cell", "cells of the grid",
                          exact_crossing(), kOracle, kNeverTrades, "parts of a step, 2^halvings",
                          ExpectedLaw{-1, 0.1, "bisection; NUMERICS K5: step * 2^-k"}, levels_of_halvings()},
-                        ground) {}
+                        ground) {
+        keep_rays_found_by(std::size(kHalvings) - 1);
+    }
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
-        for (std::size_t n = 0; n < kRaysOfSample; ++n) {
-            const double off = std::abs(cells_along(ray(sample, n), found(level, ray(sample, n))) -
-                                        cells_along(ray(sample, n), exact(sample, n)));
-            errors.push_back(off < kSameHit_cells ? off : 0);
-        }
+        for (std::size_t n = 0; n < kRaysOfSample; ++n) errors.push_back(cells_off(level, ray(sample, n), exact(sample, n)));
     }
 
 private:

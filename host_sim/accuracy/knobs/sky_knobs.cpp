@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/raytrace/shading/sky_map.hpp"
 
@@ -97,7 +98,7 @@ private:
     }
     /// In the middle of the square, so that there is ground on every side.
     void choose_posts(std::size_t count) {
-        SampleNumbers numbers(12);
+        SeededRandom numbers(12);
         const raytrace::HeightGrid<float> grid = square_.grid();
         const auto inner = [&](std::uint32_t side) {
             return static_cast<std::uint32_t>(numbers.between(side / 4.0, 3 * side / 4.0));

@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
+#include "host_sim/user_error.hpp"
 #include "render_core/raytrace/search/trace_surface.hpp"
 
 namespace tedavis::host_sim {
@@ -36,7 +39,7 @@ const std::vector<SurfaceLevel>& surface_levels() {
     return kLevels;
 }
 
-constexpr std::size_t kRaysOfPart = 64, kPlacesOfPart = 256, kParts = 32, kFewParts = 4;
+constexpr std::size_t kRaysOfPart = 64, kPlacesOfPart = 256, kParts = 32, kFewParts = 4, kTriesOfPlace = 100;
 
 KnobFacts surface_facts() {
     std::vector<KnobLevel> levels;
@@ -66,9 +69,7 @@ public:
         for (const SurfaceLevel& level : surface_levels())
             surfaces_.push_back(std::make_unique<BoundedSurface>(square_, level.settings));
         rays_ = rays_over(square_, kRaysOfPart * samples_, 2);
-        SampleNumbers numbers(3);
-        for (std::size_t n = 0; n < kPlacesOfPart * samples_; ++n)
-            places_.push_back({numbers.between(0, square_.grid().columns - 1.0), numbers.between(0, square_.grid().rows - 1.0)});
+        choose_places(kPlacesOfPart * samples_);
     }
 
     [[nodiscard]] std::size_t samples() const override { return samples_; }
@@ -79,11 +80,8 @@ public:
     }
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         for (std::size_t n = 0; n < kPlacesOfPart; ++n) {
-            raytrace::SurfacePoint point, exact;
-            const Place place = places_[sample * kPlacesOfPart + n];
-            const bool is_there = find_surface(square_.grid(), surfaces_[level]->settings(), place.x, place.y, point) &&
-                                  find_surface(square_.grid(), surfaces_.back()->settings(), place.x, place.y, exact);
-            errors.push_back(is_there ? std::abs(point.height - exact.height) : 0);
+            const Place& place = places_[sample * kPlacesOfPart + n];
+            errors.push_back(std::abs(height_m(level, place).value() - height_m(surfaces_.size() - 1, place).value()));
         }
     }
     [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
@@ -96,6 +94,24 @@ public:
     [[nodiscard]] double build_ms(std::size_t level) const override { return surfaces_[level]->build_ms(); }
 
 private:
+    /// Nothing where the surface has a hole.
+    [[nodiscard]] std::optional<double> height_m(std::size_t level, const Place& place) const {
+        raytrace::SurfacePoint point;
+        if (!find_surface(square_.grid(), surfaces_[level]->settings(), place.x, place.y, point)) return std::nullopt;
+        return point.height;
+    }
+    /// Where every level has a surface.
+    void choose_places(std::size_t count) {
+        SeededRandom numbers(3);
+        for (std::size_t tries = 0; places_.size() < count && tries < kTriesOfPlace * count; ++tries) {
+            const Place place = {numbers.between(0, square_.grid().columns - 1.0), numbers.between(0, square_.grid().rows - 1.0)};
+            bool is_there = true;
+            for (std::size_t level = 0; level < surfaces_.size(); ++level) is_there = is_there && height_m(level, place);
+            if (is_there) places_.push_back(place);
+        }
+        if (places_.size() < count) throw UserError("the terrain has too few heights; name another --terrain");
+    }
+
     TracedSquare square_;
     std::size_t samples_;
     std::vector<std::unique_ptr<BoundedSurface>> surfaces_;

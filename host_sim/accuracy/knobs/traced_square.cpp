@@ -1,4 +1,5 @@
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 constexpr double kLowest_m = 150, kHighest_m = 900, kMinDown_deg = 0.5, kMaxDown_deg = 8, kMaxAside = 0.4;
 constexpr std::size_t kMaxTries = 100;  // for each ray: where there is no ground below the border
 
-raytrace::Ray ray_over(const TracedSquare& square, SampleNumbers& numbers) {
+raytrace::Ray ray_over(const TracedSquare& square, SeededRandom& numbers) {
     raytrace::Ray ray;
     ray.origin = {0, numbers.between(0, square.grid().rows - 1.0), numbers.between(kLowest_m, kHighest_m)};
     const double down = std::tan(base::radians(numbers.between(kMinDown_deg, kMaxDown_deg))) * square.cell_m();
@@ -59,7 +60,7 @@ BoundedSurface::BoundedSurface(const TracedSquare& square, const raytrace::Surfa
 }
 
 std::vector<raytrace::Ray> rays_over(const TracedSquare& square, std::size_t count, std::uint64_t seed) {
-    SampleNumbers numbers(seed);
+    SeededRandom numbers(seed);
     std::vector<raytrace::Ray> rays;
     for (std::size_t tries = 0; rays.size() < count && tries < count * kMaxTries; ++tries) {
         raytrace::Ray ray = ray_over(square, numbers);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "host_sim/tracing/traced_ground.hpp"
@@ -12,18 +11,6 @@
 #include "render_core/raytrace/surface/surface_settings.hpp"
 
 namespace tedavis::host_sim {
-
-/// The same numbers on every machine, which the distributions of the standard library are not.
-class SampleNumbers {
-public:
-    explicit SampleNumbers(std::uint64_t seed) : bits_(seed) {}
-    [[nodiscard]] double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
-    }
-
-private:
-    std::mt19937_64 bits_;
-};
 
 class TracedSquare {
 public:

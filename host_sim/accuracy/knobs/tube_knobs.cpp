@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/draw/data/tube_path.hpp"
 #include "render_core/scene/tube_mesh.hpp"
 
@@ -25,7 +26,7 @@ constexpr const char* kTubesNeverTrade = "Widened hulls keep the radius of the s
 /// constant, which no figure here needs.
 class FlownCurve {
 public:
-    explicit FlownCurve(SampleNumbers& numbers) {
+    explicit FlownCurve(SeededRandom& numbers) {
         for (Wave& wave : waves_)
             wave = {numbers.between(2000, 6000), numbers.between(1500, 5000), numbers.between(0, 6.28),
                     numbers.between(100, 400)};
@@ -106,7 +107,7 @@ KnobFacts tube_sides_facts() {
 class TubeSidesKnob final : public Knob {
 public:
     explicit TubeSidesKnob(const KnobGround& ground) : Knob(tube_sides_facts()) {
-        SampleNumbers numbers(13);
+        SeededRandom numbers(13);
         const std::size_t count = ground.is_quick ? kQuickFlownCurves : kFlownCurves;
         for (std::size_t n = 0; n < count; ++n) tubes_.emplace_back().make_rings(recorded_points(FlownCurve(numbers)));
     }
@@ -180,7 +181,7 @@ private:
 };
 
 std::vector<ThinnedTube> thinned_tubes(bool is_quick) {
-    SampleNumbers numbers(14);
+    SeededRandom numbers(14);
     std::vector<ThinnedTube> tubes;
     for (std::size_t n = 0; n < (is_quick ? kQuickFlownCurves : kFlownCurves); ++n) tubes.emplace_back(FlownCurve(numbers));
     return tubes;

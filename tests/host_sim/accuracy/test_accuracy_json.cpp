@@ -12,10 +12,7 @@ namespace tedavis::host_sim::test_accuracy_json {
 namespace {
 
 AccuracyReport made_report() {
-    test_support::MadeKnob knob(5);
-    AccuracyReport report;
-    report.conditions = conditions_now("tedavis accuracy -o x", "alps.tdb", false);
-    report.knobs.push_back(measure_knob(knob, knob.plan(7)));
+    AccuracyReport report = test_support::made_report();
     report.not_measured = {"another"};
     report.interrupted = true;
     return report;

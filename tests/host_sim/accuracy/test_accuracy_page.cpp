@@ -16,10 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 
 AccuracyReport made_report() {
-    test_support::MadeKnob knob(5);
-    AccuracyReport report;
-    report.conditions = conditions_now("tedavis accuracy -o x", "alps.tdb", true);
-    report.knobs.push_back(measure_knob(knob, knob.plan(7)));
+    AccuracyReport report = test_support::made_report();
     report.not_measured = {"another"};
     return report;
 }
@@ -67,7 +64,7 @@ TEST(AccuracyPage, SaysWhatAReaderAsksFirst) {
 }
 
 TEST(AccuracyPage, OpensInABrowserWithoutAMessage) {
-    if (!test_support::has_browser()) GTEST_SKIP() << "Chromium is not installed";
+    ASSERT_TRUE(test_support::has_browser()) << "Chromium is not installed (toolchains/install_packages tests)";
     const test_support::TemporaryFolder place;
     for (const int width : {1200, 400}) {
         const auto seen = test_support::open_in_browser(place, accuracy_page(made_report()), width);

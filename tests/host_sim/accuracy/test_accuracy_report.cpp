@@ -8,7 +8,7 @@ namespace tedavis::host_sim::test_accuracy_report {
 namespace {
 
 TEST(AccuracyReport, SaysWhatItWasMeasuredWith) {
-    const MeasuringConditions now = conditions_now("tedavis accuracy -o x", "alps.tdb", true);
+    const MeasuringConditions now = conditions_now("tedavis accuracy -o x", {"alps.tdb", 7}, true);
     EXPECT_EQ(now.version, version());
     EXPECT_EQ(now.terrain, "alps.tdb");
     EXPECT_TRUE(now.is_quick);
@@ -19,20 +19,25 @@ TEST(AccuracyReport, SaysWhatItWasMeasuredWith) {
 }
 
 TEST(AccuracyReport, OnlyFiguresOfOneKindStandTogether) {
-    const MeasuringConditions now = conditions_now("a", "alps.tdb", true);
+    const MeasuringConditions now = conditions_now("a", {"alps.tdb", 7}, true);
     MeasuringConditions other = now;
     other.load = 9;
     other.date = "2001-01-01T00:00:00Z";
     other.command = "b";
-    EXPECT_TRUE(are_comparable(now, other)) << "another day";
+    EXPECT_TRUE(are_of_one_kind(now, other)) << "another day";
     other.is_quick = false;
-    EXPECT_FALSE(are_comparable(now, other));
+    EXPECT_FALSE(are_of_one_kind(now, other));
     other = now;
-    other.terrain = "jura.tdb";
-    EXPECT_FALSE(are_comparable(now, other));
+    other.terrain = "copy_of_alps.tdb";
+    EXPECT_TRUE(are_of_one_kind(now, other)) << "the same heights";
+    other.terrain_identity = 8;
+    EXPECT_FALSE(are_of_one_kind(now, other));
+    other = now;
+    other.program ^= 1;
+    EXPECT_FALSE(are_of_one_kind(now, other)) << "another build";
     other = now;
     other.processor = "another";
-    EXPECT_FALSE(are_comparable(now, other));
+    EXPECT_FALSE(are_of_one_kind(now, other));
 }
 
 }  // namespace

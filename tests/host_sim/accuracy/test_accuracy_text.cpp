@@ -11,13 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-AccuracyReport made_report() {
-    test_support::MadeKnob knob(5);
-    AccuracyReport report;
-    report.conditions = conditions_now("tedavis accuracy -o x", "alps.tdb", true);
-    report.knobs.push_back(measure_knob(knob, knob.plan(7)));
-    return report;
-}
+using test_support::made_report;
 
 TEST(AccuracyText, HasATableAndTheLaws) {
     const std::string text = accuracy_text(made_report());
@@ -32,6 +26,14 @@ TEST(AccuracyText, AnswersByBudget) {
     const AccuracyReport report = made_report();
     EXPECT_THAT(budget_text(report, 13), HasSubstr("made: 4 steps (12.000 ms, at most 0.25 m)"));
     EXPECT_THAT(budget_text(report, 1), HasSubstr("made: no level keeps to it"));
+}
+
+TEST(AccuracyText, NamesEachUnitOnce) {
+    AccuracyReport report = made_report();
+    report.knobs.insert(report.knobs.begin(), 2, report.knobs[0]);
+    report.knobs[0].unit = report.knobs[1].unit = "m of height";
+    test_support::expect_user_error([&] { static_cast<void>(target_text(report, 1, "px", "--target-error 1px")); },
+                                    "the units are m of height, m");
 }
 
 TEST(AccuracyText, AnswersByErrorInTheKnobsUnit) {

@@ -9,7 +9,7 @@ namespace tedavis::host_sim::test_measured_picture {
 namespace {
 
 TEST(MeasuredPicture, AreTheSameOnEveryRun) {
-    SampleNumbers numbers(1), same(1), others(2);
+    SeededRandom numbers(1), same(1), others(2);
     const MeasuredPicture picture(numbers), again(same), other(others);
     const std::size_t bytes = 3u * MeasuredPicture::kWidth * MeasuredPicture::kHeight;
     ASSERT_TRUE(picture.view().is_valid());
@@ -20,7 +20,7 @@ TEST(MeasuredPicture, AreTheSameOnEveryRun) {
 }
 
 TEST(MeasuredPicture, AShrunkPictureHasMeans) {
-    SampleNumbers numbers(3);
+    SeededRandom numbers(3);
     const MeasuredPicture picture(numbers), half = picture.shrunk(2);
     EXPECT_EQ(half.view().width, MeasuredPicture::kWidth / 2);
     EXPECT_EQ(half.view().height, MeasuredPicture::kHeight / 2);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 #include "render_core/raytrace/shading/sky_map.hpp"
 #include "tests/host_sim/accuracy/knob_errors.hpp"
 
@@ -42,7 +43,7 @@ TEST(SkyKnobs, TheReferenceOfAzimuthsIsWithinItsBound) {
     many.azimuths = 2048;
     more.azimuths = 8192;
     few.azimuths = 32;
-    SampleNumbers numbers(5);
+    SeededRandom numbers(5);
     double worst = 0, worst_of_few = 0;
     for (int n = 0; n < 40; ++n) {
         const auto column = static_cast<std::uint32_t>(numbers.between(square.grid().columns / 4.0, square.grid().columns / 2.0));

@@ -1,4 +1,5 @@
 #include "host_sim/accuracy/knobs/traced_square.hpp"
+#include "host_sim/scenario/seeded_random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ TEST(TracedSquare, BoundsAreThoseOfTheSurface) {
     smooth.kind = raytrace::SurfaceKind::bicubic;
     const BoundedSurface surface(s.square, smooth);
     const auto grid = s.square.grid();
-    SampleNumbers numbers(1);
+    SeededRandom numbers(1);
     for (int n = 0; n < 1000; ++n) {
         raytrace::SurfacePoint point;
         const double x = numbers.between(0, grid.columns - 1.0), y = numbers.between(0, grid.rows - 1.0);
