@@ -1,4 +1,4 @@
-# The stages of ./check, sourced by it. Uses its variables: full, joint, logs, jobs, slow_programs, passed, failed, summary.
+# The stages of ./check, sourced by it. Uses its variables: full, joint, logs, jobs, slow_programs, long_suites, passed, failed, summary.
 
 held=true
 
@@ -79,7 +79,7 @@ run_programs() {
 # part_suites PROGRAM FILES PARTS: deals the suites of a test program to so many files FILES.N.suites, each a filter of GoogleTest, and
 # prints a line "NAME N" for each file. A program that cannot say its suites is one part: it will fail.
 part_suites() {
-    "$1" --gtest_list_tests 2>/dev/null | sed -nE 's/^([^ ]+\.)( .*)?$/\1*/p' |
+    "$1" --gtest_list_tests 2>/dev/null | sed -nE 's/^([^ ]+\.)( .*)?$/\1*/p' | grep -vE "$long_suites" |
         awk -v files="$2" -v parts="$3" '{ printf "%s:", $0 > (files "." (NR - 1) % parts ".suites") }'
     if [ ! -e "$2.0.suites" ]; then printf '*' >"$2.0.suites"; fi
     local part
