@@ -1,7 +1,10 @@
 #include "host_sim/version.hpp"
 
+#include "tedavis_commit.hpp"
+
 namespace tedavis::host_sim {
 
 const char* version() { return TEDAVIS_VERSION; }
+const char* commit() { return TEDAVIS_COMMIT; }
 
 }  // namespace tedavis::host_sim
