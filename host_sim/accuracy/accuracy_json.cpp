@@ -9,16 +9,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json error_json(const ErrorDistribution& error) {
+    return {{"mean", error.mean}, {"p95", error.p95}, {"p99", error.p99}, {"max", error.max}, {"count", error.count}};
+}
+
+ErrorDistribution error_of(const Json& json) {
+    return {json.at("mean"), json.at("p95"), json.at("p99"), json.at("max"), json.at("count")};
+}
+
 Json level_json(const MeasuredLevel& level) {
     return {{"name", level.name},
             {"amount", level.amount},
             {"ms", {{"median", level.ms.median}, {"p5", level.ms.p5}, {"p95", level.ms.p95}}},
-            {"error",
-             {{"mean", level.error.mean},
-              {"p95", level.error.p95},
-              {"p99", level.error.p99},
-              {"max", level.error.max},
-              {"count", level.error.count}}},
+            {"error", error_json(level.error)},
             {"bytes", level.bytes},
             {"build_ms", level.build_ms},
             {"worst", level.worst_place},
@@ -30,9 +33,9 @@ MeasuredLevel level_of(const Json& json) {
     MeasuredLevel level;
     level.name = json.at("name");
     level.amount = json.at("amount");
-    const Json &ms = json.at("ms"), &error = json.at("error");
+    const Json& ms = json.at("ms");
     level.ms = {ms.at("median"), ms.at("p5"), ms.at("p95")};
-    level.error = {error.at("mean"), error.at("p95"), error.at("p99"), error.at("max"), error.at("count")};
+    level.error = error_of(json.at("error"));
     level.bytes = json.at("bytes");
     level.build_ms = json.at("build_ms");
     level.worst_place = json.at("worst");
@@ -103,7 +106,8 @@ MeasuredKnob knob_of(const Json& json) {
 }
 
 Json conditions_json(const MeasuringConditions& conditions) {
-    return {{"version", conditions.version},     {"compiler", conditions.compiler},
+    return {{"version", conditions.version},     {"commit", conditions.commit},
+            {"compiler", conditions.compiler},   {"renderer", conditions.renderer},
             {"command", conditions.command},     {"date", conditions.date},
             {"processor", conditions.processor}, {"processors", conditions.processors},
             {"load", conditions.load},           {"terrain", conditions.terrain},
@@ -114,7 +118,9 @@ Json conditions_json(const MeasuringConditions& conditions) {
 MeasuringConditions conditions_of(const Json& json) {
     MeasuringConditions conditions;
     conditions.version = json.at("version");
+    conditions.commit = json.at("commit");
     conditions.compiler = json.at("compiler");
+    conditions.renderer = json.at("renderer");
     conditions.command = json.at("command");
     conditions.date = json.at("date");
     conditions.processor = json.at("processor");
@@ -127,12 +133,72 @@ MeasuringConditions conditions_of(const Json& json) {
     return conditions;
 }
 
+Json control_json(const std::optional<NegativeControl>& control) {
+    if (!control) return nullptr;
+    return {{"title", control->title},
+            {"unit", control->unit},
+            {"wrong_name", control->wrong_name},
+            {"right_name", control->right_name},
+            {"worst", control->worst_place},
+            {"reference_bound", control->reference_bound},
+            {"wrong", error_json(control->wrong)},
+            {"right", error_json(control->right)},
+            {"caught", control->is_caught}};
+}
+
+std::optional<NegativeControl> control_of(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    NegativeControl control;
+    control.title = json.at("title");
+    control.unit = json.at("unit");
+    control.wrong_name = json.at("wrong_name");
+    control.right_name = json.at("right_name");
+    control.worst_place = json.at("worst");
+    control.reference_bound = json.at("reference_bound");
+    control.wrong = error_of(json.at("wrong"));
+    control.right = error_of(json.at("right"));
+    control.is_caught = json.at("caught");
+    return control;
+}
+
+Json compared_json(const ComparedReport& compared) {
+    Json levels = Json::array();
+    for (const ComparedLevel& level : compared.levels)
+        levels.push_back({{"knob", level.knob},
+                          {"level", level.level},
+                          {"ms", level.ms},
+                          {"earlier_ms", level.earlier_ms},
+                          {"error", level.error},
+                          {"earlier_error", level.earlier_error},
+                          {"slower", level.is_slower},
+                          {"less_accurate", level.is_less_accurate}});
+    return {{"file", compared.file},       {"processor", compared.processor},          {"date", compared.date},
+            {"version", compared.version}, {"same_machine", compared.is_same_machine}, {"levels", std::move(levels)},
+            {"gone", compared.gone}};
+}
+
+ComparedReport compared_of(const Json& json) {
+    ComparedReport compared;
+    compared.file = json.at("file");
+    compared.processor = json.at("processor");
+    compared.date = json.at("date");
+    compared.version = json.at("version");
+    compared.is_same_machine = json.at("same_machine");
+    for (const Json& level : json.at("levels"))
+        compared.levels.push_back({level.at("knob"), level.at("level"), level.at("ms"), level.at("earlier_ms"), level.at("error"),
+                                   level.at("earlier_error"), level.at("slower"), level.at("less_accurate")});
+    for (const Json& name : json.at("gone")) compared.gone.push_back(name);
+    return compared;
+}
+
 AccuracyReport report_of(const Json& json) {
     AccuracyReport report;
     report.conditions = conditions_of(json.at("conditions"));
     report.interrupted = json.at("interrupted");
     for (const Json& knob : json.at("knobs")) report.knobs.push_back(knob_of(knob));
     for (const Json& name : json.at("not_measured")) report.not_measured.push_back(name);
+    report.control = control_of(json.at("negative_control"));
+    for (const Json& compared : json.at("comparisons")) report.comparisons.push_back(compared_of(compared));
     return report;
 }
 
@@ -142,13 +208,16 @@ std::string csv_text(const std::string& text) { return "\"" + text + "\""; }
 }  // namespace
 
 Json accuracy_json(const AccuracyReport& report) {
-    Json knobs = Json::array();
+    Json knobs = Json::array(), comparisons = Json::array();
     for (const MeasuredKnob& knob : report.knobs) knobs.push_back(knob_json(knob));
+    for (const ComparedReport& compared : report.comparisons) comparisons.push_back(compared_json(compared));
     return {{"schema", kAccuracySchema},
             {"conditions", conditions_json(report.conditions)},
             {"interrupted", report.interrupted},
             {"knobs", std::move(knobs)},
-            {"not_measured", report.not_measured}};
+            {"not_measured", report.not_measured},
+            {"negative_control", control_json(report.control)},
+            {"comparisons", std::move(comparisons)}};
 }
 
 AccuracyReport read_accuracy(const std::string& text, const std::string& name) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "host_sim/accuracy/compare_accuracy.hpp"
+#include "host_sim/accuracy/first_screen.hpp"
 #include "host_sim/accuracy/next_level.hpp"
 #include "host_sim/accuracy/work_precision_chart.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
@@ -157,11 +159,14 @@ std::string summary_words(const AccuracyReport& report) {
 
 std::string page_header(const AccuracyReport& report) {
     const MeasuringConditions& on = report.conditions;
+    const std::string extent =
+        (on.is_quick ? "; quick run" : "") + std::string(report.interrupted ? "; interrupted, the rest is missing" : "");
     return "<header><h1>What accuracy costs in time</h1><p>" +
-           escaped_html(on.processor + ", " + std::to_string(on.processors) + " processors; " + on.terrain +
-                        (on.is_quick ? "; quick run" : "") + (report.interrupted ? "; interrupted, the rest is missing" : "")) +
+           escaped_html(on.processor + ", " + std::to_string(on.processors) + " processors, load " + decimal(on.load, 1) +
+                        " at the start; " + on.renderer + "; " + on.terrain + extent) +
            ".</p><p class='soft'>" +
-           escaped_html("Measured " + on.date + " with tedavis " + on.version + ", built by " + on.compiler + ": " + on.command) +
+           escaped_html("Measured " + on.date + " with tedavis " + on.version + " (commit " + on.commit + "), built by " +
+                        on.compiler + ", with fixed seeds for all random inputs: " + on.command) +
            "</p></header>\n";
 }
 
@@ -172,16 +177,29 @@ std::string not_measured_section(const AccuracyReport& report) {
     return html_section("Not measured", "<p>" + escaped_html(names) + ". The same command goes on with them.</p>\n");
 }
 
+std::string control_section(const AccuracyReport& report) {
+    if (!report.control) return "";
+    return html_section("A level that is wrong on purpose",
+                        "<p id='control'>" + escaped_html(control_text(*report.control)) + "</p>\n<p class='soft'>" +
+                            escaped_html("Its greatest error is at " + report.control->worst_place + ".") + "</p>\n");
+}
+
+std::string comparison_section(const AccuracyReport& report) {
+    if (report.comparisons.empty()) return "";
+    return html_section("Beside earlier reports", comparison_table(report.comparisons));
+}
+
 }  // namespace
 
 std::string accuracy_page(const AccuracyReport& report) {
     std::string page =
         "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
         "content='width=device-width,initial-scale=1'><title>What accuracy costs in time</title><style>" +
-        std::string(kReportStyle) + kAccuracyStyle + "</style></head><body>\n" + page_header(report) + summary_words(report) +
-        "<main>\n" + html_section("From the quickest to the most accurate", summary_table(report));
+        std::string(kReportStyle) + kAccuracyStyle + "</style></head><body>\n" + page_header(report) + "<main>\n" +
+        first_screen(report) + summary_words(report) +
+        html_section("From the quickest to the most accurate", summary_table(report));
     for (const MeasuredKnob& knob : report.knobs) page += knob_section(knob);
-    return page + not_measured_section(report) +
+    return page + comparison_section(report) + control_section(report) + not_measured_section(report) +
            "</main>\n<footer><p>Charts: a disc is a level that is worth its time, a cross one that another level beats, a square "
            "on "
            "the lower border one without an error. The bar is the 5th to the 95th percentile of the times, the dashed line "

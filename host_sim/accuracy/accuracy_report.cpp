@@ -28,9 +28,12 @@ double load_of_a_minute() {
 
 }  // namespace
 
-MeasuringConditions conditions_now(const std::string& command, const MeasuredTerrain& terrain, bool is_quick) {
+MeasuringConditions conditions_now(const std::string& command, const std::string& renderer, const MeasuredTerrain& terrain,
+                                   bool is_quick) {
     MeasuringConditions now;
     now.version = version();
+    now.commit = commit();
+    now.renderer = renderer;
     now.program = program_identity();
     now.compiler = __VERSION__;
     now.command = command;
@@ -45,7 +48,7 @@ MeasuringConditions conditions_now(const std::string& command, const MeasuredTer
 }
 
 bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b) {
-    return a.program == b.program && a.processor == b.processor && a.processors == b.processors &&
+    return a.program == b.program && a.processor == b.processor && a.processors == b.processors && a.renderer == b.renderer &&
            a.terrain_identity == b.terrain_identity && a.is_quick == b.is_quick;
 }
 

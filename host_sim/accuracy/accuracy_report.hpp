@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "host_sim/accuracy/measured_knob.hpp"
+#include "host_sim/accuracy/negative_control.hpp"
 
 namespace tedavis::host_sim {
 
@@ -15,8 +17,8 @@ struct MeasuredTerrain {
 };
 
 struct MeasuringConditions {
-    std::string version, compiler, command, date;  ///< date: of the first knob, UTC
-    std::string processor;
+    std::string version, commit, compiler, command, date;  ///< date: of the first knob, UTC
+    std::string processor, renderer;                       ///< renderer: of GL, as its driver calls itself
     unsigned processors = 0;
     double load = 0;  ///< of the machine when the run began, mean of a minute; 0: unknown
     std::string terrain;
@@ -24,15 +26,34 @@ struct MeasuringConditions {
     bool is_quick = false;
 };
 
+/// A level of this report beside the same level of an earlier one.
+struct ComparedLevel {
+    std::string knob, level;
+    double ms = 0, earlier_ms = 0;                     ///< medians
+    double error = 0, earlier_error = 0;               ///< the greatest
+    bool is_slower = false, is_less_accurate = false;  ///< beyond the limits
+};
+
+/// An earlier report that this one is compared with (compare_accuracy.hpp).
+struct ComparedReport {
+    std::string file, processor, date, version;  ///< of the earlier report
+    bool is_same_machine = false;                ///< only then are times judged
+    std::vector<ComparedLevel> levels;
+    std::vector<std::string> gone;  ///< "knob: level" that only the earlier report has, of knobs that both measured
+};
+
 struct AccuracyReport {
     MeasuringConditions conditions;
     bool interrupted = false;
     std::vector<MeasuredKnob> knobs;        ///< in the registry's order
     std::vector<std::string> not_measured;  ///< names of knobs that were asked for, too
+    std::optional<NegativeControl> control;
+    std::vector<ComparedReport> comparisons;
 };
 
 /// Of this machine and program.
-[[nodiscard]] MeasuringConditions conditions_now(const std::string& command, const MeasuredTerrain& terrain, bool is_quick);
+[[nodiscard]] MeasuringConditions conditions_now(const std::string& command, const std::string& renderer,
+                                                 const MeasuredTerrain& terrain, bool is_quick);
 
 /// True where figures of both may stand in one report: same program, machine, heights and extent.
 [[nodiscard]] bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b);

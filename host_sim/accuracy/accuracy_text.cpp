@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <set>
 
+#include "host_sim/accuracy/compare_accuracy.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -55,6 +56,8 @@ std::string accuracy_text(const AccuracyReport& report) {
                        std::to_string(on.processors) + printed(", load %.1f", on.load) + ", " + on.terrain;
     for (const MeasuredKnob& knob : report.knobs) text += knob_text(knob);
     for (const std::string& name : report.not_measured) text += "\n\n" + name + ": not measured";
+    if (report.control) text += "\n\n" + control_text(*report.control);
+    for (const ComparedReport& compared : report.comparisons) text += comparison_text(compared);
     return text;
 }
 

@@ -21,29 +21,6 @@ MeasuredKnob described(const KnobFacts& facts) {
     return measured;
 }
 
-MeasuredLevel errors_of(Knob& knob, std::size_t number) {
-    const KnobLevel& level = knob.facts().levels[number];
-    MeasuredLevel measured;
-    measured.name = level.name.text();
-    measured.amount = level.amount;
-    std::vector<double> all, errors;
-    double worst = -1;
-    for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
-        errors.clear();
-        knob.find_errors(number, sample, errors);
-        const auto greatest = std::max_element(errors.begin(), errors.end());
-        if (greatest != errors.end() && *greatest > worst) {
-            worst = *greatest;
-            measured.worst_place = knob.place_of(sample, static_cast<std::size_t>(greatest - errors.begin()));
-        }
-        all.insert(all.end(), errors.begin(), errors.end());
-    }
-    measured.error = distribution_of(std::move(all));
-    measured.bytes = knob.bytes(number);
-    measured.build_ms = knob.build_ms(number);
-    return measured;
-}
-
 double run_ms(Knob& knob, std::size_t level, const MeasuringPlan& plan) {
     const double begun = plan.clock_ms();
     for (std::size_t sample = 0; sample < knob.samples(); ++sample) knob.run(level, sample);
@@ -87,12 +64,35 @@ double noise_of(const RoundTimes& times) {
 
 }  // namespace
 
+MeasuredLevel level_errors(Knob& knob, std::size_t number) {
+    const KnobLevel& level = knob.facts().levels[number];
+    MeasuredLevel measured;
+    measured.name = level.name.text();
+    measured.amount = level.amount;
+    std::vector<double> all, errors;
+    double worst = -1;
+    for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
+        errors.clear();
+        knob.find_errors(number, sample, errors);
+        const auto greatest = std::max_element(errors.begin(), errors.end());
+        if (greatest != errors.end() && *greatest > worst) {
+            worst = *greatest;
+            measured.worst_place = knob.place_of(sample, static_cast<std::size_t>(greatest - errors.begin()));
+        }
+        all.insert(all.end(), errors.begin(), errors.end());
+    }
+    measured.error = distribution_of(std::move(all));
+    measured.bytes = knob.bytes(number);
+    measured.build_ms = knob.build_ms(number);
+    return measured;
+}
+
 MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
     MeasuredKnob measured = described(knob.facts());
     measured.samples = knob.samples();
     for (std::size_t level = 0; level < knob.facts().levels.size(); ++level) {
         plan.progress(0, plan.rounds);
-        measured.levels.push_back(errors_of(knob, level));
+        measured.levels.push_back(level_errors(knob, level));
     }
     const RoundTimes times = time_rounds(knob, plan);
     for (std::size_t level = 0; level < times.size(); ++level) measured.levels[level].ms = spread_of(times[level]);

@@ -22,6 +22,9 @@ struct MeasuringPlan {
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
+/// The level's name, errors, memory and build time; without times.
+[[nodiscard]] MeasuredLevel level_errors(Knob& knob, std::size_t number);
+
 [[nodiscard]] MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan);
 
 }  // namespace tedavis::host_sim

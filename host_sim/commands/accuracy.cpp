@@ -7,13 +7,16 @@
 #include "host_sim/accuracy/accuracy_json.hpp"
 #include "host_sim/accuracy/accuracy_page.hpp"
 #include "host_sim/accuracy/accuracy_text.hpp"
+#include "host_sim/accuracy/compare_accuracy.hpp"
 #include "host_sim/accuracy/knobs/knob_registry.hpp"
+#include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/measure_knob.hpp"
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
+#include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/index_key.hpp"
 #include "host_sim/temporary_folder.hpp"
 #include "host_sim/user_error.hpp"
@@ -36,6 +39,8 @@ std::string command_of(const AccuracyOptions& options) {
     if (options.is_quick) command += " --quick";
     if (!options.terrain.empty()) command += " --terrain " + options.terrain;
     for (const std::string& knob : options.knobs) command += " --knob " + knob;
+    if (options.is_control_only) command += " --negative-control";
+    for (const std::string& file : options.compare) command += " --compare " + file;
     return command;
 }
 
@@ -133,6 +138,26 @@ void list_unmeasured(const std::vector<RegisteredKnob>& knobs, AccuracyReport& r
         if (knob_of(report, knob.name) == nullptr) report.not_measured.push_back(knob.name);
 }
 
+/// Of the GL that draws the knobs' pictures.
+std::string renderer() {
+    PictureOptions smallest;
+    smallest.size = PictureSize{64, 64};
+    return DisplaySession(smallest, true).gl_description();
+}
+
+/// Before anything is measured, so that a wrong name costs no time.
+std::vector<std::pair<std::string, AccuracyReport>> earlier_reports(const std::vector<std::string>& files) {
+    std::vector<std::pair<std::string, AccuracyReport>> reports;
+    for (const std::string& file : files) reports.emplace_back(file, read_accuracy(read_file(file), file));
+    return reports;
+}
+
+/// Returns 1 if the negative control was not caught or a comparison is worse, 0 otherwise.
+int verdict_on(const AccuracyReport& report) {
+    const bool is_worse_now = std::any_of(report.comparisons.begin(), report.comparisons.end(), is_worse);
+    return (report.control && !report.control->is_caught) || is_worse_now ? 1 : 0;
+}
+
 }  // namespace
 
 TargetError target_from(const std::string& text) {
@@ -148,22 +173,30 @@ TargetError target_from(const std::string& text) {
 }
 
 int run_accuracy(const AccuracyOptions& options, Console& console) {
-    const std::vector<RegisteredKnob> knobs = chosen_knobs(options.knobs);
+    const std::vector<RegisteredKnob> knobs =
+        options.is_control_only ? std::vector<RegisteredKnob>() : chosen_knobs(options.knobs);
     if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
+    const auto earlier = earlier_reports(options.compare);
     const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
     const TemporaryFolder temporary;
     const std::unique_ptr<base::Workers> workers = trace_workers(0);
     const TracedGround ground(database_of({options.terrain, ""}, temporary.path(), console), *workers);
     const MeasuredTerrain terrain = {name, terrain_identity(&ground.database())};
-    AccuracyReport report = begun_report(options.output, conditions_now(command_of(options), terrain, options.is_quick));
+    const MeasuringConditions now = conditions_now(command_of(options), renderer(), terrain, options.is_quick);
+    AccuracyReport report = begun_report(options.output, now);
+    const ComparisonLimits limits = {options.slower_percent / 100, options.less_accurate_percent / 100};
+    for (const auto& [file, old] : earlier) static_cast<void>(compare_accuracy(report, old, file, limits));  // of one kind?
     NewFolder folder(options.output);
     const bool is_whole = AccuracyRun(options, console).measure(knobs, {ground, options.is_quick}, report);
     list_unmeasured(knobs, report);
+    if (is_whole && !report.control) report.control = measure_control(*make_ray_control({ground, options.is_quick}));
+    report.comparisons.clear();
+    for (const auto& [file, old] : earlier) report.comparisons.push_back(compare_accuracy(report, old, file, limits));
     write_report(report, options.output);
     folder.keep();
     console.result(accuracy_text(report) + answers(options, report) + "\n\n" + options.output + kPageName,
                    json_text(accuracy_json(report)));
-    return is_whole ? 0 : kInterruptedExitCode;
+    return is_whole ? verdict_on(report) : kInterruptedExitCode;
 }
 
 }  // namespace tedavis::host_sim

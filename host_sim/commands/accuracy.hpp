@@ -10,12 +10,15 @@
 namespace tedavis::host_sim {
 
 struct AccuracyOptions {
-    std::string output;               ///< folder
-    std::string terrain;              ///< .tdb; empty: built from the shipped raster
-    bool is_quick = false;            ///< fewer samples and rounds
-    std::vector<std::string> knobs;   ///< empty: all
-    std::optional<double> budget_ms;  ///< asks for the most accurate levels within it
-    std::string target_error;         ///< such as "0.5 px": asks for the quickest levels that keep to it; empty: nothing
+    std::string output;                                      ///< folder
+    std::string terrain;                                     ///< .tdb; empty: built from the shipped raster
+    bool is_quick = false;                                   ///< fewer samples and rounds
+    std::vector<std::string> knobs;                          ///< empty: all
+    std::optional<double> budget_ms;                         ///< asks for the most accurate levels within it
+    bool is_control_only = false;                            ///< measures the negative control alone
+    std::vector<std::string> compare;                        ///< accuracy.json of earlier runs
+    double slower_percent = 25, less_accurate_percent = 10;  ///< beyond these a comparison fails
+    std::string target_error;  ///< such as "0.5 px": asks for the quickest levels that keep to it; empty: nothing
 };
 
 /// Leaves accuracy.json, accuracy.csv and report.html in the folder, after each knob, so that a run that was stopped goes on

@@ -154,6 +154,22 @@ void add_trace(CLI::App& app, CommandLine& line) {
     command->add_option("-o", o.output, "the picture to write (.png); X.json beside it says what it took")->required();
 }
 
+/// What makes the exit code 1.
+void add_accuracy_verdicts(CLI::App& command, AccuracyOptions& o) {
+    command.add_flag("--negative-control", o.is_control_only,
+                     "only a search that is wrong on purpose; ends with 1 if its figures do not show that it is wrong");
+    command
+        .add_option("--compare", o.compare,
+                    "accuracy.json of an earlier run over the same terrain; may be repeated; ends with 1 if a level became worse")
+        ->allow_extra_args(false);
+    command.add_option("--max-slower", o.slower_percent, "percent by which a median time may grow beside --compare")
+        ->check(CLI::Range(0.0, 10'000.0))
+        ->capture_default_str();
+    command.add_option("--max-less-accurate", o.less_accurate_percent, "percent by which an error may grow beside --compare")
+        ->check(CLI::Range(0.0, 10'000.0))
+        ->capture_default_str();
+}
+
 void add_accuracy(CLI::App& app, CommandLine& line) {
     AccuracyOptions& o = line.accuracy;
     CLI::App* command =
@@ -166,6 +182,7 @@ void add_accuracy(CLI::App& app, CommandLine& line) {
     command->add_flag("--quick", o.is_quick, "fewer samples and rounds");
     command->add_option("--knob", o.knobs, "only this setting; may be repeated; default: all")->allow_extra_args(false);
     command->add_option("--terrain", o.terrain, "terrain database (.tdb); default: built from the shipped raster");
+    add_accuracy_verdicts(*command, o);
     add_optional(command, "--budget-ms", o.budget_ms,
                  "also says the most accurate level of each setting within so many milliseconds")
         ->check(above_zero());

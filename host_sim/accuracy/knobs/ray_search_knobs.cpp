@@ -13,7 +13,8 @@ namespace {
 using raytrace::HitSide;
 using raytrace::SurfaceHit;
 
-constexpr std::uint32_t kSteps[] = {64, 128, 256, 512, 1024, 2048, 4096};
+const std::vector<std::uint32_t> kSteps = {64, 128, 256, 512, 1024, 2048, 4096};
+const std::vector<std::uint32_t> kControlSteps = {16, 4096};
 constexpr std::uint32_t kHalvings[] = {0, 3, 6, 9, 12, 15};
 constexpr std::uint32_t kEnoughHalvings = 20, kStepsOfCell = 8;
 constexpr std::size_t kRaysOfSample = 64, kSamples = 64, kQuickSamples = 8;
@@ -28,9 +29,9 @@ KnobReference exact_crossing() {
 constexpr const char* kOracle = "Embree 3.13 over the same heights (tests/render_core/raytrace)";
 constexpr const char* kNeverTrades = "Terrain alerts and heights below the aircraft come from exact queries at every level.";
 
-std::vector<KnobLevel> levels_of_steps() {
+std::vector<KnobLevel> levels_of(const std::vector<std::uint32_t>& all_steps) {
     std::vector<KnobLevel> levels;
-    for (const std::uint32_t steps : kSteps) levels.push_back({std::to_string(steps) + " steps", static_cast<double>(steps)});
+    for (const std::uint32_t steps : all_steps) levels.push_back({std::to_string(steps) + " steps", static_cast<double>(steps)});
     return levels;
 }
 
@@ -99,12 +100,13 @@ private:
 
 class RaySteps final : public RaySearchKnob {
 public:
-    explicit RaySteps(const KnobGround& ground)
+    RaySteps(const KnobGround& ground, const std::vector<std::uint32_t>& steps)
         : RaySearchKnob(
               {"ray_steps", "Uniform steps of a ray over the terrain", "raytrace::UniformSearch::steps of search_ray()",
                "distance along the ray from the exact hit", "cells of the grid", exact_crossing(), kOracle, kNeverTrades,
-               "steps of a ray", ExpectedLaw{-1, 0.4, "NUMERICS A23: wrong rays ~ step^0.8 to step^1.05"}, levels_of_steps()},
-              ground) {}
+               "steps of a ray", ExpectedLaw{-1, 0.4, "NUMERICS A23: wrong rays ~ step^0.8 to step^1.05"}, levels_of(steps)},
+              ground),
+          steps_(steps) {}
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         for (std::size_t n = 0; n < kRaysOfSample; ++n) errors.push_back(cells_off(level, ray(sample, n), exact(sample, n)));
@@ -112,8 +114,10 @@ public:
 
 private:
     [[nodiscard]] SurfaceHit found(std::size_t level, const raytrace::Ray& ray) const override {
-        return search_ray(square().grid(), surface().settings(), ray, {kSteps[level], kEnoughHalvings});
+        return search_ray(square().grid(), surface().settings(), ray, {steps_[level], kEnoughHalvings});
     }
+
+    std::vector<std::uint32_t> steps_;
 };
 
 class RayHalvings final : public RaySearchKnob {
@@ -140,7 +144,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Knob> make_ray_steps_knob(const KnobGround& ground) { return std::make_unique<RaySteps>(ground); }
+std::unique_ptr<Knob> make_ray_steps_knob(const KnobGround& ground) { return std::make_unique<RaySteps>(ground, kSteps); }
+std::unique_ptr<Knob> make_ray_control(const KnobGround& ground) { return std::make_unique<RaySteps>(ground, kControlSteps); }
 std::unique_ptr<Knob> make_ray_halvings_knob(const KnobGround& ground) { return std::make_unique<RayHalvings>(ground); }
 
 }  // namespace tedavis::host_sim

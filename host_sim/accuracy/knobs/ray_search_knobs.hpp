@@ -9,8 +9,11 @@
 
 namespace tedavis::host_sim {
 
-/// Steps along the whole ray. What a step passes over is not found, so this is the control that lands visibly wrong.
+/// Steps along the whole ray. What a step passes over is not found.
 [[nodiscard]] std::unique_ptr<Knob> make_ray_steps_knob(const KnobGround& ground);
+/// The same setting with two levels: far too few steps, which must land visibly wrong, and enough. It is not in the registry:
+/// with it the report proves that it would show a wrong level (accuracy/negative_control.hpp).
+[[nodiscard]] std::unique_ptr<Knob> make_ray_control(const KnobGround& ground);
 /// Halvings of a step within a cell, of rays that find the exact tracer's hit.
 [[nodiscard]] std::unique_ptr<Knob> make_ray_halvings_knob(const KnobGround& ground);
 

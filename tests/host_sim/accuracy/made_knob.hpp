@@ -68,7 +68,7 @@ private:
 inline host_sim::AccuracyReport made_report() {
     MadeKnob knob(5);
     host_sim::AccuracyReport report;
-    report.conditions = host_sim::conditions_now("tedavis accuracy -o x", {"alps.tdb", 7}, true);
+    report.conditions = host_sim::conditions_now("tedavis accuracy -o x", "a renderer", {"alps.tdb", 7}, true);
     report.knobs.push_back(host_sim::measure_knob(knob, knob.plan(7)));
     return report;
 }

@@ -57,8 +57,9 @@ TEST(AccuracyPage, ShowsTheNumbersOfTheReport) {
 TEST(AccuracyPage, SaysWhatAReaderAsksFirst) {
     const std::string page = accuracy_page(made_report());
     for (const char* const text :
-         {"settings measured", "alps.tdb", "quick run", "What the next level costs", "Reference: the truth",
-          "itself within 1e-09", "the measurement agrees", "are not ranked", "tedavis accuracy -o x", "Not measured", "another"})
+         {"settings measured", "alps.tdb", "a renderer", "commit", "quick run", "What the next level costs",
+          "Reference: the truth", "itself within 1e-09", "the measurement agrees", "are not ranked", "tedavis accuracy -o x",
+          "Not measured", "another"})
         EXPECT_THAT(page, HasSubstr(text));
     EXPECT_THAT(page, ::testing::Not(HasSubstr("http"))) << "nothing comes from the network";
 }

@@ -8,8 +8,10 @@ namespace tedavis::host_sim::test_accuracy_report {
 namespace {
 
 TEST(AccuracyReport, SaysWhatItWasMeasuredWith) {
-    const MeasuringConditions now = conditions_now("tedavis accuracy -o x", {"alps.tdb", 7}, true);
+    const MeasuringConditions now = conditions_now("tedavis accuracy -o x", "a renderer", {"alps.tdb", 7}, true);
     EXPECT_EQ(now.version, version());
+    EXPECT_EQ(now.commit, commit());
+    EXPECT_EQ(now.renderer, "a renderer");
     EXPECT_EQ(now.terrain, "alps.tdb");
     EXPECT_TRUE(now.is_quick);
     EXPECT_FALSE(now.processor.empty());
@@ -19,7 +21,7 @@ TEST(AccuracyReport, SaysWhatItWasMeasuredWith) {
 }
 
 TEST(AccuracyReport, OnlyFiguresOfOneKindStandTogether) {
-    const MeasuringConditions now = conditions_now("a", {"alps.tdb", 7}, true);
+    const MeasuringConditions now = conditions_now("a", "a renderer", {"alps.tdb", 7}, true);
     MeasuringConditions other = now;
     other.load = 9;
     other.date = "2001-01-01T00:00:00Z";
@@ -37,6 +39,9 @@ TEST(AccuracyReport, OnlyFiguresOfOneKindStandTogether) {
     EXPECT_FALSE(are_of_one_kind(now, other)) << "another build";
     other = now;
     other.processor = "another";
+    EXPECT_FALSE(are_of_one_kind(now, other));
+    other = now;
+    other.renderer = "another";
     EXPECT_FALSE(are_of_one_kind(now, other));
 }
 

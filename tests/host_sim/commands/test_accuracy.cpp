@@ -65,6 +65,38 @@ TEST(Accuracy, GoesOnWhereItWas) {
     expect_user_error([&] { static_cast<void>(run(options, true)); }, "accuracy.json: was measured with another");
 }
 
+TEST(Accuracy, ShowsThatAWrongSearchIsWrong) {
+    AccuracyOptions options = quick("control");
+    options.is_control_only = true;
+    const auto said = run(options, true);
+    EXPECT_EQ(said.code, 0);
+    const auto control = said.json().at("negative_control");
+    EXPECT_TRUE(control.at("caught"));
+    EXPECT_GT(control.at("wrong").at("mean"), 10 * control.at("right").at("mean").get<double>());
+    EXPECT_TRUE(said.json().at("knobs").empty());
+}
+
+TEST(Accuracy, ComparesWithAnEarlierReport) {
+    AccuracyOptions options = quick("earlier");
+    auto earlier = run(options, true).json();
+    for (auto& level : earlier.at("knobs")[0].at("levels"))
+        for (const char* const figure : {"mean", "max"})
+            level.at("error").at(figure) = 0.5 * level.at("error").at(figure).get<double>();
+    options.compare = {files().folder.write("more_accurate.json", earlier.dump()), options.output + "/accuracy.json"};
+    options.slower_percent = 10'000;
+    options.output = files().folder.file("later");
+    const auto said = run(options, true);
+    EXPECT_EQ(said.code, 1);
+    ASSERT_EQ(said.json().at("comparisons").size(), 2u);
+    const auto less_accurate = [&](std::size_t n) {
+        return said.json().at("comparisons")[n].at("levels")[0].at("less_accurate");
+    };
+    EXPECT_TRUE(less_accurate(0));
+    EXPECT_FALSE(less_accurate(1)) << "control: the same errors";
+    options.compare.erase(options.compare.begin());
+    EXPECT_EQ(run(options, true).code, 0) << "control: only the same errors";
+}
+
 TEST(Accuracy, RefusesWrongUsageBeforeItMeasures) {
     AccuracyOptions options = quick("never");
     options.knobs = {"nothing"};
@@ -75,6 +107,9 @@ TEST(Accuracy, RefusesWrongUsageBeforeItMeasures) {
     options = quick("never");
     options.terrain = files().folder.file("none.tdb");
     EXPECT_THROW(static_cast<void>(run(options, false)), UserError);
+    options = quick("never");
+    options.compare = {files().folder.write("other.json", R"({"schema": "tedavis.accuracy/0"})")};
+    expect_user_error([&] { static_cast<void>(run(options, false)); }, "other.json: has the schema 'tedavis.accuracy/0'");
     EXPECT_FALSE(std::filesystem::exists(options.output)) << "nothing is left";
 }
 

@@ -1,0 +1,122 @@
+#include "host_sim/accuracy/first_screen.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "host_sim/accuracy/next_level.hpp"
+#include "host_sim/evaluation/html_parts.hpp"
+#include "host_sim/reports/line_chart.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+struct Budget {
+    double ms;
+    const char* name;
+};
+constexpr std::array<Budget, 5> kBudgets = {{{1000.0 / 120, "120 frames/s"},
+                                             {12, "12 ms"},
+                                             {1000.0 / 60, "60 frames/s"},
+                                             {1000.0 / 30, "30 frames/s"},
+                                             {100, "10 frames/s"}}};
+constexpr std::size_t kFirstBudget = 2;
+
+template <class... Values>
+std::string screen_text(const char* format, Values... values) {
+    char text[320];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+const MeasuredKnob* frame_knob(const AccuracyReport& report) {
+    for (const MeasuredKnob& knob : report.knobs)
+        if (knob.name == kFrameKnob) return &knob;
+    return nullptr;
+}
+
+/// Per frame; a level's times are of all samples.
+double frame_ms(const MeasuredKnob& knob, double all_ms) {
+    return all_ms / static_cast<double>(std::max<std::size_t>(knob.samples, 1));
+}
+
+const MeasuredLevel* quickest_of(const MeasuredKnob& knob) {
+    const auto quickest = std::min_element(knob.levels.begin(), knob.levels.end(),
+                                           [](const auto& a, const auto& b) { return a.ms.median < b.ms.median; });
+    return quickest == knob.levels.end() ? nullptr : &*quickest;
+}
+
+const NextLevel* next_of(const std::vector<NextLevel>& steps, const MeasuredLevel* level) {
+    const auto found = std::find_if(steps.begin(), steps.end(), [&](const NextLevel& step) { return step.from == level; });
+    return found == steps.end() ? nullptr : &*found;
+}
+
+std::string level_words(const MeasuredKnob& knob, const MeasuredLevel& level) {
+    return level.name +
+           screen_text(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", frame_ms(knob, level.ms.median),
+                       frame_ms(knob, level.ms.p95), level.error.max) +
+           knob.unit + " off";
+}
+
+std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
+    const MeasuredLevel *best = best_frame_within(knob, budget.ms), *quickest = quickest_of(knob);
+    if (best == nullptr)
+        return std::string("No settings keep to ") + budget.name + screen_text(" (%.1f ms). The quickest are ", budget.ms) +
+               level_words(knob, *quickest) + ".";
+    std::string text = std::string("The best settings for ") + budget.name + screen_text(" (%.1f ms) are ", budget.ms) +
+                       level_words(knob, *best) + ".";
+    if (const NextLevel* const next = next_of(steps, best))
+        text += " The next level, " + next->to->name +
+                screen_text(", takes %.2f times as long and has %.2f times the error.", next->time_ratio, next->error_ratio);
+    else
+        text += " No other settings are more accurate.";
+    return text;
+}
+
+std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
+    const std::string head = "<tr><th>" + std::string(budget.name) + "</th>" + html_number(decimal(budget.ms, 1));
+    const MeasuredLevel* const best = best_frame_within(knob, budget.ms);
+    if (best == nullptr) return head + "<td colspan='6'>no settings keep to it</td></tr>";
+    const NextLevel* const next = next_of(steps, best);
+    return head + html_cell(best->name) + html_number(decimal(frame_ms(knob, best->ms.median), 2)) +
+           html_number(decimal(frame_ms(knob, best->ms.p95), 2)) + html_number(screen_text("%.3g", best->error.max)) +
+           html_cell(next == nullptr ? "" : next->to->name) +
+           html_cell(next == nullptr ? "" : screen_text("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) +
+           "</tr>";
+}
+
+}  // namespace
+
+const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms) {
+    const MeasuredLevel* best = nullptr;
+    for (const MeasuredLevel& level : knob.levels)
+        if (frame_ms(knob, level.ms.p95) <= budget_ms && (best == nullptr || level.error.max < best->error.max)) best = &level;
+    return best;
+}
+
+std::string first_screen(const AccuracyReport& report) {
+    const MeasuredKnob* const knob = frame_knob(report);
+    if (knob == nullptr || knob->levels.empty())
+        return html_section("What your frame time buys", "<p>This run did not measure " + std::string(kFrameKnob) +
+                                                             ", the combinations of a picture's settings; add --knob " +
+                                                             kFrameKnob + ".</p>\n");
+    const std::vector<NextLevel> steps = next_levels(*knob);
+    const MeasuredLevel *best = best_frame_within(*knob, kBudgets[kFirstBudget].ms), *quickest = quickest_of(*knob);
+    const MeasuredLevel& shown = best != nullptr ? *best : *quickest;
+    std::string rows;
+    for (const Budget& budget : kBudgets) rows += budget_row(*knob, steps, budget);
+    return "<section id='first'><h2>What your frame time buys</h2>\n<p>" +
+           escaped_html(sentence(*knob, steps, kBudgets[kFirstBudget])) + "</p>\n<div class='facts'>" +
+           html_fact(decimal(frame_ms(*knob, shown.ms.median), 1) + " ms", "a frame, median") +
+           html_fact(screen_text("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
+           html_fact(decimal(frame_ms(*knob, quickest->ms.median), 1) + " ms", "the quickest settings") + "</div>\n" +
+           html_table(
+               "<tr><th>a frame's time</th><th class='n'>ms</th><th>best settings</th><th class='n'>ms</th><th class='n'>95 % "
+               "within</th>"
+               "<th class='n'>greatest error, " +
+                   escaped_html(knob->unit) + "</th><th>next level</th><th></th></tr>",
+               rows) +
+           "</section>\n";
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,52 @@
+/// The pictures of a knob's cheapest level and of its most accurate one, side by side with maps of what differs.
+///
+/// Colour is compared by CIEDE2000 (render_core/design/color_difference.hpp), what a viewer notices by
+/// measure/perceptual_difference.hpp. The maps show nothing where the pictures agree, in dark blue, and the greatest difference
+/// in yellow: a scale that is read without colour vision as well, since it rises in lightness.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/png_file.hpp"
+
+namespace tedavis::host_sim {
+
+/// A picture that belongs to a report: its bytes as PNG, and the name of its file in the report's folder.
+struct ReportPicture {
+    std::string file, png;
+};
+
+struct PictureErrors {
+    double color_mean = 0, color_max = 0;          ///< CIEDE2000
+    double perceived_mean = 0, perceived_max = 0;  ///< FLIP, 0..1
+};
+
+/// Where the cheap level's error is greatest.
+struct PicturePlace {
+    std::string pose;            ///< for people
+    std::string command;         ///< that draws the cheap picture again
+    std::uint32_t x = 0, y = 0;  ///< pixel, from the left and from the top
+};
+
+struct KnobPictures {
+    std::string knob, cheap_level, exact_level;
+    PicturePlace place;
+    PictureErrors errors;
+    ReportPicture cheap, exact, color_map, perceived_map;
+    ReportPicture cheap_crop, exact_crop;  ///< around the place, enlarged
+};
+
+/// Compares both pictures, which have the same size. Throws UserError where they have not.
+[[nodiscard]] KnobPictures compare_pictures(const std::string& knob, const RgbaView& cheap, const RgbaView& exact,
+                                            const PicturePlace& place);
+
+/// Returns a picture of `values`, top row first, from dark blue at 0 to yellow at `full` and above.
+[[nodiscard]] RgbaPicture error_map(const std::vector<double>& values, std::uint32_t width, double full);
+
+/// Returns the square of `side` pixels round a place, each pixel drawn `factor` times as large; it lies within the picture.
+[[nodiscard]] RgbaPicture enlarged_crop(const RgbaView& view, std::uint32_t x, std::uint32_t y, std::uint32_t side,
+                                        std::uint32_t factor);
+
+}  // namespace tedavis::host_sim
