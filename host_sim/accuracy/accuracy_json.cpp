@@ -58,6 +58,28 @@ FittedLaw law_of(const Json& json) {
             json.at("r2"),    json.at("worst_residual"), json.at("reason")};
 }
 
+Json work_json(const MeasuredWork& work) {
+    return {{"thing", work.thing},
+            {"counts", work.counts},
+            {"law", law_json(work.law)},
+            {"law_expected", work.law_expected},
+            {"law_agrees", work.law_agrees},
+            {"fixed_ms", work.fixed_ms},
+            {"ms_per_thousand", work.ms_per_thousand}};
+}
+
+MeasuredWork work_of(const Json& json) {
+    MeasuredWork work;
+    work.thing = json.at("thing");
+    work.counts = json.at("counts").get<std::vector<double>>();
+    work.law = law_of(json.at("law"));
+    work.law_expected = json.at("law_expected");
+    work.law_agrees = json.at("law_agrees");
+    work.fixed_ms = json.at("fixed_ms");
+    work.ms_per_thousand = json.at("ms_per_thousand");
+    return work;
+}
+
 Json knob_json(const MeasuredKnob& knob) {
     Json levels = Json::array();
     for (const MeasuredLevel& level : knob.levels) levels.push_back(level_json(level));
@@ -77,6 +99,7 @@ Json knob_json(const MeasuredKnob& knob) {
             {"time_law", law_json(knob.time_law)},
             {"law_expected", knob.law_expected},
             {"law_agrees", knob.law_agrees},
+            {"work", knob.work ? work_json(*knob.work) : Json()},
             {"levels", std::move(levels)}};
 }
 
@@ -101,6 +124,7 @@ MeasuredKnob knob_of(const Json& json) {
     knob.time_law = law_of(json.at("time_law"));
     knob.law_expected = json.at("law_expected");
     knob.law_agrees = json.at("law_agrees");
+    if (!json.at("work").is_null()) knob.work = work_of(json.at("work"));
     for (const Json& level : json.at("levels")) knob.levels.push_back(level_of(level));
     return knob;
 }
@@ -131,6 +155,95 @@ MeasuringConditions conditions_of(const Json& json) {
     conditions.terrain_identity = json.at("terrain_identity");
     conditions.is_quick = json.at("quick");
     return conditions;
+}
+
+Json flight_json(const FlightErrors& flight) {
+    Json moments = Json::array(), lines = Json::array();
+    for (const MeasuredMoment& moment : flight.moments)
+        moments.push_back({{"time_s", moment.time_s},
+                           {"proven_px", moment.proven_px},
+                           {"measured_px", moment.measured_px},
+                           {"ms", moment.ms},
+                           {"samples", moment.samples},
+                           {"pose", moment.pose}});
+    for (const ToleranceLine& line : flight.lines)
+        lines.push_back({{"asked_px", line.asked_px},
+                         {"proven_px", line.proven_px},
+                         {"measured_px", line.measured_px},
+                         {"samples", line.samples},
+                         {"broken", line.broken}});
+    return {{"flight", flight.flight},
+            {"terrain", flight.terrain},
+            {"asked_px", flight.asked_px},
+            {"moments", std::move(moments)},
+            {"lines", std::move(lines)}};
+}
+
+FlightErrors flight_of(const Json& json) {
+    FlightErrors flight;
+    flight.flight = json.at("flight");
+    flight.terrain = json.at("terrain");
+    flight.asked_px = json.at("asked_px");
+    for (const Json& moment : json.at("moments"))
+        flight.moments.push_back({moment.at("time_s"), moment.at("proven_px"), moment.at("measured_px"), moment.at("ms"),
+                                  moment.at("samples"), moment.at("pose")});
+    for (const Json& line : json.at("lines"))
+        flight.lines.push_back(
+            {line.at("asked_px"), line.at("proven_px"), line.at("measured_px"), line.at("samples"), line.at("broken")});
+    return flight;
+}
+
+Json use_json(const EffectUse& use) {
+    Json reasons = Json::array();
+    for (const UncalledReason& reason : use.reasons) reasons.push_back({{"why", reason.text}, {"frames", reason.frames}});
+    return {{"name", use.name},
+            {"contribution", use.contribution},
+            {"asked", use.asked},
+            {"run", use.run},
+            {"replaced", use.replaced},
+            {"skipped", use.skipped},
+            {"reasons", std::move(reasons)},
+            {"skipped_work", use.skipped_work},
+            {"bound", use.bound},
+            {"saved_ms", use.saved.ms},
+            {"saved_spread_ms", use.saved.spread_ms},
+            {"largest_difference", use.largest_difference},
+            {"worst_pose", use.worst_pose}};
+}
+
+EffectUse use_of(const Json& json) {
+    EffectUse use;
+    use.name = json.at("name");
+    use.contribution = json.at("contribution");
+    use.asked = json.at("asked");
+    use.run = json.at("run");
+    use.replaced = json.at("replaced");
+    use.skipped = json.at("skipped");
+    for (const Json& reason : json.at("reasons")) use.reasons.push_back({reason.at("why"), reason.at("frames")});
+    use.skipped_work = json.at("skipped_work");
+    use.bound = json.at("bound");
+    use.saved = {json.at("saved_ms"), json.at("saved_spread_ms")};
+    use.largest_difference = json.at("largest_difference");
+    use.worst_pose = json.at("worst_pose");
+    return use;
+}
+
+Json uncalled_json(const std::optional<UncalledEffects>& uncalled) {
+    if (!uncalled) return nullptr;
+    Json uses = Json::array();
+    for (const EffectUse& use : uncalled->uses) uses.push_back(use_json(use));
+    return {
+        {"design", uncalled->design}, {"device", uncalled->device}, {"frames", uncalled->frames}, {"effects", std::move(uses)}};
+}
+
+std::optional<UncalledEffects> uncalled_of(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    UncalledEffects uncalled;
+    uncalled.design = json.at("design");
+    uncalled.device = json.at("device");
+    uncalled.frames = json.at("frames");
+    for (const Json& use : json.at("effects")) uncalled.uses.push_back(use_of(use));
+    return uncalled;
 }
 
 Json control_json(const std::optional<NegativeControl>& control) {
@@ -197,6 +310,8 @@ AccuracyReport report_of(const Json& json) {
     report.interrupted = json.at("interrupted");
     for (const Json& knob : json.at("knobs")) report.knobs.push_back(knob_of(knob));
     for (const Json& name : json.at("not_measured")) report.not_measured.push_back(name);
+    for (const Json& flight : json.at("flights")) report.flights.push_back(flight_of(flight));
+    report.uncalled = uncalled_of(json.at("uncalled_effects"));
     report.control = control_of(json.at("negative_control"));
     for (const Json& compared : json.at("comparisons")) report.comparisons.push_back(compared_of(compared));
     return report;
@@ -208,7 +323,8 @@ std::string csv_text(const std::string& text) { return "\"" + text + "\""; }
 }  // namespace
 
 Json accuracy_json(const AccuracyReport& report) {
-    Json knobs = Json::array(), comparisons = Json::array();
+    Json knobs = Json::array(), flights = Json::array(), comparisons = Json::array();
+    for (const FlightErrors& flight : report.flights) flights.push_back(flight_json(flight));
     for (const MeasuredKnob& knob : report.knobs) knobs.push_back(knob_json(knob));
     for (const ComparedReport& compared : report.comparisons) comparisons.push_back(compared_json(compared));
     return {{"schema", kAccuracySchema},
@@ -216,6 +332,8 @@ Json accuracy_json(const AccuracyReport& report) {
             {"interrupted", report.interrupted},
             {"knobs", std::move(knobs)},
             {"not_measured", report.not_measured},
+            {"flights", std::move(flights)},
+            {"uncalled_effects", uncalled_json(report.uncalled)},
             {"negative_control", control_json(report.control)},
             {"comparisons", std::move(comparisons)}};
 }

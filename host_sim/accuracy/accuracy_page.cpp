@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "host_sim/accuracy/compare_accuracy.hpp"
+#include "host_sim/accuracy/effects_chapter.hpp"
 #include "host_sim/accuracy/first_screen.hpp"
+#include "host_sim/accuracy/flight_errors_chapter.hpp"
 #include "host_sim/accuracy/next_level.hpp"
 #include "host_sim/accuracy/work_precision_chart.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
@@ -84,6 +86,21 @@ std::string law_words(const char* what, const FittedLaw& law) {
                        law.worst_residual);
 }
 
+std::string work_words(const MeasuredKnob& knob) {
+    if (!knob.work) return "";
+    const MeasuredWork& work = *knob.work;
+    std::string counts;
+    for (const double count : work.counts) counts += (counts.empty() ? "" : ", ") + decimal(count, 0);
+    return "<p>" +
+           escaped_html(
+               "The levels have, in the mean of a sample, " + counts + " " + work.thing + ". " +
+               law_words(work.thing.c_str(), work.law) + "Expected: " + work.law_expected +
+               (work.law_agrees ? "; the measurement agrees. " : "; the measurement differs. ") +
+               figure_text("A sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
+               work.thing + ".") +
+           "</p>\n";
+}
+
 std::string worst_words(const MeasuredKnob& knob) {
     const auto worst = std::max_element(knob.levels.begin(), knob.levels.end(),
                                         [](const auto& a, const auto& b) { return a.error.max < b.error.max; });
@@ -113,7 +130,7 @@ std::string knob_section(const MeasuredKnob& knob) {
                              "</p>\n";
     return "<section class='knob' id='" + escaped_html(knob.name) + "'><h2>" + escaped_html(knob.title) + " <code>" +
            escaped_html(knob.name) + "</code></h2>\n" + facts + work_precision_svg(knob) + level_table(knob) + laws +
-           next_table(knob) + "</section>\n";
+           work_words(knob) + next_table(knob) + "</section>\n";
 }
 
 /// A line a knob: its cheapest and its most accurate level that are worth their time.
@@ -177,6 +194,16 @@ std::string not_measured_section(const AccuracyReport& report) {
     return html_section("Not measured", "<p>" + escaped_html(names) + ". The same command goes on with them.</p>\n");
 }
 
+std::string flights_section(const AccuracyReport& report) {
+    if (report.flights.empty()) return "";
+    return html_section("The terrain's error: asked for, proven, measured", flight_errors_chapter(report.flights));
+}
+
+std::string effects_section(const AccuracyReport& report) {
+    if (!report.uncalled) return "";
+    return html_section("What the scene did not call for", effects_chapter(*report.uncalled));
+}
+
 std::string control_section(const AccuracyReport& report) {
     if (!report.control) return "";
     return html_section("A level that is wrong on purpose",
@@ -199,7 +226,8 @@ std::string accuracy_page(const AccuracyReport& report) {
         first_screen(report) + summary_words(report) +
         html_section("From the quickest to the most accurate", summary_table(report));
     for (const MeasuredKnob& knob : report.knobs) page += knob_section(knob);
-    return page + comparison_section(report) + control_section(report) + not_measured_section(report) +
+    return page + flights_section(report) + effects_section(report) + comparison_section(report) + control_section(report) +
+           not_measured_section(report) +
            "</main>\n<footer><p>Charts: a disc is a level that is worth its time, a cross one that another level beats, a square "
            "on "
            "the lower border one without an error. The bar is the 5th to the 95th percentile of the times, the dashed line "

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "host_sim/accuracy/compare_accuracy.hpp"
+#include "host_sim/accuracy/effects_chapter.hpp"
+#include "host_sim/accuracy/flight_errors_chapter.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -29,6 +31,13 @@ std::string law_text(const char* what, const FittedLaw& law) {
                    law.worst_residual);
 }
 
+std::string work_text(const MeasuredWork& work) {
+    return law_text(work.thing.c_str(), work.law) + "\n  expected: " + work.law_expected +
+           (work.law_agrees ? ": agrees" : ": differs") +
+           printed("\n  a sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
+           work.thing;
+}
+
 std::string knob_text(const MeasuredKnob& knob) {
     std::string text = "\n\n" + knob.name + ": " + knob.title + "\n  error: " + knob.metric + ", " + knob.unit + "; against " +
                        knob.reference + printed(" (itself within %.2g)", knob.reference_bound) +
@@ -39,6 +48,7 @@ std::string knob_text(const MeasuredKnob& knob) {
     for (const MeasuredLevel& level : knob.levels) text += level_line(level);
     text += law_text("error", knob.error_law) + law_text("time", knob.time_law);
     if (!knob.law_expected.empty()) text += "\n  expected: " + knob.law_expected + (knob.law_agrees ? ": agrees" : ": differs");
+    if (knob.work) text += work_text(*knob.work);
     return text;
 }
 
@@ -56,6 +66,8 @@ std::string accuracy_text(const AccuracyReport& report) {
                        std::to_string(on.processors) + printed(", load %.1f", on.load) + ", " + on.terrain;
     for (const MeasuredKnob& knob : report.knobs) text += knob_text(knob);
     for (const std::string& name : report.not_measured) text += "\n\n" + name + ": not measured";
+    text += flight_errors_text(report.flights);
+    if (report.uncalled) text += uncalled_text(*report.uncalled);
     if (report.control) text += "\n\n" + control_text(*report.control);
     for (const ComparedReport& compared : report.comparisons) text += comparison_text(compared);
     return text;

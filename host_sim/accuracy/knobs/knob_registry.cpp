@@ -5,13 +5,18 @@
 
 #include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
 #include "host_sim/accuracy/knobs/color_classes_knob.hpp"
+#include "host_sim/accuracy/knobs/effect_knobs.hpp"
 #include "host_sim/accuracy/knobs/isosurface_knob.hpp"
+#include "host_sim/accuracy/knobs/label_places_knob.hpp"
+#include "host_sim/accuracy/knobs/output_knobs.hpp"
 #include "host_sim/accuracy/knobs/own_ship_knob.hpp"
 #include "host_sim/accuracy/knobs/perception_knobs.hpp"
 #include "host_sim/accuracy/knobs/picture_knobs.hpp"
+#include "host_sim/accuracy/knobs/quality_level_knob.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
+#include "host_sim/accuracy/knobs/terrain_tau_knob.hpp"
 #include "host_sim/accuracy/knobs/tube_knobs.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -54,6 +59,15 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"saliency_start", make_saliency_start_knob},
         {"edge_size", make_edge_size_knob},
         {"own_ship_filter", make_own_ship_filter_knob},
+        {"terrain_tau", make_terrain_tau_knob},
+        {"quality_level", make_quality_level_knob},
+        {"shadow_map", make_shadow_map_knob},
+        {"picture_size", make_picture_size_knob},
+        {"output_rate", make_output_rate_knob},
+        {"map_pages", make_map_pages_knob},
+        {"label_places", make_label_places_knob},
+        {"focus_levels", make_focus_levels_knob},
+        {"shaft_steps", make_shaft_steps_knob},
     };
     return kKnobs;
 }
@@ -73,6 +87,7 @@ std::vector<RegisteredKnob> chosen_knobs(const std::vector<std::string>& names) 
 
 std::string fault_of(const KnobFacts& facts) {
     if (const char* const what = empty_statement(facts)) return std::string("its ") + what + " is empty";
+    if (facts.work && facts.work->thing.text().empty()) return "its work is empty";
     if (facts.levels.size() < 2) return "it has fewer than two levels";
     if (!(facts.reference.error_bound() >= 0)) return "its reference has no bound";
     std::set<std::string> names;

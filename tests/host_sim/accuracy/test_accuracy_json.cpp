@@ -15,6 +15,21 @@ AccuracyReport made_report() {
     AccuracyReport report = test_support::made_report();
     report.not_measured = {"another"};
     report.interrupted = true;
+    FlightErrors flight;
+    flight.flight = "a flight";
+    flight.terrain = "alps.tdb";
+    flight.asked_px = 1;
+    flight.moments = {{10, 0.9, 0.5, 12, 100, "36,-84,1000,0,0,0"}};
+    flight.lines = {{4, 3.5, 2.1, 600, 2}};
+    report.flights = {flight};
+    EffectUse use;
+    use.name = "haze";
+    use.contribution = "color";
+    use.asked = use.skipped = 3;
+    use.reasons = {{"nothing near", 3}};
+    use.largest_difference = 1;
+    use.worst_pose = "36,-84,1000,0,0,0";
+    report.uncalled = UncalledEffects{"default", "es3-mid", 3, {use}};
     report.control = NegativeControl{"steps", "m", "bad", "good", "here", 1e-9, {3, 4, 5, 6, 7}, {1, 1, 1, 1, 7}, true};
     report.comparisons = {
         {"old.json", "a processor", "a date", "1.0", true, {{"made", "4 steps", 1, 2, 3, 4, true, false}}, {"gone"}}};
