@@ -18,6 +18,7 @@ MeasuredKnob described(const KnobFacts& facts) {
     measured.reference_bound = facts.reference.error_bound();
     measured.second_oracle = facts.second_oracle.text();
     measured.never_trades = facts.never_trades.text();
+    if (facts.only_level) measured.only_level = facts.only_level->text();
     return measured;
 }
 
@@ -26,6 +27,7 @@ MeasuredLevel errors_of(Knob& knob, std::size_t number) {
     MeasuredLevel measured;
     measured.name = level.name.text();
     measured.amount = level.amount;
+    measured.is_offered = number == 0 || !knob.facts().only_level;
     std::vector<double> all, errors;
     double worst = -1;
     for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
