@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "host_sim/accuracy/knobs/air_knob.hpp"
 #include "host_sim/accuracy/knobs/attitude_knob.hpp"
 #include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
 #include "host_sim/accuracy/knobs/cell_cut_knob.hpp"
@@ -59,6 +60,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"saliency_start", make_saliency_start_knob},
         {"edge_size", make_edge_size_knob},
         {"own_ship_filter", make_own_ship_filter_knob},
+        {"air_steps", make_air_steps_knob},
         {"surface_distance", make_surface_distance_knob},
         {"attitude_between", make_attitude_between_knob},
         {"vertex_precision", make_vertex_precision_knob},
