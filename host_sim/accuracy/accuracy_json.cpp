@@ -26,7 +26,8 @@ Json level_json(const MeasuredLevel& level) {
             {"build_ms", level.build_ms},
             {"worst", level.worst_place},
             {"dominated", level.is_dominated},
-            {"near_reference", level.is_near_reference}};
+            {"near_reference", level.is_near_reference},
+            {"offered", level.is_offered}};
 }
 
 MeasuredLevel level_of(const Json& json) {
@@ -41,6 +42,7 @@ MeasuredLevel level_of(const Json& json) {
     level.worst_place = json.at("worst");
     level.is_dominated = json.at("dominated");
     level.is_near_reference = json.at("near_reference");
+    level.is_offered = json.at("offered");
     return level;
 }
 
@@ -94,6 +96,7 @@ Json knob_json(const MeasuredKnob& knob) {
             {"never_trades", knob.never_trades},
             {"rounds", knob.rounds},
             {"samples", knob.samples},
+            {"only_level", knob.only_level},
             {"noise", knob.noise},
             {"error_law", law_json(knob.error_law)},
             {"time_law", law_json(knob.time_law)},
@@ -119,6 +122,7 @@ MeasuredKnob knob_of(const Json& json) {
     knob.never_trades = json.at("never_trades");
     knob.rounds = json.at("rounds");
     knob.samples = json.at("samples");
+    knob.only_level = json.at("only_level");
     knob.noise = json.at("noise");
     knob.error_law = law_of(json.at("error_law"));
     knob.time_law = law_of(json.at("time_law"));
@@ -355,7 +359,8 @@ AccuracyReport read_accuracy(const std::string& text, const std::string& name) {
 
 std::string accuracy_csv(const AccuracyReport& report) {
     std::string csv =
-        "knob,level,amount,ms_median,ms_p5,ms_p95,unit,error_mean,error_p95,error_p99,error_max,bytes,build_ms,dominated\n";
+        "knob,level,amount,ms_median,ms_p5,ms_p95,unit,error_mean,error_p95,error_p99,error_max,bytes,build_ms,dominated,"
+        "offered\n";
     char numbers[256];
     for (const MeasuredKnob& knob : report.knobs)
         for (const MeasuredLevel& level : knob.levels) {
@@ -363,9 +368,9 @@ std::string accuracy_csv(const AccuracyReport& report) {
             std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g,%.9g,%.9g,", level.amount, level.ms.median, level.ms.p5,
                           level.ms.p95);
             csv += numbers + csv_text(knob.unit);
-            std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g,%.9g,%.9g,%llu,%.9g,%d\n", level.error.mean, level.error.p95,
+            std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g,%.9g,%.9g,%llu,%.9g,%d,%d\n", level.error.mean, level.error.p95,
                           level.error.p99, level.error.max, static_cast<unsigned long long>(level.bytes), level.build_ms,
-                          level.is_dominated ? 1 : 0);
+                          level.is_dominated ? 1 : 0, level.is_offered ? 1 : 0);
             csv += numbers;
         }
     return csv;

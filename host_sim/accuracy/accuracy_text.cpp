@@ -19,7 +19,10 @@ std::string printed(const char* format, Values... values) {
 }
 
 std::string level_line(const MeasuredLevel& level) {
-    const char* const remark = level.is_dominated ? "  dominated" : level.is_near_reference ? "  at the reference" : "";
+    const char* const remark = !level.is_offered         ? "  not offered"
+                               : level.is_dominated      ? "  dominated"
+                               : level.is_near_reference ? "  at the reference"
+                                                         : "";
     return printed("\n  %-24s %10.3f %10.3f %10.3f  %10.3g %10.3g %10.3g %10llu%s", level.name.c_str(), level.ms.median,
                    level.ms.p5, level.ms.p95, level.error.mean, level.error.p99, level.error.max,
                    static_cast<unsigned long long>(level.bytes), remark);
@@ -46,6 +49,7 @@ std::string knob_text(const MeasuredKnob& knob) {
                        printed("\n  %-24s %10s %10s %10s  %10s %10s %10s %10s", "level", "ms median", "p5", "p95", "mean", "p99",
                                "max", "bytes");
     for (const MeasuredLevel& level : knob.levels) text += level_line(level);
+    if (knob.has_one_level()) return text + "\n  one level: " + knob.only_level;
     text += law_text("error", knob.error_law) + law_text("time", knob.time_law);
     if (!knob.law_expected.empty()) text += "\n  expected: " + knob.law_expected + (knob.law_agrees ? ": agrees" : ": differs");
     if (knob.work) text += work_text(*knob.work);

@@ -19,6 +19,7 @@ MeasuredKnob described(const KnobFacts& facts) {
     measured.second_oracle = facts.second_oracle.text();
     measured.never_trades = facts.never_trades.text();
     if (facts.work) measured.work.emplace().thing = facts.work->thing.text();
+    if (facts.only_level) measured.only_level = facts.only_level->text();
     return measured;
 }
 
@@ -75,6 +76,7 @@ MeasuredLevel level_errors(Knob& knob, std::size_t number) {
     MeasuredLevel measured;
     measured.name = level.name.text();
     measured.amount = level.amount;
+    measured.is_offered = number == 0 || !knob.facts().only_level;
     std::vector<double> all, errors;
     double worst = -1;
     for (std::size_t sample = 0; sample < knob.samples(); ++sample) {

@@ -54,11 +54,13 @@ void judge(const KnobFacts& facts, MeasuredKnob& knob) {
     std::vector<LawPoint> errors, times;
     for (MeasuredLevel& level : knob.levels) {
         level.is_dominated = false;
-        for (const MeasuredLevel& other : knob.levels) level.is_dominated = level.is_dominated || dominates(knob, other, level);
         level.is_near_reference = level.error.max < kReferenceShare * knob.reference_bound;
+        if (knob.has_one_level()) continue;
+        for (const MeasuredLevel& other : knob.levels) level.is_dominated = level.is_dominated || dominates(knob, other, level);
         if (!level.is_near_reference) errors.push_back({level.amount, level.error.mean});
         times.push_back({level.amount, level.ms.median});
     }
+    if (knob.has_one_level()) return;
     knob.error_law = fit_law(errors);
     knob.time_law = fit_law(times);
     if (knob.work) judge_work(facts, knob);
@@ -70,14 +72,16 @@ void judge(const KnobFacts& facts, MeasuredKnob& knob) {
 const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (level.ms.median <= budget_ms && (best == nullptr || level.error.max < best->error.max)) best = &level;
+        if (level.is_offered && level.ms.median <= budget_ms && (best == nullptr || level.error.max < best->error.max))
+            best = &level;
     return best;
 }
 
 const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (level.error.max <= target_error && (best == nullptr || level.ms.median < best->ms.median)) best = &level;
+        if (level.is_offered && level.error.max <= target_error && (best == nullptr || level.ms.median < best->ms.median))
+            best = &level;
     return best;
 }
 

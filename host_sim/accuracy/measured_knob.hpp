@@ -21,6 +21,7 @@ struct MeasuredLevel {
     std::string worst_place;         ///< where the greatest error is
     bool is_dominated = false;       ///< another level is more accurate and no slower, or as accurate and quicker
     bool is_near_reference = false;  ///< its greatest error is less than ten times the reference's own bound
+    bool is_offered = true;          ///< by the product; false: an alternative to its only level
 };
 
 /// What the levels work through.
@@ -41,21 +42,24 @@ struct MeasuredKnob {
     /// The greatest ratio of two medians of the same level, from the odd rounds and the even ones, less 1.
     double noise = 0;
     std::vector<MeasuredLevel> levels;  ///< as the knob has them
+    std::string only_level;             ///< why the product offers one level, the first; empty: it offers all
     FittedLaw error_law, time_law;      ///< over the amount: mean error, median time
     std::string law_expected;           ///< in words; empty: none is known
     bool law_agrees = false;            ///< with what is expected
     std::optional<MeasuredWork> work;
+
+    [[nodiscard]] bool has_one_level() const { return !only_level.empty(); }
 };
 
 /// True where the noise does not hide which of both is quicker.
 [[nodiscard]] bool is_quicker(const MeasuredKnob& knob, const MeasuredLevel& a, const MeasuredLevel& b);
 
-/// Fills in what follows from times and errors: dominated levels and laws.
+/// Fills in what follows from times and errors: dominated levels and laws. A knob with one level has neither.
 void judge(const KnobFacts& facts, MeasuredKnob& knob);
 
-/// The most accurate level whose median time keeps to the budget; null where none does.
+/// The most accurate level on offer whose median time keeps to the budget; null where none does.
 [[nodiscard]] const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms);
-/// The quickest level whose greatest error keeps to the target; null where none does.
+/// The quickest level on offer whose greatest error keeps to the target; null where none does.
 [[nodiscard]] const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error);
 
 }  // namespace tedavis::host_sim

@@ -2,6 +2,9 @@
 ///
 /// Everything that a reader of the report needs to believe a figure is a member that has no default, so a knob that does not
 /// state it does not compile; a test with fault_of() (knob_registry.hpp) refuses what is stated but empty or not credible.
+///
+/// Some settings have one level only. They are knobs too, so that the report shows what this level's error is, and what the
+/// alternatives would cost: the first level is the product's, the others are alternatives that it does not offer.
 #pragma once
 
 #include <cstddef>
@@ -66,7 +69,9 @@ struct KnobFacts {
     Statement never_trades;          ///< what stays as it is at every level
     Statement amount;                ///< what KnobLevel::amount counts
     std::optional<ExpectedLaw> law;  ///< nothing: none is known
-    std::vector<KnobLevel> levels;   ///< the cheapest first
+    std::vector<KnobLevel> levels;   ///< the cheapest first; where `only_level` is stated, the product's first
+    /// Why the product offers the first level and none of the others; nothing: it offers all.
+    std::optional<Statement> only_level = std::nullopt;
     std::optional<KnobWork> work = std::nullopt;
 };
 

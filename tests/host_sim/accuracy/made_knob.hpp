@@ -31,6 +31,7 @@ inline host_sim::KnobFacts made_facts(std::vector<host_sim::KnobLevel> levels) {
 class MadeKnob final : public host_sim::Knob {
 public:
     explicit MadeKnob(std::size_t levels) : Knob(made_facts(levels_of(levels))) {}
+    explicit MadeKnob(host_sim::KnobFacts facts) : Knob(std::move(facts)) {}
 
     [[nodiscard]] std::size_t samples() const override { return 3; }
     void prepare(std::size_t, std::size_t) override { now_ms += preparation_ms; }
@@ -66,6 +67,22 @@ private:
         return levels;
     }
 };
+
+/// Levels of which the product has the first only.
+inline host_sim::KnobFacts made_facts_of_one_level(std::vector<host_sim::KnobLevel> levels) {
+    host_sim::KnobFacts facts = made_facts(std::move(levels));
+    facts.name = "alone";
+    facts.title = "A made-up setting with one level";
+    facts.law = std::nullopt;
+    facts.only_level = "one is enough";
+    return facts;
+}
+
+/// Of a knob whose alternatives are more accurate and slower.
+inline host_sim::MeasuredKnob made_knob_of_one_level() {
+    MadeKnob knob(made_facts_of_one_level({{"ours", 0}, {"finer", 0}, {"finest", 0}}));
+    return host_sim::measure_knob(knob, knob.plan(7));
+}
 
 /// Of one made-up knob, measured quickly and whole.
 inline host_sim::AccuracyReport made_report() {

@@ -13,6 +13,7 @@ namespace {
 
 AccuracyReport made_report() {
     AccuracyReport report = test_support::made_report();
+    report.knobs.push_back(test_support::made_knob_of_one_level());
     report.not_measured = {"another"};
     report.interrupted = true;
     FlightErrors flight;
@@ -41,6 +42,10 @@ TEST(AccuracyJson, IsReadAsItWasWritten) {
     EXPECT_EQ(accuracy_json(read_accuracy(json.dump(), "x.json")), json);
     EXPECT_EQ(json.at("knobs")[0].at("levels")[2].at("error").at("max"), 0.25);
     EXPECT_EQ(json.at("knobs")[0].at("reference").at("bound"), 1e-9);
+    EXPECT_EQ(json.at("knobs")[0].at("only_level"), "");
+    EXPECT_EQ(json.at("knobs")[1].at("only_level"), "one is enough");
+    EXPECT_EQ(json.at("knobs")[1].at("levels")[0].at("offered"), true);
+    EXPECT_EQ(json.at("knobs")[1].at("levels")[1].at("offered"), false);
     EXPECT_EQ(json.at("not_measured"), (std::vector<std::string>{"another"}));
 }
 
@@ -59,10 +64,10 @@ TEST(AccuracyJson, RefusesWhatItCannotRead) {
 
 TEST(AccuracyCsv, HasALineForEveryLevel) {
     const std::string csv = accuracy_csv(made_report());
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
     EXPECT_THAT(csv, ::testing::HasSubstr("\nmade,\"4 steps\",4,12,12,12,\"m\","));
     const std::size_t head = static_cast<std::size_t>(std::count(csv.begin(), std::find(csv.begin(), csv.end(), '\n'), ','));
-    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ',')), 6 * head) << "as many cells in every line";
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ',')), 9 * head) << "as many cells in every line";
 }
 
 }  // namespace

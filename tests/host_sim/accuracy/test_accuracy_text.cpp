@@ -22,6 +22,17 @@ TEST(AccuracyText, HasATableAndTheLaws) {
     EXPECT_THAT(text, HasSubstr("made up): agrees"));
 }
 
+TEST(AccuracyText, SaysWhyASettingHasOneLevelAndChoosesNoAlternative) {
+    AccuracyReport report = made_report();
+    report.knobs = {test_support::made_knob_of_one_level()};
+    const std::string text = accuracy_text(report);
+    EXPECT_THAT(text, HasSubstr("one level: one is enough"));
+    EXPECT_THAT(text, HasSubstr("not offered"));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("amount^")));
+    EXPECT_THAT(budget_text(report, 100), HasSubstr("alone: ours (3.000 ms"));
+    EXPECT_THAT(target_text(report, 0.3, "m", "--target-error 0.3m"), HasSubstr("no level keeps to it"));
+}
+
 TEST(AccuracyText, AnswersByBudget) {
     const AccuracyReport report = made_report();
     EXPECT_THAT(budget_text(report, 13), HasSubstr("made: 4 steps (12.000 ms, at most 0.25 m)"));

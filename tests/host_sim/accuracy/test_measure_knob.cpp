@@ -48,6 +48,15 @@ TEST(MeasureKnob, DoesNotTimeWhatIsPrepared) {
     EXPECT_GT(knob.now_ms, 8 * 3 * 3 * 50) << "control: it was prepared";
 }
 
+TEST(MeasureKnob, MeasuresOneLevelAlone) {
+    MadeKnob knob(test_support::made_facts_of_one_level({{"ours", 0}}));
+    const MeasuredKnob measured = measure_knob(knob, knob.plan(6));
+    ASSERT_EQ(measured.levels.size(), 1u);
+    EXPECT_TRUE(measured.levels[0].is_offered && measured.has_one_level());
+    EXPECT_DOUBLE_EQ(measured.levels[0].ms.median, 3);
+    EXPECT_DOUBLE_EQ(measured.noise, 0);
+}
+
 TEST(MeasureKnob, TakesLevelsInTurnsThatChange) {
     MadeKnob knob(4);
     static_cast<void>(measure_knob(knob, knob.plan(8)));

@@ -47,6 +47,19 @@ TEST(KnobRegistry, RefusesWhatIsNotCredible) {
     EXPECT_EQ(facts([](KnobFacts& f) { f.reference = {"the truth", -1, "unknown"}; }), "its reference has no bound");
 }
 
+TEST(KnobRegistry, OneLevelIsEnoughWhereTheKnobSaysWhy) {
+    const auto fault = [](auto change) {
+        KnobFacts made = test_support::made_facts_of_one_level({{"ours", 0}});
+        change(made);
+        return fault_of(made);
+    };
+    EXPECT_EQ(fault([](KnobFacts&) {}), "");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.only_level = std::nullopt; }), "it has fewer than two levels");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.only_level = ""; }), "its reason for one level is empty");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.levels.clear(); }), "it has no level");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.law = ExpectedLaw{-1, 0.1, "made up"}; }), "it has one level and expects a law");
+}
+
 TEST(KnobRegistry, ChoosesByNameInItsOwnOrder) {
     EXPECT_EQ(chosen_knobs({}).size(), knob_registry().size());
     const auto chosen = chosen_knobs({"smooth_surface", "ray_steps"});
