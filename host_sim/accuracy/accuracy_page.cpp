@@ -8,6 +8,7 @@
 #include "host_sim/accuracy/first_screen.hpp"
 #include "host_sim/accuracy/flight_errors_chapter.hpp"
 #include "host_sim/accuracy/next_level.hpp"
+#include "host_sim/accuracy/picture_section.hpp"
 #include "host_sim/accuracy/work_precision_chart.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
 #include "host_sim/evaluation/report_look.hpp"
@@ -109,7 +110,7 @@ std::string worst_words(const MeasuredKnob& knob) {
                                         [](const auto& a, const auto& b) { return a.error.max < b.error.max; });
     if (worst == knob.levels.end() || worst->error.max <= 0) return "";
     return "The greatest error, " + significant(worst->error.max) + " " + knob.unit + ", is that of " + worst->name + " at " +
-           worst->worst_place + ". ";
+           worst->worst_place + " (again: " + worst->worst_command + "). ";
 }
 
 /// What follows from the table: laws and the next level, or why there is one level only.
@@ -124,7 +125,7 @@ std::string conclusions(const MeasuredKnob& knob) {
     return "<p>" +
            escaped_html("The amount is " + knob.amount + ". " + law_words("Error", knob.error_law) +
                         law_words("Time", knob.time_law) + expected + worst_words(knob)) +
-           "</p>\n" + next_table(knob);
+           "</p>\n" + work_words(knob) + next_table(knob);
 }
 
 std::string knob_section(const MeasuredKnob& knob) {
@@ -140,7 +141,7 @@ std::string knob_section(const MeasuredKnob& knob) {
         "</p>\n";
     return "<section class='knob' id='" + escaped_html(knob.name) + "'><h2>" + escaped_html(knob.title) + " <code>" +
            escaped_html(knob.name) + "</code></h2>\n" + facts + work_precision_svg(knob) + level_table(knob) + conclusions(knob) +
-           "</section>\n";
+           (knob.pictures ? picture_section(*knob.pictures) : "") + "</section>\n";
 }
 
 /// A line a knob: its cheapest and its most accurate level that are worth their time.
@@ -255,8 +256,8 @@ std::string accuracy_page(const AccuracyReport& report) {
     std::string page =
         "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
         "content='width=device-width,initial-scale=1'><title>What accuracy costs in time</title><style>" +
-        std::string(kReportStyle) + kAccuracyStyle + "</style></head><body>\n" + page_header(report) + "<main>\n" +
-        first_screen(report) + summary_words(report) +
+        std::string(kReportStyle) + kAccuracyStyle + picture_style() + "</style></head><body>\n" + page_header(report) +
+        "<main>\n" + first_screen(report) + summary_words(report) +
         html_section("From the quickest to the most accurate", summary_table(report)) + one_level_section(report);
     for (const MeasuredKnob& knob : report.knobs) page += knob_section(knob);
     return page + flights_section(report) + effects_section(report) + comparison_section(report) + control_section(report) +

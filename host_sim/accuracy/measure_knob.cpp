@@ -69,6 +69,24 @@ double noise_of(const RoundTimes& times) {
     return noise;
 }
 
+/// Of the first level and of the most accurate one, where the first is worst; nothing for a knob that draws none.
+std::optional<KnobPictures> pictures_of(Knob& knob, const std::vector<MeasuredLevel>& levels) {
+    const MeasuredLevel& cheap = levels.front();
+    const auto exact =
+        std::min_element(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.error.mean < b.error.mean; });
+    if (!cheap.worst_pixel || exact == levels.begin()) return std::nullopt;
+    const std::optional<RgbaPicture> first = knob.picture(0, cheap.worst_sample);
+    if (!first) return std::nullopt;
+    const std::optional<RgbaPicture> last = knob.picture(static_cast<std::size_t>(exact - levels.begin()), cheap.worst_sample);
+    if (!last || first->width != last->width || first->height != last->height) return std::nullopt;
+    KnobPictures pictures =
+        compare_pictures(knob.facts().name.text(), view_of(*first), view_of(*last),
+                         {cheap.worst_place, cheap.worst_command, cheap.worst_pixel->x, cheap.worst_pixel->y});
+    pictures.cheap_level = cheap.name;
+    pictures.exact_level = exact->name;
+    return pictures;
+}
+
 }  // namespace
 
 MeasuredLevel level_errors(Knob& knob, std::size_t number) {
@@ -85,7 +103,11 @@ MeasuredLevel level_errors(Knob& knob, std::size_t number) {
         const auto greatest = std::max_element(errors.begin(), errors.end());
         if (greatest != errors.end() && *greatest > worst) {
             worst = *greatest;
-            measured.worst_place = knob.place_of(sample, static_cast<std::size_t>(greatest - errors.begin()));
+            const auto error = static_cast<std::size_t>(greatest - errors.begin());
+            measured.worst_place = knob.place_of(sample, error);
+            measured.worst_command = knob.command(number, sample);
+            measured.worst_sample = sample;
+            measured.worst_pixel = knob.pixel_of(sample, error);
         }
         all.insert(all.end(), errors.begin(), errors.end());
     }
@@ -107,6 +129,7 @@ MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
     for (std::size_t level = 0; level < times.size(); ++level) measured.levels[level].ms = spread_of(times[level]);
     measured.rounds = times.empty() ? 0 : times.front().size();
     measured.noise = noise_of(times);
+    measured.pictures = pictures_of(knob, measured.levels);
     judge(knob.facts(), measured);
     return measured;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/knob_pictures.hpp"
 #include "host_sim/accuracy/knobs/knob.hpp"
 #include "host_sim/accuracy/statistics.hpp"
 
@@ -18,10 +19,13 @@ struct MeasuredLevel {
     ErrorDistribution error;  ///< in the metric's unit
     std::uint64_t bytes = 0;
     double build_ms = 0;
-    std::string worst_place;         ///< where the greatest error is
-    bool is_dominated = false;       ///< another level is more accurate and no slower, or as accurate and quicker
-    bool is_near_reference = false;  ///< its greatest error is less than ten times the reference's own bound
-    bool is_offered = true;          ///< by the product; false: an alternative to its only level
+    std::string worst_place;    ///< where the greatest error is
+    std::string worst_command;  ///< that gives it again
+    std::size_t worst_sample = 0;
+    std::optional<KnobPixel> worst_pixel;  ///< of knobs that draw pictures
+    bool is_dominated = false;             ///< another level is more accurate and no slower, or as accurate and quicker
+    bool is_near_reference = false;        ///< its greatest error is less than ten times the reference's own bound
+    bool is_offered = true;                ///< by the product; false: an alternative to its only level
 };
 
 /// What the levels work through.
@@ -47,6 +51,7 @@ struct MeasuredKnob {
     std::string law_expected;           ///< in words; empty: none is known
     bool law_agrees = false;            ///< with what is expected
     std::optional<MeasuredWork> work;
+    std::optional<KnobPictures> pictures;
 
     [[nodiscard]] bool has_one_level() const { return !only_level.empty(); }
 };

@@ -20,7 +20,6 @@
 #include "host_sim/new_folder.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/index_key.hpp"
-#include "host_sim/temporary_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 
@@ -30,6 +29,7 @@ namespace {
 constexpr const char* kJsonName = "/accuracy.json";
 constexpr const char* kCsvName = "/accuracy.csv";
 constexpr const char* kPageName = "/report.html";
+constexpr const char* kPictureFolder = "/pictures/";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
 constexpr std::size_t kMoments = 120, kLinePoses = 60, kQuickEffectPoses = 3;
 constexpr double kKnob_s = 120, kQuickKnob_s = 8;  ///< for the rounds of a knob
@@ -47,11 +47,22 @@ std::string command_of(const AccuracyOptions& options) {
     return command;
 }
 
+/// Calls `use(picture)` for each picture of the report.
+template <class Report, class Use>
+void for_each_picture(Report& report, const Use& use) {
+    for (auto& knob : report.knobs)
+        if (knob.pictures)
+            for (auto* const picture : {&knob.pictures->cheap, &knob.pictures->exact, &knob.pictures->color_map,
+                                        &knob.pictures->perceived_map, &knob.pictures->cheap_crop, &knob.pictures->exact_crop})
+                use(*picture);
+}
+
 /// What an earlier run has left in the folder, with its conditions; without one a report of nothing.
 AccuracyReport begun_report(const std::string& folder, const MeasuringConditions& now) {
     const std::string path = folder + kJsonName;
     AccuracyReport earlier;
     if (std::filesystem::exists(path)) earlier = read_accuracy(read_file(path), path);
+    for_each_picture(earlier, [&](ReportPicture& picture) { picture.png = read_file(folder + kPictureFolder + picture.file); });
     earlier.interrupted = false;
     if (earlier.knobs.empty()) earlier.conditions = now;
     if (!are_of_one_kind(earlier.conditions, now))
@@ -68,6 +79,10 @@ const MeasuredKnob* knob_of(const AccuracyReport& report, const std::string& nam
 }
 
 void write_report(const AccuracyReport& report, const std::string& folder) {
+    std::filesystem::create_directories(folder + kPictureFolder);
+    for_each_picture(report, [&](const ReportPicture& picture) {
+        write_file_atomically(folder + kPictureFolder + picture.file, {picture.png.data(), picture.png.size()});
+    });
     AtomicFile json(folder + kJsonName), csv(folder + kCsvName), page(folder + kPageName);
     json.stream() << json_text(accuracy_json(report), 1) << "\n";
     csv.stream() << accuracy_csv(report);
@@ -222,15 +237,14 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
     const auto earlier = earlier_reports(options.compare);
     const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
-    const TemporaryFolder temporary;
+    NewFolder folder(options.output);
     const std::unique_ptr<base::Workers> workers = trace_workers(0);
-    const TracedGround ground(database_of({options.terrain, ""}, temporary.path(), console), *workers);
+    const TracedGround ground(database_of({options.terrain, ""}, options.output, console), *workers);
     const MeasuredTerrain terrain = {name, terrain_identity(&ground.database())};
     const MeasuringConditions now = conditions_now(command_of(options), renderer(), terrain, options.is_quick);
     AccuracyReport report = begun_report(options.output, now);
     const ComparisonLimits limits = {options.slower_percent / 100, options.less_accurate_percent / 100};
     for (const auto& [file, old] : earlier) static_cast<void>(compare_accuracy(report, old, file, limits));  // of one kind?
-    NewFolder folder(options.output);
     AccuracyRun run(options, console);
     bool is_whole = run.measure(knobs, {ground, options.is_quick}, report);
     list_unmeasured(knobs, report);

@@ -174,8 +174,8 @@ private:
 }  // namespace
 
 glm::dmat3 axes_by_long_slerp(const Attitude& from, const Attitude& to, double share) {
-    using Long = Turn<long double>;
-    return slerp_between(Long::of(from), Long::of(to), static_cast<long double>(share)).axes();
+    using LongTurn = Turn<long double>;
+    return slerp_between(LongTurn::of(from), LongTurn::of(to), static_cast<long double>(share)).axes();
 }
 
 std::unique_ptr<Knob> make_attitude_between_knob(const KnobGround& ground) {

@@ -29,11 +29,11 @@ void ColorKnob::find_errors(std::size_t level, std::size_t sample, std::vector<d
     append_color_differences(view_of(scaled), view_of(reference), tile_, errors);
 }
 
-std::string ColorKnob::place_of(std::size_t sample, std::size_t error) const {
+std::optional<KnobPixel> ColorKnob::pixel_of(std::size_t /*sample*/, std::size_t error) const {
     const std::uint32_t tiles_across = size_.width / tile_.width;
     const auto number = static_cast<std::uint32_t>(error);
-    return pixel_text(sample, number % tiles_across * tile_.width + tile_.width / 2,
-                      number / tiles_across * tile_.height + tile_.height / 2);
+    return KnobPixel{number % tiles_across * tile_.width + tile_.width / 2,
+                     number / tiles_across * tile_.height + tile_.height / 2};
 }
 
 void append_color_differences(const RgbaView& picture, const RgbaView& exact, const PictureSize& tile,

@@ -22,7 +22,7 @@ struct ColorPlan {
 class ColorKnob : public FlownKnob {
 public:
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override;
-    [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override;
+    [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override;
 
 protected:
     ColorKnob(KnobFacts facts, const ColorPlan& plan, std::vector<AircraftPose> poses);

@@ -20,6 +20,20 @@ public:
     [[nodiscard]] std::size_t samples() const override { return pictures_.poses().size(); }
     void prepare(std::size_t level, std::size_t sample) override { pictures_.show(level, sample); }
     void run(std::size_t level, std::size_t sample) override { pictures_.draw(level, sample); }
+    [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
+        const std::optional<KnobPixel> pixel = pixel_of(sample, error);
+        return "pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) + " from --pose " +
+               pose_text(pictures_.poses()[sample]);
+    }
+    [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override {
+        return upright(pictures_.picture(level, sample));
+    }
+    /// All of them draw pixels.
+    [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override = 0;
+    [[nodiscard]] std::string command(std::size_t level, std::size_t sample) const override {
+        const std::optional<std::string> shot = pictures_.shot_command(level, sample);
+        return shot ? *shot : Knob::command(level, sample);
+    }
     [[nodiscard]] double build_ms(std::size_t level) const override { return pictures_.build_ms(level); }
 
 protected:
@@ -27,10 +41,6 @@ protected:
         : Knob(std::move(facts)), pictures_(levels, std::move(poses)) {}
 
     [[nodiscard]] FlownPictures& pictures() { return pictures_; }
-    /// A pixel of the picture from a pose.
-    [[nodiscard]] std::string pixel_text(std::size_t sample, std::uint32_t x, std::uint32_t y) const {
-        return "pixel " + std::to_string(x) + ", " + std::to_string(y) + " from --pose " + pose_text(pictures_.poses()[sample]);
-    }
 
 private:
     FlownPictures pictures_;

@@ -1,5 +1,8 @@
 #include "host_sim/accuracy/knobs/flown_pictures.hpp"
 
+#include <cstdio>
+
+#include "host_sim/accuracy/knobs/knob_flight.hpp"
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/load_design.hpp"
@@ -37,12 +40,27 @@ std::string changed_device(const std::string& folder, const std::string& name, c
     return path;
 }
 
+/// Of `tedavis shot`, without pose and output; nothing where a level is more than such options, or has a scene or a device file
+/// of its own.
+std::optional<std::string> shot_options(const FlownLevel& level) {
+    const PictureOptions& picture = level.picture;
+    const bool is_own_file = (picture.device + picture.design + picture.scene).find('/') != std::string::npos;
+    if (level.change || level.quality_level > 0 || is_own_file || !picture.size) return std::nullopt;
+    char text[64];
+    std::snprintf(text, sizeof text, " --size %ux%u", picture.size->width, picture.size->height);
+    std::string options = " --terrain " + picture.terrain + " --design " + picture.design + " --device " + picture.device + text;
+    if (!picture.tau_px) return options;
+    std::snprintf(text, sizeof text, " --tau %g", *picture.tau_px);
+    return options + text;
+}
+
 /// A level's display, and what it knew at its start.
 struct FlownPictures::Shown {
     DisplaySession session;
     std::unique_ptr<display::PlannerMemory> begun;
     double build_ms = 0;
     std::size_t pose = kNone;  ///< that is shown
+    std::optional<std::string> shot_options;
     flight::AircraftState state;
 
     explicit Shown(const PictureOptions& options) : session(options, true) {}
@@ -61,6 +79,7 @@ std::unique_ptr<FlownPictures::Shown> FlownPictures::started(const FlownLevel& l
     options.gl = gl;
     const base::Time begun = platform::monotonic_now();
     auto shown = std::make_unique<Shown>(options);
+    shown->shot_options = shot_options(level);
     display::Display& display = shown->session.display();
     if (level.change) {
         const auto design = std::make_unique<design::DesignSettings>(load_design(options));
@@ -82,6 +101,12 @@ void FlownPictures::rest() {
 }
 
 double FlownPictures::build_ms(std::size_t level) const { return shown_[level]->build_ms; }
+
+std::optional<std::string> FlownPictures::shot_command(std::size_t level, std::size_t pose) const {
+    const std::optional<std::string>& options = shown_[level]->shot_options;
+    if (!options) return std::nullopt;
+    return "tedavis shot" + *options + " --pose " + pose_text(poses_[pose]) + " -o picture.png";
+}
 
 void FlownPictures::make_current(std::size_t level) {
     if (current_ == level) return;

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ public:
     /// At a pose, for what its planner can be asked.
     [[nodiscard]] display::Display& display(std::size_t level, std::size_t pose);
     [[nodiscard]] double build_ms(std::size_t level) const;
+    /// `tedavis shot` with the options of a level at a pose; nothing where they do not say all of the level.
+    [[nodiscard]] std::optional<std::string> shot_command(std::size_t level, std::size_t pose) const;
 
 private:
     struct Shown;

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/png_file.hpp"
+
 namespace tedavis::host_sim {
 
 /// A text that must be given.
@@ -75,6 +77,11 @@ struct KnobFacts {
     std::optional<KnobWork> work = std::nullopt;
 };
 
+/// From the left and from the top of a picture.
+struct KnobPixel {
+    std::uint32_t x = 0, y = 0;
+};
+
 /// A knob over inputs that were prepared when it was made. One thread.
 class Knob {
 public:
@@ -94,6 +101,18 @@ public:
     virtual void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) = 0;
     /// Where an error of find_errors() is, for people: a ray, a pixel, a pose.
     [[nodiscard]] virtual std::string place_of(std::size_t sample, std::size_t error) const = 0;
+    /// The picture of a sample at a level, for knobs that draw one; nothing for others.
+    [[nodiscard]] virtual std::optional<RgbaPicture> picture(std::size_t /*level*/, std::size_t /*sample*/) {
+        return std::nullopt;
+    }
+    /// Where an error of find_errors() is in that picture; nothing for knobs that draw none.
+    [[nodiscard]] virtual std::optional<KnobPixel> pixel_of(std::size_t /*sample*/, std::size_t /*error*/) const {
+        return std::nullopt;
+    }
+    /// The command that gives a sample at a level again.
+    [[nodiscard]] virtual std::string command(std::size_t /*level*/, std::size_t /*sample*/) const {
+        return "tedavis accuracy --knob " + facts_.name.text() + " -o DIR";
+    }
     /// Mean number of the things of facts().work in a sample; after find_errors() of all samples.
     [[nodiscard]] virtual double work(std::size_t /*level*/) const { return 0; }
     /// Memory that a level takes besides what all levels take.

@@ -118,10 +118,10 @@ public:
                 errors.push_back(here && there ? glm::distance(*here, *there) : 0);
             }
     }
-    [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
+    [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
         const SeenPlace& place = seen_[sample].places[error / kMoments];
         constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
-        return pixel_text(sample, place.x * kStep + kStep / 2, place.y * kStep + kStep / 2);
+        return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
     }
     [[nodiscard]] double build_ms(std::size_t) const override { return FlownKnob::build_ms(0); }
 

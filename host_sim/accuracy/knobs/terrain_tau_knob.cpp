@@ -32,6 +32,7 @@ KnobFacts terrain_tau_facts() {
         "pixels",
         ExpectedLaw{1, 0.25, "errors of chunks are as large as they may be"},
         std::move(levels),
+        std::nullopt,
         KnobWork{"triangles", {-1.66, 0.4, "NUMERICS K1: 79,382 at 2 px and 25,100 at 4 px over Puget Sound"}}};
 }
 
@@ -66,10 +67,10 @@ public:
                 measured_[sample].push_back(place);
             }
     }
-    [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
+    [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
         const SeenPlace& place = measured_[sample][error];
         constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
-        return pixel_text(sample, place.x * kStep + kStep / 2, place.y * kStep + kStep / 2);
+        return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
     }
     [[nodiscard]] double work(std::size_t level) const override { return triangles_[level] / static_cast<double>(samples()); }
 

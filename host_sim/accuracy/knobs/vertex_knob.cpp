@@ -102,12 +102,12 @@ public:
         return {view_.focal_px * dot<double>(view_.right, ray) / depth, view_.focal_px * dot<double>(view_.down, ray) / depth};
     }
     [[nodiscard]] double pixels_off(std::size_t level, std::size_t number) const {
-        using Long = long double;
-        const glm::vec<3, Long> ray = glm::vec<3, Long>(vertices_[number].place) - glm::vec<3, Long>(view_.eye);
-        const Long depth = dot<Long>(view_.forward, ray), focal = view_.focal_px;
+        using Exact = long double;
+        const glm::vec<3, Exact> ray = glm::vec<3, Exact>(vertices_[number].place) - glm::vec<3, Exact>(view_.eye);
+        const Exact depth = dot<Exact>(view_.forward, ray), focal = view_.focal_px;
         const ScreenPlace found = on_screen(level, number);
-        const Long x = static_cast<Long>(found.x_px) - focal * dot<Long>(view_.right, ray) / depth;
-        const Long y = static_cast<Long>(found.y_px) - focal * dot<Long>(view_.down, ray) / depth;
+        const Exact x = static_cast<Exact>(found.x_px) - focal * dot<Exact>(view_.right, ray) / depth;
+        const Exact y = static_cast<Exact>(found.y_px) - focal * dot<Exact>(view_.down, ray) / depth;
         return static_cast<double>(std::hypot(x, y));
     }
     [[nodiscard]] double distance_m(std::size_t number) const { return glm::length(vertices_[number].place - view_.eye); }

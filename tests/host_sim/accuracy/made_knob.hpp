@@ -24,6 +24,7 @@ inline host_sim::KnobFacts made_facts(std::vector<host_sim::KnobLevel> levels) {
             "steps",
             host_sim::ExpectedLaw{-1, 0.1, "made up"},
             std::move(levels),
+            std::nullopt,
             host_sim::KnobWork{"steps taken", {1, 0.1, "made up"}}};
 }
 
@@ -74,6 +75,7 @@ inline host_sim::KnobFacts made_facts_of_one_level(std::vector<host_sim::KnobLev
     facts.name = "alone";
     facts.title = "A made-up setting with one level";
     facts.law = std::nullopt;
+    facts.work = std::nullopt;
     facts.only_level = "one is enough";
     return facts;
 }

@@ -16,6 +16,15 @@ AccuracyReport made_report() {
     report.knobs.push_back(test_support::made_knob_of_one_level());
     report.not_measured = {"another"};
     report.interrupted = true;
+    KnobPictures pictures;
+    pictures.knob = "made";
+    pictures.cheap_level = "1 steps";
+    pictures.exact_level = "16 steps";
+    pictures.place = {"a pose", "a command", 3, 4};
+    pictures.errors = {1, 2, 0.25, 0.5};
+    pictures.cheap.file = "made-cheap.png";
+    report.knobs[0].pictures = pictures;
+    report.knobs[0].levels[0].worst_pixel = KnobPixel{3, 4};
     FlightErrors flight;
     flight.flight = "a flight";
     flight.terrain = "alps.tdb";
