@@ -19,10 +19,15 @@ std::optional<KnobPixel> pixel_from(const Json& json) {
     return KnobPixel{json.at(0), json.at(1)};
 }
 
+Json spread_json(const TimeSpread& spread) { return {{"median", spread.median}, {"p5", spread.p5}, {"p95", spread.p95}}; }
+TimeSpread spread_from(const Json& json) { return {json.at("median"), json.at("p5"), json.at("p95")}; }
+
 Json level_json(const MeasuredLevel& level) {
     return {{"name", level.name},
             {"amount", level.amount},
-            {"ms", {{"median", level.ms.median}, {"p5", level.ms.p5}, {"p95", level.ms.p95}}},
+            {"options", level.options},
+            {"ms", spread_json(level.ms)},
+            {"sample_ms", spread_json(level.sample_ms)},
             {"error", error_json(level.error)},
             {"bytes", level.bytes},
             {"build_ms", level.build_ms},
@@ -40,8 +45,9 @@ MeasuredLevel level_of(const Json& json) {
     MeasuredLevel level;
     level.name = json.at("name");
     level.amount = json.at("amount");
-    const Json& ms = json.at("ms");
-    level.ms = {ms.at("median"), ms.at("p5"), ms.at("p95")};
+    level.options = json.at("options");
+    level.ms = spread_from(json.at("ms"));
+    level.sample_ms = spread_from(json.at("sample_ms"));
     level.error = error_of(json.at("error"));
     level.bytes = json.at("bytes");
     level.build_ms = json.at("build_ms");
@@ -96,10 +102,11 @@ MeasuredWork work_of(const Json& json) {
 template <class Pictures>
 auto named_pictures(Pictures& pictures) {
     using Picture = std::remove_reference_t<decltype((pictures.cheap))>;
-    return std::array<std::pair<const char*, Picture*>, 6>{{{"cheap", &pictures.cheap},
+    return std::array<std::pair<const char*, Picture*>, 7>{{{"cheap", &pictures.cheap},
                                                             {"exact", &pictures.exact},
                                                             {"color_map", &pictures.color_map},
                                                             {"perceived_map", &pictures.perceived_map},
+                                                            {"metric_map", &pictures.metric_map},
                                                             {"cheap_crop", &pictures.cheap_crop},
                                                             {"exact_crop", &pictures.exact_crop}}};
 }
@@ -116,6 +123,8 @@ Json pictures_json(const std::optional<KnobPictures>& pictures) {
             {"pixel", {pictures->place.x, pictures->place.y}},
             {"ciede2000", {{"mean", errors.color_mean}, {"max", errors.color_max}}},
             {"flip", {{"mean", errors.perceived_mean}, {"max", errors.perceived_max}}},
+            {"metric", pictures->metric},
+            {"metric_max", pictures->metric_max},
             {"files", std::move(files)}};
 }
 
@@ -128,6 +137,8 @@ std::optional<KnobPictures> pictures_from(const std::string& knob, const Json& j
     pictures.place = {json.at("place"), json.at("command"), json.at("pixel").at(0), json.at("pixel").at(1)};
     const Json &color = json.at("ciede2000"), &perceived = json.at("flip");
     pictures.errors = {color.at("mean"), color.at("max"), perceived.at("mean"), perceived.at("max")};
+    pictures.metric = json.at("metric");
+    pictures.metric_max = json.at("metric_max");
     for (const auto& [what, picture] : named_pictures(pictures)) picture->file = json.at("files").at(what);
     return pictures;
 }

@@ -16,6 +16,8 @@ struct MeasuredLevel {
     std::string name;
     double amount = 0;
     TimeSpread ms;            ///< of all samples, once
+    TimeSpread sample_ms;     ///< of one sample, over all samples and rounds
+    std::string options;      ///< of `tedavis replay`, which give the level; may be empty
     ErrorDistribution error;  ///< in the metric's unit
     std::uint64_t bytes = 0;
     double build_ms = 0;

@@ -52,6 +52,8 @@ std::string picture_section(const KnobPictures& pictures) {
                        map_caption("Difference that a viewer notices, FLIP: mean %.3g, at most %.3g; yellow is 1",
                                    errors.perceived_mean, errors.perceived_max),
                        "map of the perceived difference") +
+           html_figure(pictures.metric_map.png, map_caption("Error, yellow is %.3g: ", pictures.metric_max, 0) + pictures.metric,
+                       "map of the setting's own error") +
            "</div>\n<div class='crops'>" +
            html_figure(pictures.cheap_crop.png, pictures.cheap_level + ", " + where, "cheap, enlarged") +
            html_figure(pictures.exact_crop.png, pictures.exact_level + ", " + where, "exact, enlarged") +

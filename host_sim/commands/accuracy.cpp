@@ -52,8 +52,9 @@ template <class Report, class Use>
 void for_each_picture(Report& report, const Use& use) {
     for (auto& knob : report.knobs)
         if (knob.pictures)
-            for (auto* const picture : {&knob.pictures->cheap, &knob.pictures->exact, &knob.pictures->color_map,
-                                        &knob.pictures->perceived_map, &knob.pictures->cheap_crop, &knob.pictures->exact_crop})
+            for (auto* const picture :
+                 {&knob.pictures->cheap, &knob.pictures->exact, &knob.pictures->color_map, &knob.pictures->perceived_map,
+                  &knob.pictures->metric_map, &knob.pictures->cheap_crop, &knob.pictures->exact_crop})
                 use(*picture);
 }
 

@@ -113,6 +113,8 @@ public:
     [[nodiscard]] virtual std::string command(std::size_t /*level*/, std::size_t /*sample*/) const {
         return "tedavis accuracy --knob " + facts_.name.text() + " -o DIR";
     }
+    /// The options of `tedavis replay` that give a level; empty where options do not say it.
+    [[nodiscard]] virtual std::string options(std::size_t /*level*/) const { return ""; }
     /// Mean number of the things of facts().work in a sample; after find_errors() of all samples.
     [[nodiscard]] virtual double work(std::size_t /*level*/) const { return 0; }
     /// Memory that a level takes besides what all levels take.

@@ -11,6 +11,7 @@
 #include "host_sim/accuracy/knobs/depth_knob.hpp"
 #include "host_sim/accuracy/knobs/distance_knob.hpp"
 #include "host_sim/accuracy/knobs/effect_knobs.hpp"
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 #include "host_sim/accuracy/knobs/isosurface_knob.hpp"
 #include "host_sim/accuracy/knobs/label_places_knob.hpp"
 #include "host_sim/accuracy/knobs/output_knobs.hpp"
@@ -65,6 +66,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"saliency_start", make_saliency_start_knob},
         {"edge_size", make_edge_size_knob},
         {"own_ship_filter", make_own_ship_filter_knob},
+        {"frame_settings", make_frame_settings_knob},
         {"terrain_tau", make_terrain_tau_knob},
         {"quality_level", make_quality_level_knob},
         {"shadow_map", make_shadow_map_knob},
