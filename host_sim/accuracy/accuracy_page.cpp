@@ -52,8 +52,9 @@ std::string level_row(const MeasuredLevel& level) {
            html_number(decimal(level.ms.median, 3)) + html_aside(decimal(level.ms.p5, 3) + " - " + decimal(level.ms.p95, 3)) +
            html_number(significant(level.error.mean)) + html_aside(significant(level.error.p95)) +
            html_aside(significant(level.error.p99)) + html_number(significant(level.error.max)) +
-           html_aside(bytes_text(static_cast<double>(level.bytes))) + html_aside(decimal(level.build_ms, 2)) + html_cell(remark) +
-           "</tr>";
+           html_aside(bytes_text(static_cast<double>(level.bytes))) +
+           html_aside(level.uploaded_bytes ? bytes_text(static_cast<double>(*level.uploaded_bytes)) : "-") +
+           html_aside(decimal(level.build_ms, 2)) + html_cell(remark) + "</tr>";
 }
 
 std::string level_table(const MeasuredKnob& knob) {
@@ -67,6 +68,7 @@ std::string level_table(const MeasuredKnob& knob) {
                              {"99 %", kAsideHead},
                              {"greatest", kNumberHead},
                              {"memory", kAsideHead},
+                             {"a frame to the GPU", kAsideHead},
                              {"build ms", kAsideHead},
                              {""}}),
                       rows);

@@ -20,6 +20,7 @@ struct MeasuredLevel {
     std::string options;      ///< of `tedavis replay`, which give the level; may be empty
     ErrorDistribution error;  ///< in the metric's unit
     std::uint64_t bytes = 0;
+    std::optional<std::uint64_t> uploaded_bytes;  ///< to the GPU, of a frame
     double build_ms = 0;
     std::string worst_place;    ///< where the greatest error is
     std::string worst_command;  ///< that gives it again

@@ -34,6 +34,9 @@ public:
         const std::optional<std::string> shot = pictures_.shot_command(level, sample);
         return shot ? *shot : Knob::command(level, sample);
     }
+    [[nodiscard]] std::optional<std::uint64_t> uploaded_bytes(std::size_t level) const override {
+        return pictures_.uploaded_bytes(level);
+    }
     [[nodiscard]] double build_ms(std::size_t level) const override { return pictures_.build_ms(level); }
 
 protected:

@@ -61,6 +61,7 @@ struct FlownPictures::Shown {
     double build_ms = 0;
     std::size_t pose = kNone;  ///< that is shown
     std::optional<std::string> shot_options;
+    std::uint64_t uploaded_bytes = 0;
     flight::AircraftState state;
 
     explicit Shown(const PictureOptions& options) : session(options, true) {}
@@ -102,6 +103,8 @@ void FlownPictures::rest() {
 
 double FlownPictures::build_ms(std::size_t level) const { return shown_[level]->build_ms; }
 
+std::uint64_t FlownPictures::uploaded_bytes(std::size_t level) const { return shown_[level]->uploaded_bytes; }
+
 std::optional<std::string> FlownPictures::shot_command(std::size_t level, std::size_t pose) const {
     const std::optional<std::string>& options = shown_[level]->shot_options;
     if (!options) return std::nullopt;
@@ -133,6 +136,7 @@ void FlownPictures::draw(std::size_t level, std::size_t pose) {
     Shown& shown = *shown_[level];
     shown.session.display().plan({shown.state, {}, poses_[pose].time});
     shown.session.draw();
+    shown.uploaded_bytes = shown.session.display().gl().frame().uploaded_bytes;
     rest();
 }
 

@@ -56,6 +56,8 @@ public:
     /// At a pose, for what its planner can be asked.
     [[nodiscard]] display::Display& display(std::size_t level, std::size_t pose);
     [[nodiscard]] double build_ms(std::size_t level) const;
+    /// Of the last frame of draw().
+    [[nodiscard]] std::uint64_t uploaded_bytes(std::size_t level) const;
     /// `tedavis shot` with the options of a level at a pose; nothing where they do not say all of the level.
     [[nodiscard]] std::optional<std::string> shot_command(std::size_t level, std::size_t pose) const;
 

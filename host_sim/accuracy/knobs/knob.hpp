@@ -119,6 +119,8 @@ public:
     [[nodiscard]] virtual double work(std::size_t /*level*/) const { return 0; }
     /// Memory that a level takes besides what all levels take.
     [[nodiscard]] virtual std::uint64_t bytes(std::size_t /*level*/) const { return 0; }
+    /// What a frame of a level sends to the GPU, for knobs that draw with it; nothing for others. After run().
+    [[nodiscard]] virtual std::optional<std::uint64_t> uploaded_bytes(std::size_t /*level*/) const { return std::nullopt; }
     /// Time for what is made once before the first sample.
     [[nodiscard]] virtual double build_ms(std::size_t /*level*/) const { return 0; }
 
