@@ -29,6 +29,12 @@ void ColorKnob::find_errors(std::size_t level, std::size_t sample, std::vector<d
     append_color_differences(view_of(scaled), view_of(reference), tile_, errors);
 }
 
+std::optional<RgbaPicture> ColorKnob::picture(std::size_t level, std::size_t sample) {
+    const RgbaView drawn = pictures().picture(level, sample);
+    if (drawn.width == size_.width && drawn.height == size_.height) return upright(drawn);
+    return scaled_picture(drawn, size_);
+}
+
 std::optional<KnobPixel> ColorKnob::pixel_of(std::size_t /*sample*/, std::size_t error) const {
     const std::uint32_t tiles_across = size_.width / tile_.width;
     const auto number = static_cast<std::uint32_t>(error);

@@ -22,6 +22,8 @@ struct ColorPlan {
 class ColorKnob : public FlownKnob {
 public:
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override;
+    /// In the size of the reference's.
+    [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override;
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override;
 
 protected:

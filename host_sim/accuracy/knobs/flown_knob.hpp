@@ -26,23 +26,25 @@ public:
                pose_text(pictures_.poses()[sample]);
     }
     [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override {
-        return upright(pictures_.picture(level, sample));
+        return upright(pictures_.picture(shown_level(level), sample));
     }
     /// All of them draw pixels.
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override = 0;
     [[nodiscard]] std::string command(std::size_t level, std::size_t sample) const override {
-        const std::optional<std::string> shot = pictures_.shot_command(level, sample);
+        const std::optional<std::string> shot = pictures_.shot_command(shown_level(level), sample);
         return shot ? *shot : Knob::command(level, sample);
     }
     [[nodiscard]] std::optional<std::uint64_t> uploaded_bytes(std::size_t level) const override {
-        return pictures_.uploaded_bytes(level);
+        return pictures_.uploaded_bytes(shown_level(level));
     }
-    [[nodiscard]] double build_ms(std::size_t level) const override { return pictures_.build_ms(level); }
+    [[nodiscard]] double build_ms(std::size_t level) const override { return pictures_.build_ms(shown_level(level)); }
 
 protected:
     FlownKnob(KnobFacts facts, const std::vector<FlownLevel>& levels, std::vector<AircraftPose> poses)
         : Knob(std::move(facts)), pictures_(levels, std::move(poses)) {}
 
+    /// Which of the pictures' levels draws a level of the knob.
+    [[nodiscard]] virtual std::size_t shown_level(std::size_t level) const { return level; }
     [[nodiscard]] FlownPictures& pictures() { return pictures_; }
 
 private:

@@ -8,6 +8,7 @@
 #include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
 #include "host_sim/accuracy/knobs/cell_cut_knob.hpp"
 #include "host_sim/accuracy/knobs/color_classes_knob.hpp"
+#include "host_sim/accuracy/knobs/crack_knob.hpp"
 #include "host_sim/accuracy/knobs/depth_knob.hpp"
 #include "host_sim/accuracy/knobs/distance_knob.hpp"
 #include "host_sim/accuracy/knobs/effect_knobs.hpp"
@@ -82,6 +83,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"vertex_precision", make_vertex_precision_knob},
         {"cell_cut", make_cell_cut_knob},
         {"depth_format", make_depth_format_knob},
+        {"terrain_cracks", make_crack_knob},
     };
     return kKnobs;
 }

@@ -123,9 +123,9 @@ public:
         constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
         return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
     }
-    [[nodiscard]] double build_ms(std::size_t) const override { return FlownKnob::build_ms(0); }
 
 private:
+    [[nodiscard]] std::size_t shown_level(std::size_t /*level*/) const override { return 0; }
     [[nodiscard]] AircraftPose pose_after(std::size_t sample, double seconds) {
         const double at_s = (pictures().poses()[sample].time - flight_->begin()).to_seconds();
         return flight_->pose_at(at_s + seconds);
