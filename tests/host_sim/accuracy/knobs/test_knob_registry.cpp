@@ -28,6 +28,9 @@ TEST(KnobRegistry, EveryKnobStatesWhatAFigureNeedsAndRuns) {
             ASSERT_FALSE(errors.empty()) << registered.name;
             for (const double error : errors) EXPECT_GE(error, 0) << registered.name;
             EXPECT_FALSE(knob->place_of(0, errors.size() - 1).empty());
+            EXPECT_FALSE(knob->command(level, 0).empty());
+            EXPECT_EQ(knob->pixel_of(0, errors.size() - 1).has_value(), knob->picture(level, 0).has_value()) << registered.name;
+            EXPECT_EQ(knob->uploaded_bytes(level).has_value(), knob->picture(level, 0).has_value()) << registered.name;
         }
     }
 }
