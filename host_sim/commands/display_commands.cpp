@@ -54,6 +54,13 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
 }
 
+void add_accuracy_shown(CLI::App* command, AccuracyShown& shown) {
+    command->add_flag("--show-accuracy", shown.figures,
+                      "writes over each picture its requested and its proven terrain error and its quality level");
+    command->add_flag("--error-map", shown.error_map,
+                      "colors the ground by its measured error on the screen, dark blue at 0 to yellow at the requested error");
+}
+
 void add_time(CLI::App* command, std::optional<base::Time>& time) {
     command->add_option_function<std::string>(
         "--time", [&time](const std::string& text) { time = time_from(text); },
@@ -76,6 +83,7 @@ void add_shot(CLI::App& app, CommandLine& line) {
     command->add_flag("--layers", o.layers, kLayersText);
     add_strict(command, o.strict);
     add_picture_options(command, o.picture);
+    add_accuracy_shown(command, o.accuracy);
 }
 
 /// What is traced, and from where.
@@ -328,6 +336,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
     add_replay_instants(command, o);
     command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
     add_picture_options(command, o.picture);
+    add_accuracy_shown(command, o.accuracy);
     CLI::Option* layers = command->add_flag("--layers", o.layers, kLayersText);
     CLI::Option* ledger = command->add_flag(
         "--ledger", o.ledger, "what every effect that is replaced or left out would cost and show; ledger.json and ledger/");

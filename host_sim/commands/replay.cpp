@@ -1,5 +1,6 @@
 #include "host_sim/commands/replay.hpp"
 
+#include "host_sim/accuracy/accuracy_overlay.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/replay/display_session.hpp"
@@ -38,11 +39,14 @@ void price_effects(const EffectLedger& ledger, const ReplayOptions& options, Dis
 }
 
 int run_batch(const ReplayOptions& options, Console& console) {
+    const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
     DisplaySession session(options.picture, is_generated_flight(options.log));
     FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
     const FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
     const InterruptGuard interrupt;  // before anything is written
     RunRecorder recorder(options, session, player);
+    if (options.accuracy.any())
+        recorder.set_overlay([&overlay](DisplaySession& drawn, FrameResult& result) { return overlay.over(drawn, result); });
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);

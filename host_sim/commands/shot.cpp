@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "host_sim/accuracy/accuracy_overlay.hpp"
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
@@ -47,6 +48,7 @@ int run_shot(const ShotOptions& options, Console& console) {
     require_replaceable(options.output, "\x89PNG\r\n\x1a\n", "PNG picture");
     require_replaceable(record_path(options.output), "{\"frame\":", "record of a picture");
     const flight::PhaseStatus phase = named_phase(options.phase);
+    const AccuracyOverlay overlay({options.accuracy, true}, options.picture.terrain);
     DisplaySession session(options.picture, false);
     AircraftPose pose = options.pose;
     pose.time = options.time.value_or(kPosedTime);
@@ -62,8 +64,9 @@ int run_shot(const ShotOptions& options, Console& console) {
             {"data.stale", "the layer " + std::string(stale.layer.view()) + " is stale, " + age_words(stale.age_s) + " old", 1});
     if (const terrain::TerrainDatabase* const database = session.display().planner().terrain_database(); database != nullptr)
         append(*result.warnings, height_findings(options.picture.terrain, height_counts(database->header())));
+    const RgbaPicture picture = overlay.over(session, result);
     const std::string json = frame_record_json(result, pose.time);
-    write_png(options.output, session.pixels());
+    write_png(options.output, view_of(picture));
     if (options.layers) write_drawn_layers(options.output, session);
     write_file_atomically(record_path(options.output), json + "\n");
     print_warnings(*result.warnings, console);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host_sim/console.hpp"
+#include "host_sim/options/accuracy_shown.hpp"
 #include "host_sim/options/picture_options.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
 
@@ -15,6 +16,7 @@ struct ShotOptions {
     std::optional<base::Time> time;  ///< time of the data's age; nothing: data are shown at their own time
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
+    AccuracyShown accuracy;
     bool strict = false;  ///< findings end it with kCheckFailedExitCode
     bool layers = false;  ///< also X.layers.png: which layer each pixel is of
     std::string output;   ///< X.png; the record goes beside it as X.json; without an extension the same

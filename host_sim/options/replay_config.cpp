@@ -120,6 +120,8 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.number("to_s", options.to_s);
     toml.number("step_s", options.step_s);
     if (options.frames) toml.word("frames", kFrameNames[static_cast<std::size_t>(*options.frames)]);
+    if (options.accuracy.figures) toml.truth("show_accuracy");
+    if (options.accuracy.error_map) toml.truth("error_map");
     const PictureOptions& picture = options.picture;
     toml.section("picture");
     toml.path("terrain", picture.terrain);
@@ -159,6 +161,7 @@ ReplayOptions load_replay_config(const std::string& path) {
     options.to_s = optional_number(root, "to_s");
     options.step_s = optional_number(root, "step_s");
     if (root.has("frames")) root.choose("frames", kFrameNames, options.frames.emplace());
+    options.accuracy = {root.boolean("show_accuracy", false), root.boolean("error_map", false)};
     read_picture(root.section("picture"), options.picture);
     if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return options;

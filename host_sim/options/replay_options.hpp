@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "host_sim/options/accuracy_shown.hpp"
 #include "host_sim/options/picture_options.hpp"
 
 namespace tedavis::host_sim {
@@ -17,6 +18,7 @@ struct ReplayOptions {
     std::string switches;  ///< switch log; empty: none
     std::string switch_config = "one_hot";
     PictureOptions picture;
+    AccuracyShown accuracy;              ///< in a window only at its start, and on the screen alone
     std::optional<double> from_s, to_s;  ///< seconds since the log's first frame
     std::optional<double> step_s;        ///< nothing: one frame of the device's rate; negative: backwards
     std::optional<FrameOutput> frames;   ///< nothing: pictures; in a window, hashes

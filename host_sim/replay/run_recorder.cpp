@@ -75,6 +75,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
             session_.display().planner().obstacles_ahead(session_.display().planned(), session_.display().memory());
     result_.latency_ms = milliseconds_between(player_.newest_frame(), time);
     result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
+    if (overlay_) overlaid_ = overlay_(session_, result_);
     return result_;
 }
 
@@ -97,10 +98,9 @@ void RunRecorder::keep() {
     deadline_.add(result_);
     const double above = input_.state[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
     tally_.add(result_.record, above);
-    if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0)))
-        story_.add_picture(result_, session_.pixels());
+    if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0))) story_.add_picture(result_, shown());
     if (options_.frame_output() == FrameOutput::png)
-        write_png(frame_picture_path(options_.output, result_.record.frame), session_.pixels());
+        write_png(frame_picture_path(options_.output, result_.record.frame), shown());
     if (options_.layers) write_drawn_layers(frame_picture_path(options_.output, result_.record.frame), session_);
 }
 

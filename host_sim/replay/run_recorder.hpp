@@ -3,7 +3,9 @@
 /// The batch replay and the window draw through this one class, so that both show the same pictures.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host_sim/options/replay_options.hpp"
@@ -16,16 +18,24 @@
 
 namespace tedavis::host_sim {
 
+/// Returns the picture that is kept instead of the session's, which shows the frame of `result`; it may add to `result`.
+using PictureOverlay = std::function<RgbaPicture(DisplaySession& session, FrameResult& result)>;
+
 class RunRecorder {
 public:
     /// Creates the folder and removes the pictures of an earlier run from it. All three arguments must outlive the recorder.
     /// Throws UserError where the folder cannot be written.
     RunRecorder(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player);
 
+    /// Draws over the pictures from now on; what hashes and records say of a frame stays that of the display's own picture.
+    void set_overlay(PictureOverlay overlay) { overlay_ = std::move(overlay); }
+
     /// Plays the flight to the instant, plans, draws and reads the picture back.
     [[nodiscard]] const FrameResult& draw(base::Time time);
     /// The input of the frame drawn last.
     [[nodiscard]] const flight::FrameInput& input() const { return input_; }
+    /// The frame drawn last.
+    [[nodiscard]] const FrameResult& result() const { return result_; }
     /// Adds the frame drawn last to the run.
     void keep();
     /// A sentence for the summary.
@@ -40,6 +50,7 @@ public:
 private:
     [[nodiscard]] RunSummary summary(bool interrupted);
     void draw_watched(base::Time time);
+    [[nodiscard]] RgbaView shown() const { return overlay_ ? view_of(overlaid_) : session_.pixels(); }
 
     const ReplayOptions& options_;
     DisplaySession& session_;
@@ -48,6 +59,8 @@ private:
     RunStory story_;
     flight::FrameInput input_;
     FrameResult result_;
+    PictureOverlay overlay_;
+    RgbaPicture overlaid_;  ///< the picture of `result_`, where there is an overlay
     std::vector<double> total_ms_;
     DeadlineTally deadline_;
     std::vector<std::string> notes_;

@@ -246,6 +246,9 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
         json["layers"] = display::kPictureLayerNames;
         json["obstacles"] = obstacles_json(result.obstacles);
     }
+    if (result.has_accuracy_overlay) json["accuracy_overlay"] = true;
+    if (const std::optional<MeasuredError>& error = result.measured_error)
+        json["measured_error"] = {{"mean_px", error->mean_px}, {"max_px", error->max_px}, {"places", error->places}};
     json["scene_revision"] = record.scene_revision;
     json["data"] = data_json(record);
     json["stale"] = stale_json(record);

@@ -17,14 +17,22 @@ struct FrameTiming {
     double plan_ms = 0, draw_ms = 0, total_ms = 0;
 };
 
+/// Distances on the screen between the drawn and the true places of ground (host_sim/accuracy/ground_errors.hpp).
+struct MeasuredError {
+    double mean_px = 0, max_px = 0;
+    std::uint64_t places = 0;  ///< at which it was measured
+};
+
 struct FrameResult {
     display::FrameRecord record;
     std::uint64_t hash = 0;  ///< of the pixels, base::frame_hash
     FrameTiming timing;
     bool has_layers = false;  ///< beside its picture lies which layer each pixel is of; with it, `obstacles` are known
     display::ObstaclePlaces obstacles;
-    std::optional<Findings> warnings;  ///< of a single picture
-    double latency_ms = 0;             ///< from the newest message in the picture to the frame's time, both on the source's clock
+    bool has_accuracy_overlay = false;  ///< its picture file shows how accurate it is; `hash` is of the picture without it
+    std::optional<MeasuredError> measured_error;  ///< where the picture file shows it in colors
+    std::optional<Findings> warnings;             ///< of a single picture
+    double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 
 /// One line without its newline. Keys in a fixed order, numbers in the fewest digits that read back to the same bits,

@@ -62,6 +62,7 @@ TracedShot draw_paged(const TracedGround& ground, const TraceSettings& settings,
 }  // namespace
 
 terrain::View view_of(const TracedGround& ground, const TracedShotPlan& plan) {
+    if (plan.view) return *plan.view;
     const AircraftPose& pose = plan.pose;
     const double latitude = base::radians(pose.latitude_deg), longitude = base::radians(pose.longitude_deg);
     const glm::dmat3 body = earth::body_axes(latitude, longitude, base::radians(pose.heading_deg), base::radians(pose.pitch_deg),

@@ -26,7 +26,8 @@ struct TracedShotPlan {
     AircraftPose pose;
     std::optional<base::Time> time;  ///< the sun stands where it does then; nothing: in the north-west, 45 degrees high
     std::uint32_t width = 1024, height = 768;
-    double field_of_view_deg = 60;  ///< over the width
+    double field_of_view_deg = 60;      ///< over the width
+    std::optional<terrain::View> view;  ///< a display's, instead of the pose and the field of view; as large as the picture
     std::uint32_t rounds = 3;  ///< drawn so many times, for the median of its times, but once where it takes over 2 s; 1 or more
     std::uint32_t block_words = 512;
     const TracedData* data = nullptr;  ///< colours the ground; borrowed

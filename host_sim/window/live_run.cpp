@@ -11,6 +11,8 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/user_error.hpp"
+#include "host_sim/window/painted_rects.hpp"
 #include "host_sim/window/switch_recording.hpp"
 #include "render_core/earth/wgs84.hpp"
 
@@ -21,6 +23,9 @@ namespace {
 constexpr base::Duration kAfterThePicture{1000};
 constexpr base::Duration kDesignLook = base::Duration::milliseconds(250);
 constexpr std::size_t kEventsAtOnce = 64;
+
+/// Few enough colored rectangles for a picture that moves.
+constexpr std::uint32_t kErrorCell_px = 16;
 
 bool same_pose(const CameraPose& a, const CameraPose& b) {
     return a.position.latitude_rad == b.position.latitude_rad && a.position.longitude_rad == b.position.longitude_rad &&
@@ -65,19 +70,26 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
       tour_(load_tour(options.tour, session.display())),
       controller_(transport_over(times_), static_cast<std::uint32_t>(player.switch_config().patterns.size()), tour_.has_value()),
       preroll_(player, session, session.device().frame_rate_hz),
-      recorder_(options_, session, player) {}
+      recorder_(options_, session, player),
+      overlay_({options.accuracy, true, kErrorCell_px, ErrorMapStyle::dots}, options.picture.terrain) {
+    controller_.set_accuracy(options.accuracy);
+}
 
 bool LiveRun::turn(base::Duration wall) {
     take_events();
     controller_.advance(wall);
     if (controller_.take_help()) console_.note(window_keys_help());
     watch_design(wall);
+    turn_accuracy();
     const Shown next = wanted();
     const bool same = shown_ && shown_->frame == next.frame && shown_->revision == next.revision && shown_->mode == next.mode &&
                       same_pose(shown_->camera, next.camera);
+    const bool same_overlay = same && shown_->accuracy == next.accuracy;
     if (!same) draw(next);
+    if (same && !same_overlay) draw_again();
+    shown_ = next;
     show_title();
-    return !same;
+    return !same_overlay;
 }
 
 void LiveRun::take_events() {
@@ -130,6 +142,7 @@ LiveRun::Shown LiveRun::wanted() const {
     wanted.frame = controller_.transport().frame();
     wanted.revision = revision_;
     wanted.mode = controller_.camera_mode();
+    wanted.accuracy = controller_.accuracy();
     if (wanted.mode == CameraMode::free) wanted.camera = controller_.camera().pose();
     if (wanted.mode == CameraMode::tour) wanted.camera = tour_->at(seconds(shown_time()));
     return wanted;
@@ -157,8 +170,32 @@ void LiveRun::draw(const Shown& wanted) {
                 record.roll_rad};
     }
     controller_.record_picture(pose, session_.display().planned().picture.camera.view.focal_px);
+    present();
+}
+
+/// The frame that is shown, with another overlay; nothing of it is planned or kept again.
+void LiveRun::draw_again() {
+    session_.draw_up_to(display::PictureLayer::symbology);
+    present();
+}
+
+void LiveRun::turn_accuracy() {
+    if (controller_.accuracy() == overlay_.shown()) return;
+    try {
+        overlay_.show(controller_.accuracy());
+    } catch (const UserError& error) {
+        console_.note(error.what());
+        controller_.set_accuracy(overlay_.shown());
+    }
+}
+
+void LiveRun::present() {
+    if (overlay_.shown().any()) {
+        FrameResult result = recorder_.result();
+        const RgbaPicture picture = overlay_.over(session_, result);
+        paint_rects(session_.display().gl(), session_.height(), changed_rects(session_.pixels(), view_of(picture)));
+    }
     session_.present();
-    shown_ = wanted;
 }
 
 void LiveRun::show_title() {

@@ -3,12 +3,14 @@
 /// What is seen from the cockpit goes into the folder as in a batch run: frames.jsonl, summary.json, report.html. Keys of
 /// the phase switches act at the shown instant: from there on the panel stands as the keys leave it, and what an earlier
 /// switch log or key said about later times is forgotten. The resulting switches stand in window.switches; with them a
-/// batch replay draws the same pictures. Neither a clock nor a screen is needed.
+/// batch replay draws the same pictures. The overlay of the pictures' accuracy is on the screen alone. Neither a clock nor a
+/// screen is needed.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "host_sim/accuracy/accuracy_overlay.hpp"
 #include "host_sim/console.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
@@ -43,12 +45,16 @@ private:
         std::uint64_t frame = 0, revision = 0;
         CameraMode mode = CameraMode::cockpit;
         CameraPose camera;
+        AccuracyShown accuracy;
     };
     void take_events();
     void turn_switches(std::uint32_t pattern);
     void watch_design(base::Duration wall);
     [[nodiscard]] Shown wanted() const;
     void draw(const Shown& wanted);
+    void draw_again();
+    void turn_accuracy();
+    void present();
     void aim(const Shown& wanted);
     void show_title();
     [[nodiscard]] base::Time shown_time() const { return times_.in_order_of_time(controller_.transport().frame()); }
@@ -67,6 +73,7 @@ private:
     WindowController controller_;
     FramePreroll preroll_;
     RunRecorder recorder_;
+    AccuracyOverlay overlay_;
     std::optional<Shown> shown_;
     std::uint64_t revision_ = 0;  ///< of switches and design
     base::Duration since_look_;

@@ -71,6 +71,8 @@ void WindowController::press_once(const KeyMeaning& meaning) {
         case WindowAction::tour:
             if (has_tour_) toggle(CameraMode::tour);
             break;
+        case WindowAction::show_accuracy: accuracy_.figures = !accuracy_.figures; break;
+        case WindowAction::error_map: accuracy_.error_map = !accuracy_.error_map; break;
         default: break;
     }
 }

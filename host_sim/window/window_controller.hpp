@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host_sim/options/accuracy_shown.hpp"
 #include "host_sim/window/free_camera.hpp"
 #include "host_sim/window/transport.hpp"
 #include "host_sim/window/window_keys.hpp"
@@ -27,10 +28,14 @@ public:
     /// mouse turns the camera as far as the picture moves.
     void record_picture(const CameraPose& pose, double focal_px);
 
+    /// States which parts of the overlay are shown; keys turn them on and off.
+    void set_accuracy(const AccuracyShown& shown) { accuracy_ = shown; }
+
     [[nodiscard]] bool closed() const { return closed_; }
     [[nodiscard]] const Transport& transport() const { return transport_; }
     [[nodiscard]] CameraMode camera_mode() const { return mode_; }
     [[nodiscard]] const FreeCamera& camera() const { return camera_; }
+    [[nodiscard]] const AccuracyShown& accuracy() const { return accuracy_; }
     /// The pattern that was selected since the last call.
     [[nodiscard]] std::optional<std::uint32_t> take_pattern();
     /// True where the list of keys was requested since the last call.
@@ -50,6 +55,7 @@ private:
     bool closed_ = false, help_ = false;
     CameraMode mode_ = CameraMode::cockpit;
     FreeCamera camera_;
+    AccuracyShown accuracy_;
     CameraPose pose_;
     double focal_px_ = 1;
     std::uint32_t held_ = 0;  ///< one bit an action fly_...

@@ -30,6 +30,8 @@ enum class WindowAction : std::uint8_t {
     previous_pattern,
     free_camera,
     tour,
+    show_accuracy,
+    error_map,
     fly_forward,
     fly_back,
     fly_left,

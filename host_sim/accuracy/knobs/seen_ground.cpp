@@ -11,8 +11,6 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kNearestPlace_m = 50;
-
 raytrace::TraceSettings true_surface() {
     raytrace::TraceSettings settings;
     settings.surface.kind = raytrace::SurfaceKind::two_triangles;
@@ -54,7 +52,7 @@ std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<A
         const glm::dvec3 eye = view_of(ground, plan).eye;
         SeenPose one{pose, {}};
         for (const SeenPlace& place : seen_ground(ground, plan))
-            if (glm::distance(place.position, eye) >= kNearestPlace_m) one.places.push_back(place);
+            if (glm::distance(place.position, eye) >= kNearestSeenPlace_m) one.places.push_back(place);
         if (!one.places.empty()) seen.push_back(std::move(one));
     }
     if (seen.empty()) throw UserError("the default flight sees no ground of the terrain; name another --terrain");

@@ -10,6 +10,9 @@
 
 namespace tedavis::host_sim {
 
+/// The error of nearer ground is known less well, in pixels.
+inline constexpr double kNearestSeenPlace_m = 50;
+
 struct SeenPlace {
     std::uint32_t x = 0, y = 0;  ///< the pixel through whose middle the ray goes, from the left and from the top
     double latitude_rad = 0, longitude_rad = 0;

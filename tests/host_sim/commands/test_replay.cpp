@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "host_sim/reports/run_folder.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/flights/frame_lines.hpp"
 #include "tests/support/programs/command_run.hpp"
@@ -71,6 +72,25 @@ TEST(Replay, TwiceIsTheSame) {
         b.erase("ms");
         EXPECT_EQ(a, b);
     }
+}
+
+TEST(Replay, TheOverlayIsTheSameTwiceAndLeavesHashesAlone) {
+    ReplayOptions options = files().options("no_overlay");
+    options.frames = FrameOutput::png;
+    options.to_s = 1;
+    const auto plain = replayed(options);
+    const std::uint64_t last = frame_lines(options.output).back().at("frame");
+    const std::string without = read_file(frame_picture_path(options.output, last));
+    options.accuracy = {true, true};
+    std::vector<std::string> pictures;
+    for (const char* const name : {"overlay_1", "overlay_2"}) {
+        options.output = files().folder.file(name);
+        EXPECT_EQ(replayed(options), plain);
+        for (const auto& line : frame_lines(options.output)) EXPECT_EQ(line.at("accuracy_overlay"), true);
+        pictures.push_back(read_file(frame_picture_path(options.output, last)));
+    }
+    EXPECT_EQ(pictures[0], pictures[1]) << "no time is in it";
+    EXPECT_NE(pictures[0], without);
 }
 
 TEST(Replay, TheFrameAtTIsTheOneOfTheWholeRun) {

@@ -74,6 +74,24 @@ TEST(Shot, EqualPosesGiveEqualPictures) {
     }
 }
 
+TEST(Shot, TheOverlayChangesThePictureFileAlone) {
+    ShotOptions options = shot();
+    const json plain = taken(options);
+    const std::string file = read_file(options.output);
+    EXPECT_FALSE(plain.contains("accuracy_overlay"));
+    options.accuracy = {true, true};
+    const json marked = taken(options);
+    EXPECT_EQ(marked.at("accuracy_overlay"), true);
+    EXPECT_EQ(marked.at("hash"), plain.at("hash")) << "of the display's own picture";
+    EXPECT_NE(read_file(options.output), file);
+    EXPECT_GT(marked.at("measured_error").at("places"), 100);
+    EXPECT_LE(marked.at("measured_error").at("max_px"), marked.at("terrain").at("worst_error_px"));
+    options.picture.terrain.clear();
+    options.output = files().folder.file("never.png");
+    test_support::expect_user_error([&] { static_cast<void>(taken(options)); }, "--error-map: needs terrain");
+    EXPECT_FALSE(std::filesystem::exists(options.output));
+}
+
 TEST(Shot, OtherFilesAreNotReplaced) {
     ShotOptions options = shot();
     options.output = files().folder.file("mine.png");

@@ -38,6 +38,7 @@ TEST(ReplayConfig, DefaultsStayDefaults) {
     EXPECT_FALSE(loaded.picture.force_effects);
     EXPECT_FALSE(loaded.picture.saliency);
     EXPECT_FALSE(loaded.picture.clutter);
+    EXPECT_FALSE(loaded.accuracy.any());
     EXPECT_FALSE(loaded.from_s || loaded.to_s || loaded.step_s || loaded.frames);
 }
 
@@ -63,7 +64,9 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.deadline_ms = 16.7;
     options.picture.costs = "/data/costs.toml";
     options.picture.foci = {R"(at = "place", place = "A \"B\"")", "radius_m = 700"};
+    options.accuracy = {true, true};
     const ReplayOptions loaded = round_trip(options);
+    EXPECT_EQ(loaded.accuracy, options.accuracy);
     EXPECT_EQ(loaded.picture.deadline_ms, options.picture.deadline_ms);
     EXPECT_EQ(loaded.picture.costs, options.picture.costs);
     EXPECT_EQ(loaded.picture.foci, options.picture.foci);

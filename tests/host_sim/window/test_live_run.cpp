@@ -9,6 +9,7 @@
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/shipped_files.hpp"
+#include "render_core/gl/readback.hpp"
 #include "tests/host_sim/window/scripted_window.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/flights/frame_lines.hpp"
@@ -101,6 +102,58 @@ TEST(LiveRun, ShowsThePicturesOfABatchReplay) {
     EXPECT_GE(shown.size(), 5u);
     expect_within(shown, hashes_by_time(files().folder.file("batch_plain")));
     EXPECT_EQ(test_support::summary_of(desk.options.output).at("frames"), presented);
+}
+
+/// What is on the screen, read back from it when it is shown.
+std::vector<std::uint8_t> on_screen(Desk& desk) {
+    std::vector<std::uint8_t> pixels(std::size_t{4} * desk.session->width() * desk.session->height());
+    desk.window->on_present = [&] {
+        EXPECT_TRUE(gl::read_pixels(desk.session->display().gl(), desk.session->width(), desk.session->height(), pixels));
+    };
+    EXPECT_TRUE(desk.turn());
+    desk.window->on_present = [] {};
+    return pixels;
+}
+
+TEST(LiveRun, TheOverlayIsOnTheScreenAlone) {
+    Desk desk(files().options("live_overlay"));
+    desk.turns(3);
+    desk.window->press(Key::space);
+    desk.window->press('.');
+    const std::vector<std::uint8_t> plain = on_screen(desk);
+    desk.window->press('i');
+    const std::vector<std::uint8_t> figures = on_screen(desk);
+    EXPECT_NE(figures, plain) << "also while it is paused";
+    EXPECT_FALSE(desk.turn()) << "nothing new to show";
+    desk.window->press('m');
+    const std::vector<std::uint8_t> both = on_screen(desk);
+    EXPECT_NE(both, figures);
+    desk.window->press('i');
+    desk.window->press('m');
+    EXPECT_EQ(on_screen(desk), plain) << "off again: the display's own picture";
+    desk.window->press('i');
+    desk.window->press('.');
+    desk.turns(2);
+    EXPECT_EQ(desk.session->display().gl().denied().total, 0u);
+    desk.finish();
+    replay_batch(files().options("batch_overlay"));
+    const auto shown = hashes_by_time(desk.options.output);
+    EXPECT_GE(shown.size(), 4u);
+    expect_within(shown, hashes_by_time(files().folder.file("batch_overlay")));
+    for (const nlohmann::json& line : test_support::frame_lines(desk.options.output))
+        EXPECT_FALSE(line.contains("accuracy_overlay"));
+}
+
+TEST(LiveRun, AMapWithoutTerrainIsRefusedInTheWindow) {
+    ReplayOptions options = files().options("live_no_map");
+    options.picture.terrain.clear();
+    Desk desk(options);
+    desk.turn();
+    desk.window->press('m');
+    desk.turn();
+    EXPECT_THAT(desk.notes.str(), HasSubstr("--error-map: needs terrain"));
+    EXPECT_FALSE(desk.run->controller().accuracy().error_map);
+    desk.finish();
 }
 
 TEST(LiveRun, RecordedSwitchesReplayToTheSamePictures) {

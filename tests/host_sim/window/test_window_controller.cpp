@@ -187,6 +187,18 @@ TEST(WindowController, ATourIsOnFromTheStartAndCanBeLeft) {
     EXPECT_EQ(without.controller.camera_mode(), CameraMode::cockpit);
 }
 
+TEST(WindowController, KeysTurnTheOverlayOnAndOff) {
+    Session session;
+    EXPECT_FALSE(session.controller.accuracy().any());
+    session.controller.set_accuracy({false, true});
+    session.press('i');
+    EXPECT_EQ(session.controller.accuracy(), (AccuracyShown{true, true}));
+    session.repeat('i');
+    EXPECT_TRUE(session.controller.accuracy().figures) << "a held key does not flicker";
+    session.press('m');
+    EXPECT_EQ(session.controller.accuracy(), (AccuracyShown{true, false}));
+}
+
 TEST(WindowController, ClosesAndHelps) {
     Session session;
     session.press('h');
