@@ -2,108 +2,14 @@
 
 #include <cstdio>
 
+#include "host_sim/accuracy/chapters_json.hpp"
+#include "host_sim/accuracy/knob_json.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json error_json(const ErrorDistribution& error) {
-    return {{"mean", error.mean}, {"p95", error.p95}, {"p99", error.p99}, {"max", error.max}, {"count", error.count}};
-}
-
-ErrorDistribution error_of(const Json& json) {
-    return {json.at("mean"), json.at("p95"), json.at("p99"), json.at("max"), json.at("count")};
-}
-
-Json level_json(const MeasuredLevel& level) {
-    return {{"name", level.name},
-            {"amount", level.amount},
-            {"ms", {{"median", level.ms.median}, {"p5", level.ms.p5}, {"p95", level.ms.p95}}},
-            {"error", error_json(level.error)},
-            {"bytes", level.bytes},
-            {"build_ms", level.build_ms},
-            {"worst", level.worst_place},
-            {"dominated", level.is_dominated},
-            {"near_reference", level.is_near_reference}};
-}
-
-MeasuredLevel level_of(const Json& json) {
-    MeasuredLevel level;
-    level.name = json.at("name");
-    level.amount = json.at("amount");
-    const Json& ms = json.at("ms");
-    level.ms = {ms.at("median"), ms.at("p5"), ms.at("p95")};
-    level.error = error_of(json.at("error"));
-    level.bytes = json.at("bytes");
-    level.build_ms = json.at("build_ms");
-    level.worst_place = json.at("worst");
-    level.is_dominated = json.at("dominated");
-    level.is_near_reference = json.at("near_reference");
-    return level;
-}
-
-Json law_json(const FittedLaw& law) {
-    return {{"holds", law.holds},
-            {"exponent", law.exponent},
-            {"factor", law.factor},
-            {"r2", law.r2},
-            {"worst_residual", law.worst_residual},
-            {"reason", law.reason}};
-}
-
-FittedLaw law_of(const Json& json) {
-    return {json.at("holds"), json.at("exponent"),       json.at("factor"),
-            json.at("r2"),    json.at("worst_residual"), json.at("reason")};
-}
-
-Json knob_json(const MeasuredKnob& knob) {
-    Json levels = Json::array();
-    for (const MeasuredLevel& level : knob.levels) levels.push_back(level_json(level));
-    return {{"name", knob.name},
-            {"title", knob.title},
-            {"setting", knob.setting},
-            {"metric", knob.metric},
-            {"unit", knob.unit},
-            {"amount", knob.amount},
-            {"reference", {{"what", knob.reference}, {"bound", knob.reference_bound}, {"reason", knob.reference_reason}}},
-            {"second_oracle", knob.second_oracle},
-            {"never_trades", knob.never_trades},
-            {"rounds", knob.rounds},
-            {"samples", knob.samples},
-            {"noise", knob.noise},
-            {"error_law", law_json(knob.error_law)},
-            {"time_law", law_json(knob.time_law)},
-            {"law_expected", knob.law_expected},
-            {"law_agrees", knob.law_agrees},
-            {"levels", std::move(levels)}};
-}
-
-MeasuredKnob knob_of(const Json& json) {
-    MeasuredKnob knob;
-    knob.name = json.at("name");
-    knob.title = json.at("title");
-    knob.setting = json.at("setting");
-    knob.metric = json.at("metric");
-    knob.unit = json.at("unit");
-    knob.amount = json.at("amount");
-    const Json& reference = json.at("reference");
-    knob.reference = reference.at("what");
-    knob.reference_bound = reference.at("bound");
-    knob.reference_reason = reference.at("reason");
-    knob.second_oracle = json.at("second_oracle");
-    knob.never_trades = json.at("never_trades");
-    knob.rounds = json.at("rounds");
-    knob.samples = json.at("samples");
-    knob.noise = json.at("noise");
-    knob.error_law = law_of(json.at("error_law"));
-    knob.time_law = law_of(json.at("time_law"));
-    knob.law_expected = json.at("law_expected");
-    knob.law_agrees = json.at("law_agrees");
-    for (const Json& level : json.at("levels")) knob.levels.push_back(level_of(level));
-    return knob;
-}
 
 Json conditions_json(const MeasuringConditions& conditions) {
     return {{"version", conditions.version},     {"commit", conditions.commit},
@@ -133,72 +39,16 @@ MeasuringConditions conditions_of(const Json& json) {
     return conditions;
 }
 
-Json control_json(const std::optional<NegativeControl>& control) {
-    if (!control) return nullptr;
-    return {{"title", control->title},
-            {"unit", control->unit},
-            {"wrong_name", control->wrong_name},
-            {"right_name", control->right_name},
-            {"worst", control->worst_place},
-            {"reference_bound", control->reference_bound},
-            {"wrong", error_json(control->wrong)},
-            {"right", error_json(control->right)},
-            {"caught", control->is_caught}};
-}
-
-std::optional<NegativeControl> control_of(const Json& json) {
-    if (json.is_null()) return std::nullopt;
-    NegativeControl control;
-    control.title = json.at("title");
-    control.unit = json.at("unit");
-    control.wrong_name = json.at("wrong_name");
-    control.right_name = json.at("right_name");
-    control.worst_place = json.at("worst");
-    control.reference_bound = json.at("reference_bound");
-    control.wrong = error_of(json.at("wrong"));
-    control.right = error_of(json.at("right"));
-    control.is_caught = json.at("caught");
-    return control;
-}
-
-Json compared_json(const ComparedReport& compared) {
-    Json levels = Json::array();
-    for (const ComparedLevel& level : compared.levels)
-        levels.push_back({{"knob", level.knob},
-                          {"level", level.level},
-                          {"ms", level.ms},
-                          {"earlier_ms", level.earlier_ms},
-                          {"error", level.error},
-                          {"earlier_error", level.earlier_error},
-                          {"slower", level.is_slower},
-                          {"less_accurate", level.is_less_accurate}});
-    return {{"file", compared.file},       {"processor", compared.processor},          {"date", compared.date},
-            {"version", compared.version}, {"same_machine", compared.is_same_machine}, {"levels", std::move(levels)},
-            {"gone", compared.gone}};
-}
-
-ComparedReport compared_of(const Json& json) {
-    ComparedReport compared;
-    compared.file = json.at("file");
-    compared.processor = json.at("processor");
-    compared.date = json.at("date");
-    compared.version = json.at("version");
-    compared.is_same_machine = json.at("same_machine");
-    for (const Json& level : json.at("levels"))
-        compared.levels.push_back({level.at("knob"), level.at("level"), level.at("ms"), level.at("earlier_ms"), level.at("error"),
-                                   level.at("earlier_error"), level.at("slower"), level.at("less_accurate")});
-    for (const Json& name : json.at("gone")) compared.gone.push_back(name);
-    return compared;
-}
-
 AccuracyReport report_of(const Json& json) {
     AccuracyReport report;
     report.conditions = conditions_of(json.at("conditions"));
     report.interrupted = json.at("interrupted");
-    for (const Json& knob : json.at("knobs")) report.knobs.push_back(knob_of(knob));
+    for (const Json& knob : json.at("knobs")) report.knobs.push_back(knob_from(knob));
     for (const Json& name : json.at("not_measured")) report.not_measured.push_back(name);
-    report.control = control_of(json.at("negative_control"));
-    for (const Json& compared : json.at("comparisons")) report.comparisons.push_back(compared_of(compared));
+    for (const Json& flight : json.at("flights")) report.flights.push_back(flight_from(flight));
+    report.uncalled = uncalled_from(json.at("uncalled_effects"));
+    report.control = control_from(json.at("negative_control"));
+    for (const Json& compared : json.at("comparisons")) report.comparisons.push_back(compared_from(compared));
     return report;
 }
 
@@ -208,7 +58,8 @@ std::string csv_text(const std::string& text) { return "\"" + text + "\""; }
 }  // namespace
 
 Json accuracy_json(const AccuracyReport& report) {
-    Json knobs = Json::array(), comparisons = Json::array();
+    Json knobs = Json::array(), flights = Json::array(), comparisons = Json::array();
+    for (const FlightErrors& flight : report.flights) flights.push_back(flight_json(flight));
     for (const MeasuredKnob& knob : report.knobs) knobs.push_back(knob_json(knob));
     for (const ComparedReport& compared : report.comparisons) comparisons.push_back(compared_json(compared));
     return {{"schema", kAccuracySchema},
@@ -216,6 +67,8 @@ Json accuracy_json(const AccuracyReport& report) {
             {"interrupted", report.interrupted},
             {"knobs", std::move(knobs)},
             {"not_measured", report.not_measured},
+            {"flights", std::move(flights)},
+            {"uncalled_effects", uncalled_json(report.uncalled)},
             {"negative_control", control_json(report.control)},
             {"comparisons", std::move(comparisons)}};
 }
@@ -237,7 +90,8 @@ AccuracyReport read_accuracy(const std::string& text, const std::string& name) {
 
 std::string accuracy_csv(const AccuracyReport& report) {
     std::string csv =
-        "knob,level,amount,ms_median,ms_p5,ms_p95,unit,error_mean,error_p95,error_p99,error_max,bytes,build_ms,dominated\n";
+        "knob,level,amount,ms_median,ms_p5,ms_p95,unit,error_mean,error_p95,error_p99,error_max,bytes,build_ms,dominated,"
+        "offered\n";
     char numbers[256];
     for (const MeasuredKnob& knob : report.knobs)
         for (const MeasuredLevel& level : knob.levels) {
@@ -245,9 +99,9 @@ std::string accuracy_csv(const AccuracyReport& report) {
             std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g,%.9g,%.9g,", level.amount, level.ms.median, level.ms.p5,
                           level.ms.p95);
             csv += numbers + csv_text(knob.unit);
-            std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g,%.9g,%.9g,%llu,%.9g,%d\n", level.error.mean, level.error.p95,
+            std::snprintf(numbers, sizeof numbers, ",%.9g,%.9g,%.9g,%.9g,%llu,%.9g,%d,%d\n", level.error.mean, level.error.p95,
                           level.error.p99, level.error.max, static_cast<unsigned long long>(level.bytes), level.build_ms,
-                          level.is_dominated ? 1 : 0);
+                          level.is_dominated ? 1 : 0, level.is_offered ? 1 : 0);
             csv += numbers;
         }
     return csv;

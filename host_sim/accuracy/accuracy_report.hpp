@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/flight_errors.hpp"
 #include "host_sim/accuracy/measured_knob.hpp"
 #include "host_sim/accuracy/negative_control.hpp"
+#include "host_sim/accuracy/uncalled_effects.hpp"
 
 namespace tedavis::host_sim {
 
@@ -47,6 +49,8 @@ struct AccuracyReport {
     bool interrupted = false;
     std::vector<MeasuredKnob> knobs;        ///< in the registry's order
     std::vector<std::string> not_measured;  ///< names of knobs that were asked for, too
+    std::vector<FlightErrors> flights;
+    std::optional<UncalledEffects> uncalled;
     std::optional<NegativeControl> control;
     std::vector<ComparedReport> comparisons;
 };

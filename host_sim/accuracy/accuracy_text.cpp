@@ -1,9 +1,13 @@
 #include "host_sim/accuracy/accuracy_text.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 
 #include "host_sim/accuracy/compare_accuracy.hpp"
+#include "host_sim/accuracy/effects_chapter.hpp"
+#include "host_sim/accuracy/first_screen.hpp"
+#include "host_sim/accuracy/flight_errors_chapter.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -17,7 +21,10 @@ std::string printed(const char* format, Values... values) {
 }
 
 std::string level_line(const MeasuredLevel& level) {
-    const char* const remark = level.is_dominated ? "  dominated" : level.is_near_reference ? "  at the reference" : "";
+    const char* const remark = !level.is_offered         ? "  not offered"
+                               : level.is_dominated      ? "  dominated"
+                               : level.is_near_reference ? "  at the reference"
+                                                         : "";
     return printed("\n  %-24s %10.3f %10.3f %10.3f  %10.3g %10.3g %10.3g %10llu%s", level.name.c_str(), level.ms.median,
                    level.ms.p5, level.ms.p95, level.error.mean, level.error.p99, level.error.max,
                    static_cast<unsigned long long>(level.bytes), remark);
@@ -29,6 +36,13 @@ std::string law_text(const char* what, const FittedLaw& law) {
                    law.worst_residual);
 }
 
+std::string work_text(const MeasuredWork& work) {
+    return law_text(work.thing.c_str(), work.law) + "\n  expected: " + work.law_expected +
+           (work.law_agrees ? ": agrees" : ": differs") +
+           printed("\n  a sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
+           work.thing;
+}
+
 std::string knob_text(const MeasuredKnob& knob) {
     std::string text = "\n\n" + knob.name + ": " + knob.title + "\n  error: " + knob.metric + ", " + knob.unit + "; against " +
                        knob.reference + printed(" (itself within %.2g)", knob.reference_bound) +
@@ -37,15 +51,25 @@ std::string knob_text(const MeasuredKnob& knob) {
                        printed("\n  %-24s %10s %10s %10s  %10s %10s %10s %10s", "level", "ms median", "p5", "p95", "mean", "p99",
                                "max", "bytes");
     for (const MeasuredLevel& level : knob.levels) text += level_line(level);
+    if (knob.has_one_level()) return text + "\n  one level: " + knob.only_level;
     text += law_text("error", knob.error_law) + law_text("time", knob.time_law);
     if (!knob.law_expected.empty()) text += "\n  expected: " + knob.law_expected + (knob.law_agrees ? ": agrees" : ": differs");
+    if (knob.work) text += work_text(*knob.work);
     return text;
+}
+
+/// A frame's budget is one of frames, and 95 of 100 of them must keep to it; for other settings it is one of all samples
+/// together.
+const MeasuredLevel* within_budget(const MeasuredKnob& knob, double budget_ms) {
+    return knob.name == kFrameSettings ? best_frame_within(knob, budget_ms) : best_within(knob, budget_ms);
 }
 
 std::string choice_text(const MeasuredKnob& knob, const MeasuredLevel* level) {
     const std::string name = "\n  " + knob.name + ": ";
     if (level == nullptr) return name + "no level keeps to it";
-    return name + level->name + printed(" (%.3f ms, at most %.3g ", level->ms.median, level->error.max) + knob.unit + ")";
+    const std::string options = level->options.empty() ? "" : "; tedavis replay LOG -o DIR " + level->options;
+    const double ms = knob.name == kFrameSettings ? level->sample_ms.median : level->ms.median;
+    return name + level->name + printed(" (%.3f ms, at most %.3g ", ms, level->error.max) + knob.unit + ")" + options;
 }
 
 }  // namespace
@@ -56,6 +80,8 @@ std::string accuracy_text(const AccuracyReport& report) {
                        std::to_string(on.processors) + printed(", load %.1f", on.load) + ", " + on.terrain;
     for (const MeasuredKnob& knob : report.knobs) text += knob_text(knob);
     for (const std::string& name : report.not_measured) text += "\n\n" + name + ": not measured";
+    text += flight_errors_text(report.flights);
+    if (report.uncalled) text += uncalled_text(*report.uncalled);
     if (report.control) text += "\n\n" + control_text(*report.control);
     for (const ComparedReport& compared : report.comparisons) text += comparison_text(compared);
     return text;
@@ -63,7 +89,17 @@ std::string accuracy_text(const AccuracyReport& report) {
 
 std::string budget_text(const AccuracyReport& report, double budget_ms) {
     std::string text = printed("\n\nthe most accurate within %g ms", budget_ms);
-    for (const MeasuredKnob& knob : report.knobs) text += choice_text(knob, best_within(knob, budget_ms));
+    bool is_possible = report.knobs.empty();
+    double quickest_ms = 1e300;
+    for (const MeasuredKnob& knob : report.knobs) {
+        const MeasuredLevel* const best = within_budget(knob, budget_ms);
+        text += choice_text(knob, best);
+        is_possible = is_possible || best != nullptr;
+        for (const MeasuredLevel& level : knob.levels) quickest_ms = std::min(quickest_ms, level.ms.median);
+    }
+    if (!is_possible)
+        throw UserError(printed("--budget-ms %g: no level of any measured setting keeps to it; the quickest takes %.3g ms",
+                                budget_ms, quickest_ms));
     return text;
 }
 

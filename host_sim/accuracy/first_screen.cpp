@@ -31,18 +31,13 @@ std::string screen_text(const char* format, Values... values) {
 
 const MeasuredKnob* frame_knob(const AccuracyReport& report) {
     for (const MeasuredKnob& knob : report.knobs)
-        if (knob.name == kFrameKnob) return &knob;
+        if (knob.name == kFrameSettings) return &knob;
     return nullptr;
-}
-
-/// Per frame; a level's times are of all samples.
-double frame_ms(const MeasuredKnob& knob, double all_ms) {
-    return all_ms / static_cast<double>(std::max<std::size_t>(knob.samples, 1));
 }
 
 const MeasuredLevel* quickest_of(const MeasuredKnob& knob) {
     const auto quickest = std::min_element(knob.levels.begin(), knob.levels.end(),
-                                           [](const auto& a, const auto& b) { return a.ms.median < b.ms.median; });
+                                           [](const auto& a, const auto& b) { return a.sample_ms.median < b.sample_ms.median; });
     return quickest == knob.levels.end() ? nullptr : &*quickest;
 }
 
@@ -53,8 +48,8 @@ const NextLevel* next_of(const std::vector<NextLevel>& steps, const MeasuredLeve
 
 std::string level_words(const MeasuredKnob& knob, const MeasuredLevel& level) {
     return level.name +
-           screen_text(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", frame_ms(knob, level.ms.median),
-                       frame_ms(knob, level.ms.p95), level.error.max) +
+           screen_text(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", level.sample_ms.median, level.sample_ms.p95,
+                       level.error.max) +
            knob.unit + " off";
 }
 
@@ -76,13 +71,32 @@ std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& ste
 std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
     const std::string head = "<tr><th>" + std::string(budget.name) + "</th>" + html_number(decimal(budget.ms, 1));
     const MeasuredLevel* const best = best_frame_within(knob, budget.ms);
-    if (best == nullptr) return head + "<td colspan='6'>no settings keep to it</td></tr>";
+    if (best == nullptr) return head + "<td colspan='7'>no settings keep to it</td></tr>";
     const NextLevel* const next = next_of(steps, best);
-    return head + html_cell(best->name) + html_number(decimal(frame_ms(knob, best->ms.median), 2)) +
-           html_number(decimal(frame_ms(knob, best->ms.p95), 2)) + html_number(screen_text("%.3g", best->error.max)) +
+    return head + html_cell(best->name) + html_cell(best->options) + html_number(decimal(best->sample_ms.median, 2)) +
+           html_number(decimal(best->sample_ms.p95, 2)) + html_number(screen_text("%.3g", best->error.max)) +
            html_cell(next == nullptr ? "" : next->to->name) +
            html_cell(next == nullptr ? "" : screen_text("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) +
            "</tr>";
+}
+
+constexpr double kErrors_px[] = {0.5, 1, 2, 4, 8};
+
+std::string target_row(const MeasuredKnob& knob, double error_px) {
+    const std::string head = "<tr><th>" + screen_text("%g ", error_px) + escaped_html(knob.unit) + "</th>";
+    const MeasuredLevel* const quickest = cheapest_for(knob, error_px);
+    if (quickest == nullptr) return head + "<td colspan='5'>no settings keep to it</td></tr>";
+    return head + html_cell(quickest->name) + html_cell(quickest->options) + html_number(decimal(quickest->sample_ms.median, 2)) +
+           html_number(decimal(quickest->sample_ms.p95, 2)) + html_number(screen_text("%.3g", quickest->error.max)) + "</tr>";
+}
+
+std::string target_table(const MeasuredKnob& knob) {
+    std::string rows;
+    for (const double error_px : kErrors_px) rows += target_row(knob, error_px);
+    return html_table(
+        "<tr><th>an error of at most</th><th>quickest settings</th><th>in replay</th><th class='n'>ms</th><th class='n'>95 % "
+        "within</th><th class='n'>greatest error</th></tr>",
+        rows);
 }
 
 }  // namespace
@@ -90,16 +104,16 @@ std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& s
 const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (frame_ms(knob, level.ms.p95) <= budget_ms && (best == nullptr || level.error.max < best->error.max)) best = &level;
+        if (level.sample_ms.p95 <= budget_ms && (best == nullptr || level.error.max < best->error.max)) best = &level;
     return best;
 }
 
 std::string first_screen(const AccuracyReport& report) {
     const MeasuredKnob* const knob = frame_knob(report);
     if (knob == nullptr || knob->levels.empty())
-        return html_section("What your frame time buys", "<p>This run did not measure " + std::string(kFrameKnob) +
+        return html_section("What your frame time buys", "<p>This run did not measure " + std::string(kFrameSettings) +
                                                              ", the combinations of a picture's settings; add --knob " +
-                                                             kFrameKnob + ".</p>\n");
+                                                             kFrameSettings + ".</p>\n");
     const std::vector<NextLevel> steps = next_levels(*knob);
     const MeasuredLevel *best = best_frame_within(*knob, kBudgets[kFirstBudget].ms), *quickest = quickest_of(*knob);
     const MeasuredLevel& shown = best != nullptr ? *best : *quickest;
@@ -107,16 +121,17 @@ std::string first_screen(const AccuracyReport& report) {
     for (const Budget& budget : kBudgets) rows += budget_row(*knob, steps, budget);
     return "<section id='first'><h2>What your frame time buys</h2>\n<p>" +
            escaped_html(sentence(*knob, steps, kBudgets[kFirstBudget])) + "</p>\n<div class='facts'>" +
-           html_fact(decimal(frame_ms(*knob, shown.ms.median), 1) + " ms", "a frame, median") +
+           html_fact(decimal(shown.sample_ms.median, 1) + " ms", "a frame, median") +
            html_fact(screen_text("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
-           html_fact(decimal(frame_ms(*knob, quickest->ms.median), 1) + " ms", "the quickest settings") + "</div>\n" +
+           html_fact(decimal(quickest->sample_ms.median, 1) + " ms", "the quickest settings") + "</div>\n" +
            html_table(
-               "<tr><th>a frame's time</th><th class='n'>ms</th><th>best settings</th><th class='n'>ms</th><th class='n'>95 % "
+               "<tr><th>a frame's time</th><th class='n'>ms</th><th>best settings</th><th>in replay</th><th class='n'>ms</th><th "
+               "class='n'>95 % "
                "within</th>"
                "<th class='n'>greatest error, " +
                    escaped_html(knob->unit) + "</th><th>next level</th><th></th></tr>",
                rows) +
-           "</section>\n";
+           target_table(*knob) + "</section>\n";
 }
 
 }  // namespace tedavis::host_sim

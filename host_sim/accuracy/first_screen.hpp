@@ -7,10 +7,9 @@
 #include <string>
 
 #include "host_sim/accuracy/accuracy_report.hpp"
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 
 namespace tedavis::host_sim {
-
-inline constexpr char kFrameKnob[] = "frame_settings";
 
 /// The most accurate level whose frames keep to the budget in 95 of 100 cases; null if none does.
 [[nodiscard]] const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms);

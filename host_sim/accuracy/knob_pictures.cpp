@@ -82,6 +82,26 @@ RgbaPicture error_map(const std::vector<double>& values, std::uint32_t width, do
     return map;
 }
 
+RgbaPicture metric_map(const std::vector<double>& errors, const std::vector<KnobPixel>& pixels, const PictureSize& size) {
+    constexpr std::uint8_t kUnknown = 128;
+    RgbaPicture map{size.width, size.height, std::vector<std::uint8_t>(std::size_t{size.width} * size.height * 4, kUnknown)};
+    for (std::size_t n = 3; n < map.pixels.size(); n += 4) map.pixels[n] = 255;
+    if (errors.empty()) return map;
+    const double full = std::max(*std::max_element(errors.begin(), errors.end()), 1e-300);
+    const double area = static_cast<double>(size.width) * size.height / static_cast<double>(errors.size());
+    const auto side = static_cast<std::uint32_t>(std::max(1.0, std::floor(std::sqrt(area))));
+    for (std::size_t n = 0; n < errors.size(); ++n) {
+        const std::array<std::uint8_t, 3> color = ramp_color(errors[n] / full);
+        const std::uint32_t left = pixels[n].x - std::min(pixels[n].x, side / 2),
+                            top = pixels[n].y - std::min(pixels[n].y, side / 2);
+        for (std::uint32_t y = top; y < std::min(top + side, size.height); ++y)
+            for (std::uint32_t x = left; x < std::min(left + side, size.width); ++x)
+                std::copy(color.begin(), color.end(),
+                          map.pixels.begin() + static_cast<std::ptrdiff_t>((std::size_t{y} * size.width + x) * 4));
+    }
+    return map;
+}
+
 RgbaPicture enlarged_crop(const RgbaView& view, std::uint32_t x, std::uint32_t y, std::uint32_t side, std::uint32_t factor) {
     const auto begin = [side](std::uint32_t middle, std::uint32_t size) {
         const std::uint32_t half = side / 2, last = size - std::min(side, size);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/knobs/knob.hpp"
+#include "host_sim/options/picture_options.hpp"
 #include "host_sim/png_file.hpp"
 
 namespace tedavis::host_sim {
@@ -34,7 +36,9 @@ struct KnobPictures {
     std::string knob, cheap_level, exact_level;
     PicturePlace place;
     PictureErrors errors;
-    ReportPicture cheap, exact, color_map, perceived_map;
+    std::string metric;     ///< with its unit
+    double metric_max = 0;  ///< yellow in metric_map
+    ReportPicture cheap, exact, color_map, perceived_map, metric_map;
     ReportPicture cheap_crop, exact_crop;  ///< around the place, enlarged
 };
 
@@ -44,6 +48,11 @@ struct KnobPictures {
 
 /// Returns a picture of `values`, top row first, from dark blue at 0 to yellow at `full` and above.
 [[nodiscard]] RgbaPicture error_map(const std::vector<double>& values, std::uint32_t width, double full);
+
+/// Returns a map of errors that are known at some pixels only: each fills a square as large as its share of the picture, yellow
+/// at the greatest. Where none is known the map is grey. `pixels` are the places of `errors`.
+[[nodiscard]] RgbaPicture metric_map(const std::vector<double>& errors, const std::vector<KnobPixel>& pixels,
+                                     const PictureSize& size);
 
 /// Returns the square of `side` pixels round a place, each pixel drawn `factor` times as large; it lies within the picture.
 [[nodiscard]] RgbaPicture enlarged_crop(const RgbaView& view, std::uint32_t x, std::uint32_t y, std::uint32_t side,

@@ -18,30 +18,39 @@ MeasuredKnob described(const KnobFacts& facts) {
     measured.reference_bound = facts.reference.error_bound();
     measured.second_oracle = facts.second_oracle.text();
     measured.never_trades = facts.never_trades.text();
+    if (facts.work) measured.work.emplace().thing = facts.work->thing.text();
+    if (facts.only_level) measured.only_level = facts.only_level->text();
     return measured;
 }
 
-double run_ms(Knob& knob, std::size_t level, const MeasuringPlan& plan) {
-    const double begun = plan.clock_ms();
-    for (std::size_t sample = 0; sample < knob.samples(); ++sample) knob.run(level, sample);
-    return plan.clock_ms() - begun;
+/// Times by level: of each round, and of each sample of each round.
+using RoundTimes = std::vector<std::vector<double>>;
+struct MeasuredTimes {
+    RoundTimes rounds, samples;
+};
+
+/// One round of one level.
+void take_round(Knob& knob, std::size_t level, const MeasuringPlan& plan, MeasuredTimes& times) {
+    double all_ms = 0;
+    for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
+        knob.prepare(level, sample);
+        const double begun = plan.clock_ms();
+        knob.run(level, sample);
+        times.samples[level].push_back(plan.clock_ms() - begun);
+        all_ms += times.samples[level].back();
+    }
+    times.rounds[level].push_back(all_ms);
 }
 
-/// Times of the rounds, by level.
-using RoundTimes = std::vector<std::vector<double>>;
-
 /// The level that begins a round is the next one in each round, so each level begins about equally often.
-RoundTimes time_rounds(Knob& knob, const MeasuringPlan& plan) {
+MeasuredTimes time_rounds(Knob& knob, const MeasuringPlan& plan) {
     const std::size_t levels = knob.facts().levels.size(), rounds = std::max(plan.rounds, MeasuringPlan::kMinRounds);
-    RoundTimes times(levels);
+    MeasuredTimes times{RoundTimes(levels), RoundTimes(levels)};
     const double begun = plan.clock_ms();
     for (std::size_t round = 0; round < rounds; ++round) {
         plan.progress(round, rounds);
         if (round >= MeasuringPlan::kMinRounds && plan.most_s > 0 && plan.clock_ms() - begun > plan.most_s * 1000) break;
-        for (std::size_t n = 0; n < levels; ++n) {
-            const std::size_t level = (n + round) % levels;
-            times[level].push_back(run_ms(knob, level, plan));
-        }
+        for (std::size_t n = 0; n < levels; ++n) take_round(knob, (n + round) % levels, plan, times);
     }
     return times;
 }
@@ -62,6 +71,32 @@ double noise_of(const RoundTimes& times) {
     return noise;
 }
 
+/// Of the first level and of the most accurate one, where the first is worst; nothing for a knob that draws none.
+std::optional<KnobPictures> pictures_of(Knob& knob, const std::vector<MeasuredLevel>& levels) {
+    const MeasuredLevel& cheap = levels.front();
+    const auto exact =
+        std::min_element(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.error.mean < b.error.mean; });
+    if (!cheap.worst_pixel || exact == levels.begin()) return std::nullopt;
+    const std::optional<RgbaPicture> first = knob.picture(0, cheap.worst_sample);
+    if (!first) return std::nullopt;
+    const std::optional<RgbaPicture> last = knob.picture(static_cast<std::size_t>(exact - levels.begin()), cheap.worst_sample);
+    if (!last || first->width != last->width || first->height != last->height) return std::nullopt;
+    KnobPictures pictures =
+        compare_pictures(knob.facts().name.text(), view_of(*first), view_of(*last),
+                         {cheap.worst_place, cheap.worst_command, cheap.worst_pixel->x, cheap.worst_pixel->y});
+    std::vector<double> errors;
+    std::vector<KnobPixel> pixels;
+    knob.find_errors(0, cheap.worst_sample, errors);
+    for (std::size_t n = 0; n < errors.size(); ++n) pixels.push_back(knob.pixel_of(cheap.worst_sample, n).value_or(KnobPixel{}));
+    pictures.metric_map = {knob.facts().name.text() + "-metric.png",
+                           encode_small_png(view_of(metric_map(errors, pixels, {first->width, first->height})))};
+    pictures.metric = knob.facts().metric.text() + ", " + knob.facts().unit.text();
+    pictures.metric_max = cheap.error.max;
+    pictures.cheap_level = cheap.name;
+    pictures.exact_level = exact->name;
+    return pictures;
+}
+
 }  // namespace
 
 MeasuredLevel level_errors(Knob& knob, std::size_t number) {
@@ -69,6 +104,7 @@ MeasuredLevel level_errors(Knob& knob, std::size_t number) {
     MeasuredLevel measured;
     measured.name = level.name.text();
     measured.amount = level.amount;
+    measured.is_offered = number == 0 || !knob.facts().only_level;
     std::vector<double> all, errors;
     double worst = -1;
     for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
@@ -77,11 +113,16 @@ MeasuredLevel level_errors(Knob& knob, std::size_t number) {
         const auto greatest = std::max_element(errors.begin(), errors.end());
         if (greatest != errors.end() && *greatest > worst) {
             worst = *greatest;
-            measured.worst_place = knob.place_of(sample, static_cast<std::size_t>(greatest - errors.begin()));
+            const auto error = static_cast<std::size_t>(greatest - errors.begin());
+            measured.worst_place = knob.place_of(sample, error);
+            measured.worst_command = knob.command(number, sample);
+            measured.worst_sample = sample;
+            measured.worst_pixel = knob.pixel_of(sample, error);
         }
         all.insert(all.end(), errors.begin(), errors.end());
     }
     measured.error = distribution_of(std::move(all));
+    measured.options = knob.options(number);
     measured.bytes = knob.bytes(number);
     measured.build_ms = knob.build_ms(number);
     return measured;
@@ -93,11 +134,17 @@ MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
     for (std::size_t level = 0; level < knob.facts().levels.size(); ++level) {
         plan.progress(0, plan.rounds);
         measured.levels.push_back(level_errors(knob, level));
+        if (measured.work) measured.work->counts.push_back(knob.work(level));
     }
-    const RoundTimes times = time_rounds(knob, plan);
-    for (std::size_t level = 0; level < times.size(); ++level) measured.levels[level].ms = spread_of(times[level]);
-    measured.rounds = times.empty() ? 0 : times.front().size();
-    measured.noise = noise_of(times);
+    const MeasuredTimes times = time_rounds(knob, plan);
+    for (std::size_t level = 0; level < measured.levels.size(); ++level) {
+        measured.levels[level].ms = spread_of(times.rounds[level]);
+        measured.levels[level].sample_ms = spread_of(times.samples[level]);
+        measured.levels[level].uploaded_bytes = knob.uploaded_bytes(level);
+    }
+    measured.rounds = times.rounds.empty() ? 0 : times.rounds.front().size();
+    measured.noise = noise_of(times.rounds);
+    measured.pictures = pictures_of(knob, measured.levels);
     judge(knob.facts(), measured);
     return measured;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/knob_pictures.hpp"
 #include "host_sim/accuracy/knobs/knob.hpp"
 #include "host_sim/accuracy/statistics.hpp"
 
@@ -14,12 +16,29 @@ struct MeasuredLevel {
     std::string name;
     double amount = 0;
     TimeSpread ms;            ///< of all samples, once
+    TimeSpread sample_ms;     ///< of one sample, over all samples and rounds
+    std::string options;      ///< of `tedavis replay`, which give the level; may be empty
     ErrorDistribution error;  ///< in the metric's unit
     std::uint64_t bytes = 0;
+    std::optional<std::uint64_t> uploaded_bytes;  ///< to the GPU, of a frame
     double build_ms = 0;
-    std::string worst_place;         ///< where the greatest error is
-    bool is_dominated = false;       ///< another level is more accurate and no slower, or as accurate and quicker
-    bool is_near_reference = false;  ///< its greatest error is less than ten times the reference's own bound
+    std::string worst_place;    ///< where the greatest error is
+    std::string worst_command;  ///< that gives it again
+    std::size_t worst_sample = 0;
+    std::optional<KnobPixel> worst_pixel;  ///< of knobs that draw pictures
+    bool is_dominated = false;             ///< another level is more accurate and no slower, or as accurate and quicker
+    bool is_near_reference = false;        ///< its greatest error is less than ten times the reference's own bound
+    bool is_offered = true;                ///< by the product; false: an alternative to its only level
+};
+
+/// What the levels work through.
+struct MeasuredWork {
+    std::string thing;
+    std::vector<double> counts;  ///< by level, mean of a sample
+    FittedLaw law;               ///< over the amount
+    std::string law_expected;
+    bool law_agrees = false;
+    double fixed_ms = 0, ms_per_thousand = 0;  ///< median time of a sample = fixed + that of its things, by least squares
 };
 
 struct MeasuredKnob {
@@ -30,20 +49,25 @@ struct MeasuredKnob {
     /// The greatest ratio of two medians of the same level, from the odd rounds and the even ones, less 1.
     double noise = 0;
     std::vector<MeasuredLevel> levels;  ///< as the knob has them
+    std::string only_level;             ///< why the product offers one level, the first; empty: it offers all
     FittedLaw error_law, time_law;      ///< over the amount: mean error, median time
     std::string law_expected;           ///< in words; empty: none is known
     bool law_agrees = false;            ///< with what is expected
+    std::optional<MeasuredWork> work;
+    std::optional<KnobPictures> pictures;
+
+    [[nodiscard]] bool has_one_level() const { return !only_level.empty(); }
 };
 
 /// True where the noise does not hide which of both is quicker.
 [[nodiscard]] bool is_quicker(const MeasuredKnob& knob, const MeasuredLevel& a, const MeasuredLevel& b);
 
-/// Fills in what follows from times and errors: dominated levels and laws.
+/// Fills in what follows from times and errors: dominated levels and laws. A knob with one level has neither.
 void judge(const KnobFacts& facts, MeasuredKnob& knob);
 
-/// The most accurate level whose median time keeps to the budget; null where none does.
+/// The most accurate level on offer whose median time keeps to the budget; null where none does.
 [[nodiscard]] const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms);
-/// The quickest level whose greatest error keeps to the target; null where none does.
+/// The quickest level on offer whose greatest error keeps to the target; null where none does.
 [[nodiscard]] const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error);
 
 }  // namespace tedavis::host_sim

@@ -7,7 +7,7 @@ namespace tedavis::host_sim {
 std::vector<NextLevel> next_levels(const MeasuredKnob& knob) {
     std::vector<const MeasuredLevel*> front;
     for (const MeasuredLevel& level : knob.levels)
-        if (!level.is_dominated) front.push_back(&level);
+        if (level.is_offered && !level.is_dominated) front.push_back(&level);
     std::sort(front.begin(), front.end(),
               [](const MeasuredLevel* a, const MeasuredLevel* b) { return a->ms.median < b->ms.median; });
     std::vector<NextLevel> steps;

@@ -14,7 +14,7 @@ struct NextLevel {
     double more_bytes = 0;   ///< below 0 where it takes less
 };
 
-/// From each level that is not dominated to the next slower one. The knob must outlive them.
+/// From each level that is not dominated to the next slower one; none for a knob with one level. The knob must outlive them.
 [[nodiscard]] std::vector<NextLevel> next_levels(const MeasuredKnob& knob);
 
 }  // namespace tedavis::host_sim

@@ -69,7 +69,7 @@ private:
     [[nodiscard]] std::string front() const {
         std::vector<const MeasuredLevel*> levels;
         for (const MeasuredLevel& level : knob_.levels)
-            if (!level.is_dominated) levels.push_back(&level);
+            if (level.is_offered && !level.is_dominated) levels.push_back(&level);
         std::sort(levels.begin(), levels.end(),
                   [](const MeasuredLevel* a, const MeasuredLevel* b) { return a->ms.median < b->ms.median; });
         std::string points;
@@ -84,7 +84,9 @@ private:
         text += drawn("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", x(level.ms.p5), at_y, x(level.ms.p95), at_y);
         text +=
             drawn("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke-dasharray='2 2'/>", at_x, at_y, at_x, y(level.error.max));
-        if (level.is_dominated)
+        if (!level.is_offered)
+            text += drawn("<circle cx='%.1f' cy='%.1f' r='%g' fill='none' stroke-width='2'/>", at_x, at_y, kMark);
+        else if (level.is_dominated)
             text += drawn("<path d='M%.1f %.1fl%g %gm0 %gl%g %g' stroke-width='2'/>", at_x - kMark, at_y - kMark, 2 * kMark,
                           2 * kMark, -2 * kMark, -2 * kMark, 2 * kMark);
         else if (level.error.max <= 0)

@@ -8,6 +8,8 @@
 #include "host_sim/accuracy/accuracy_page.hpp"
 #include "host_sim/accuracy/accuracy_text.hpp"
 #include "host_sim/accuracy/compare_accuracy.hpp"
+#include "host_sim/accuracy/knobs/flown_knob.hpp"
+#include "host_sim/accuracy/knobs/knob_flight.hpp"
 #include "host_sim/accuracy/knobs/knob_registry.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/measure_knob.hpp"
@@ -18,7 +20,6 @@
 #include "host_sim/new_folder.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/index_key.hpp"
-#include "host_sim/temporary_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 
@@ -28,7 +29,9 @@ namespace {
 constexpr const char* kJsonName = "/accuracy.json";
 constexpr const char* kCsvName = "/accuracy.csv";
 constexpr const char* kPageName = "/report.html";
+constexpr const char* kPictureFolder = "/pictures/";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
+constexpr std::size_t kMoments = 120, kLinePoses = 60, kQuickEffectPoses = 3;
 constexpr double kKnob_s = 120, kQuickKnob_s = 8;  ///< for the rounds of a knob
 
 double clock_ms() { return static_cast<double>(platform::monotonic_now().ns) * 1e-6; }
@@ -44,11 +47,23 @@ std::string command_of(const AccuracyOptions& options) {
     return command;
 }
 
+/// Calls `use(picture)` for each picture of the report.
+template <class Report, class Use>
+void for_each_picture(Report& report, const Use& use) {
+    for (auto& knob : report.knobs)
+        if (knob.pictures)
+            for (auto* const picture :
+                 {&knob.pictures->cheap, &knob.pictures->exact, &knob.pictures->color_map, &knob.pictures->perceived_map,
+                  &knob.pictures->metric_map, &knob.pictures->cheap_crop, &knob.pictures->exact_crop})
+                use(*picture);
+}
+
 /// What an earlier run has left in the folder, with its conditions; without one a report of nothing.
 AccuracyReport begun_report(const std::string& folder, const MeasuringConditions& now) {
     const std::string path = folder + kJsonName;
-    if (!std::filesystem::exists(path)) return {now, false, {}, {}};
-    AccuracyReport earlier = read_accuracy(read_file(path), path);
+    AccuracyReport earlier;
+    if (std::filesystem::exists(path)) earlier = read_accuracy(read_file(path), path);
+    for_each_picture(earlier, [&](ReportPicture& picture) { picture.png = read_file(folder + kPictureFolder + picture.file); });
     earlier.interrupted = false;
     if (earlier.knobs.empty()) earlier.conditions = now;
     if (!are_of_one_kind(earlier.conditions, now))
@@ -65,6 +80,10 @@ const MeasuredKnob* knob_of(const AccuracyReport& report, const std::string& nam
 }
 
 void write_report(const AccuracyReport& report, const std::string& folder) {
+    std::filesystem::create_directories(folder + kPictureFolder);
+    for_each_picture(report, [&](const ReportPicture& picture) {
+        write_file_atomically(folder + kPictureFolder + picture.file, {picture.png.data(), picture.png.size()});
+    });
     AtomicFile json(folder + kJsonName), csv(folder + kCsvName), page(folder + kPageName);
     json.stream() << json_text(accuracy_json(report), 1) << "\n";
     csv.stream() << accuracy_csv(report);
@@ -105,7 +124,48 @@ public:
         return !report.interrupted;
     }
 
+    /// The chapters beside the knobs, each once. False where the user has stopped it.
+    bool measure_chapters(const TracedGround& ground, AccuracyReport& report) {
+        const InterruptGuard interrupt;
+        try {
+            KnobFlight flight(ground);
+            if (report.flights.empty()) report.flights.push_back(flight_errors(ground, flight, interrupt));
+            write_report(report, options_.output);
+            if (!report.uncalled) report.uncalled = uncalled(ground, flight, interrupt);
+            if (!report.control) report.control = measure_control(*make_ray_control({ground, options_.is_quick}));
+        } catch (const Interrupted&) {
+            report.interrupted = true;
+        }
+        console_.progress_done();
+        return !report.interrupted;
+    }
+
 private:
+    std::function<void(std::size_t, std::size_t)> progress_of(const char* what, const InterruptGuard& interrupt) {
+        return [this, what, &interrupt](std::size_t done, std::size_t total) {
+            console_.progress(what, done, total);
+            if (interrupt.requested()) throw Interrupted("interrupted");
+        };
+    }
+
+    FlightErrors flight_errors(const TracedGround& ground, const KnobFlight& flight, const InterruptGuard& interrupt) {
+        FlightErrorsPlan plan;
+        if (!options_.is_quick) plan = {kMoments, kLinePoses, {}};
+        plan.progress = progress_of("error along the flight", interrupt);
+        return measure_flight_errors(ground, flight, plan);
+    }
+
+    UncalledEffects uncalled(const TracedGround& ground, KnobFlight& flight, const InterruptGuard& interrupt) {
+        PictureOptions picture;
+        picture.terrain = ground.path();
+        picture.scene = flight.scene();
+        picture.size = kFlownSize;
+        UncalledPlan plan;
+        if (options_.is_quick) plan.poses = kQuickEffectPoses;
+        plan.progress = progress_of("effects", interrupt);
+        return measure_uncalled(flight, picture, plan);
+    }
+
     MeasuredKnob measured(const RegisteredKnob& registered, const KnobGround& ground, std::size_t number, std::size_t count,
                           const InterruptGuard& interrupt) {
         const std::unique_ptr<Knob> knob = registered.make(ground);
@@ -178,18 +238,21 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
     const auto earlier = earlier_reports(options.compare);
     const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
-    const TemporaryFolder temporary;
+    NewFolder folder(options.output);
     const std::unique_ptr<base::Workers> workers = trace_workers(0);
-    const TracedGround ground(database_of({options.terrain, ""}, temporary.path(), console), *workers);
+    const TracedGround ground(database_of({options.terrain, ""}, options.output, console), *workers);
     const MeasuredTerrain terrain = {name, terrain_identity(&ground.database())};
     const MeasuringConditions now = conditions_now(command_of(options), renderer(), terrain, options.is_quick);
     AccuracyReport report = begun_report(options.output, now);
     const ComparisonLimits limits = {options.slower_percent / 100, options.less_accurate_percent / 100};
     for (const auto& [file, old] : earlier) static_cast<void>(compare_accuracy(report, old, file, limits));  // of one kind?
-    NewFolder folder(options.output);
-    const bool is_whole = AccuracyRun(options, console).measure(knobs, {ground, options.is_quick}, report);
+    AccuracyRun run(options, console);
+    bool is_whole = run.measure(knobs, {ground, options.is_quick}, report);
     list_unmeasured(knobs, report);
-    if (is_whole && !report.control) report.control = measure_control(*make_ray_control({ground, options.is_quick}));
+    if (options.is_control_only)
+        report.control = measure_control(*make_ray_control({ground, options.is_quick}));
+    else if (is_whole && options.knobs.empty())
+        is_whole = run.measure_chapters(ground, report);
     report.comparisons.clear();
     for (const auto& [file, old] : earlier) report.comparisons.push_back(compare_accuracy(report, old, file, limits));
     write_report(report, options.output);

@@ -21,8 +21,8 @@ struct AccuracyOptions {
     std::string target_error;  ///< such as "0.5 px": asks for the quickest levels that keep to it; empty: nothing
 };
 
-/// Leaves accuracy.json, accuracy.csv and report.html in the folder, after each knob, so that a run that was stopped goes on
-/// where it was. Returns the exit code; throws UserError and Interrupted.
+/// Leaves accuracy.json, accuracy.csv, report.html with its pictures, and the shipped terrain's database in the folder, after
+/// each knob, so that a run that was stopped goes on where it was. Returns the exit code; throws UserError and Interrupted.
 [[nodiscard]] int run_accuracy(const AccuracyOptions& options, Console& console);
 
 struct TargetError {

@@ -102,19 +102,28 @@ void add_trace_settings(CLI::App* command, TraceOptions& o) {
             "--preset", [&o](const std::string& word) { o.preset = choice_from("--preset", word, kPresets); },
             "time, quality or memory: what the picture spares, or is best at")
         ->default_str("time");
+    CLI::Option* search =
+        command
+            ->add_option_function<std::string>(
+                "--search", [&o](const std::string& text) { o.search = search_from(text); },
+                "NAME[:steps[:halvings]], how rays find the ground: exact; or, to see what it costs and what it misses, cells "
+                "(steps in each cell), ray (over the whole ray) or cones (over bilinear ground)")
+            ->default_str("exact");
     const auto chosen = [&o]() -> ChoicePlan& { return o.choice.has_value() ? *o.choice : o.choice.emplace(); };
     command
         ->add_option_function<double>(
             "--deadline", [chosen](double ms) { chosen().deadline_ms = ms; },
             "ms for a picture: settings are chosen region by region, near and lit ones first, from what they cost here")
         ->check(above_zero())
-        ->excludes("--preset");
+        ->excludes("--preset")
+        ->excludes(search);
     command
         ->add_option_function<double>(
             "--most-error", [chosen](double error) { chosen().most_error = error; },
             "how far the picture may be from the best, root mean square of light 0..1: the cheapest such settings are chosen")
         ->check(above_zero())
-        ->excludes("--preset");
+        ->excludes("--preset")
+        ->excludes(search);
 }
 
 void add_trace(CLI::App& app, CommandLine& line) {

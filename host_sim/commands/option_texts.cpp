@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "host_sim/number_list.hpp"
 #include "host_sim/reports/line_chart.hpp"
+#include "host_sim/tracing/traced_shot.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/utc_time.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -71,6 +73,29 @@ std::string phase_from(const std::string& name) {
     if (!flight::phase_from_name(name).ok)
         throw UserError("--phase " + name + ": no such phase; say for example takeoff.first_climb or cruise");
     return name;
+}
+
+raytrace::SearchSettings search_from(const std::string& text) {
+    using raytrace::SearchKind;
+    const std::string name = text.substr(0, text.find(':'));
+    std::optional<raytrace::SearchSettings> search;
+    for (const SearchKind kind : {SearchKind::exact, SearchKind::cells, SearchKind::ray, SearchKind::cones})
+        if (name == to_string(kind)) search = raytrace::usual_search(kind);
+    std::vector<double> n;
+    if (name.size() < text.size()) n = parse_number_list(text.substr(name.size() + 1), ':');
+    const auto is_whole = [](double value, double least, double most) {
+        return value >= least && value <= most && value == std::floor(value);
+    };
+    bool is_sane = search && (name.size() == text.size() || (!search->is_exact() && !n.empty() && n.size() <= 2));
+    if (is_sane && !n.empty()) is_sane = is_whole(n[0], 1, raytrace::SearchSettings::kMaxSteps);
+    if (is_sane && n.size() == 2) is_sane = is_whole(n[1], 0, raytrace::UniformSearch::kMaxHalvings);
+    if (!is_sane)
+        throw UserError("--search " + text +
+                        ": not exact, cells, ray or cones, the last three with up to 65536 steps and 24 halvings; write for "
+                        "instance ray:1024:12");
+    if (!n.empty()) search->steps = static_cast<std::uint32_t>(n[0]);
+    if (n.size() == 2) search->halvings = static_cast<std::uint32_t>(n[1]);
+    return *search;
 }
 
 base::Time time_from(const std::string& text) {

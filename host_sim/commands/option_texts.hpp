@@ -8,6 +8,7 @@
 #include "host_sim/scenario/posed_aircraft.hpp"
 #include "host_sim/sweep/draw_sweep.hpp"
 #include "render_core/perception/edge_detector.hpp"
+#include "render_core/raytrace/search/search_settings.hpp"
 
 namespace tedavis::host_sim {
 
@@ -23,6 +24,8 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string phase_from(const std::string& name);
 /// "sigma,low,high" of Canny's edges.
 [[nodiscard]] perception::CannySettings canny_from(const std::string& text);
+/// "exact", "cells", "ray" or "cones", the last three with steps and halvings, such as "ray:1024:12".
+[[nodiscard]] raytrace::SearchSettings search_from(const std::string& text);
 /// "2026-06-01T14:00:00Z"
 [[nodiscard]] base::Time time_from(const std::string& text);
 

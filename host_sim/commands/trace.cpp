@@ -71,9 +71,27 @@ int trace_chosen(const TraceOptions& options, const TracedShotPlan& plan, const 
     return 0;
 }
 
+/// Of the preset, with the search that the user chose.
+raytrace::TraceSettings chosen_settings(const TraceOptions& options) {
+    raytrace::TraceSettings settings = settings_of(options.preset);
+    settings.search = options.search;
+    if (settings.search.kind == raytrace::SearchKind::cones && settings.surface.kind != raytrace::SurfaceKind::bilinear)
+        throw UserError(std::string("--search cones: stands over a bilinear surface, which --preset ") +
+                        to_string(options.preset) + " has not; use --preset memory or another search");
+    return settings;
+}
+
+nlohmann::ordered_json search_json(const raytrace::SearchSettings& search) {
+    nlohmann::ordered_json json = {{"name", to_string(search.kind)}};
+    if (search.is_exact()) return json;
+    json["steps"] = search.steps;
+    json["halvings"] = search.halvings;
+    return json;
+}
+
 GroundMemory memory_of(const TraceOptions& options) {
     GroundMemory memory;
-    memory.settings = options.choice ? choice_levels() : std::vector{settings_of(options.preset)};
+    memory.settings = options.choice ? choice_levels() : std::vector{chosen_settings(options)};
     if (options.memory_mb) memory.bytes = static_cast<std::uint64_t>(std::min(*options.memory_mb, kMaxMemory_mb) * 1e6);
     return memory;
 }
@@ -117,10 +135,12 @@ int run_trace(const TraceOptions& options, Console& console) {
     if (data.has_value() && data->share() == 0)
         console.note("note: " + options.scene + " has no values of " + data->name() + " over this terrain");
     if (options.choice.has_value()) return trace_chosen(options, plan, ground, *workers, console);
-    const raytrace::TraceSettings settings = settings_of(options.preset);
+    const raytrace::TraceSettings settings = chosen_settings(options);
     const TracedShot shot = draw_traced_shot(ground, settings, plan, *workers);
-    nlohmann::ordered_json json = {
-        {"picture", options.output}, {"preset", to_string(options.preset)}, {"pose", pose_json(plan.pose)}};
+    nlohmann::ordered_json json = {{"picture", options.output},
+                                   {"preset", to_string(options.preset)},
+                                   {"search", search_json(options.search)},
+                                   {"pose", pose_json(plan.pose)}};
     json.update(shot_json(ground, describe(settings), shot, workers->concurrency()));
     add_data(plan.data, json);
     leave(options, plan, ground, shot, json,

@@ -22,6 +22,7 @@ struct TraceOptions {
     std::string data;                  ///< which: layer, or layer.attribute; empty: the first
     std::optional<AircraftPose> pose;  ///< nothing: over the south of the terrain, northwards
     TracePreset preset = TracePreset::time;
+    raytrace::SearchSettings search;   ///< of the preset's rays
     std::optional<ChoicePlan> choice;  ///< in place of a preset: settings are chosen by region
     std::optional<double> memory_mb;   ///< that heights and what is prepared from them may take; where it is less, they are paged
     TracedShotPlan plan;               ///< but for its pose

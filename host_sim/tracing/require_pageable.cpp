@@ -14,7 +14,10 @@ using raytrace::TraceSettings;
 std::vector<std::string> needs_of(const TraceSettings& settings) {
     using namespace raytrace;
     std::vector<std::string> needs;
-    if (settings.is_surface_stored || !is_kernel_surface(settings)) needs.emplace_back("the smooth surface");
+    if (!settings.search.is_exact())
+        needs.emplace_back("the search");
+    else if (settings.is_surface_stored || !is_kernel_surface(settings))
+        needs.emplace_back("the smooth surface");
     if (settings.antialiasing == Antialiasing::average_mipmap) needs.emplace_back("averaged slopes");
     if (settings.antialiasing == Antialiasing::supersampling) needs.emplace_back("supersampling");
     if (settings.ambient == Ambient::sky_view) needs.emplace_back("the sky view");
@@ -44,7 +47,7 @@ void require_pageable(const TracedGround& ground, const std::string& name, const
         ground.can_be_in_memory() ? "give --memory " + megabytes_up(ground.bytes_in_memory()) + " or more, or " : "";
     throw UserError(ground.path() + ": " + listed(needs) + " of " + name + " need all heights in memory, where they take " +
                     megabytes(ground.bytes_in_memory()) + " or more and --memory allows " + megabytes(ground.memory().bytes) +
-                    "; " + more + (ground.can_be_in_memory() ? "" : "use ") + "--preset time");
+                    "; " + more + (ground.can_be_in_memory() ? "" : "use ") + "--preset time with the exact search");
 }
 
 }  // namespace tedavis::host_sim

@@ -88,6 +88,16 @@ const char* to_string(TracePreset preset) noexcept {
     return "memory";
 }
 
+const char* to_string(raytrace::SearchKind kind) noexcept {
+    switch (kind) {
+        case raytrace::SearchKind::exact: return "exact";
+        case raytrace::SearchKind::cells: return "cells";
+        case raytrace::SearchKind::ray: return "ray";
+        case raytrace::SearchKind::cones: break;
+    }
+    return "cones";
+}
+
 TraceSettings settings_of(TracePreset preset) {
     switch (preset) {
         case TracePreset::time: return raytrace::time_preset();
@@ -115,6 +125,9 @@ std::string describe(const TraceSettings& settings) {
     if (settings.ambient == Ambient::apertures) text += ", apertures";
     if (settings.has_shadows) text += ", cast shadows";
     if (settings.mirrors > 0) text += ", mirrors";
+    if (!settings.search.is_exact())
+        text += std::string(", search by ") + to_string(settings.search.kind) + " (" + std::to_string(settings.search.steps) +
+                " steps, " + std::to_string(settings.search.halvings) + " halvings)";
     return text;
 }
 

@@ -18,6 +18,7 @@ inline constexpr TracePreset kTracePresets[] = {TracePreset::time, TracePreset::
 
 [[nodiscard]] const char* to_string(TracePreset preset) noexcept;
 [[nodiscard]] raytrace::TraceSettings settings_of(TracePreset preset);
+[[nodiscard]] const char* to_string(raytrace::SearchKind kind) noexcept;
 /// What a preset's operators are, in words: "two triangles a cell, Lambert".
 [[nodiscard]] std::string describe(const raytrace::TraceSettings& settings);
 

@@ -2,6 +2,9 @@
 ///
 /// Everything that a reader of the report needs to believe a figure is a member that has no default, so a knob that does not
 /// state it does not compile; a test with fault_of() (knob_registry.hpp) refuses what is stated but empty or not credible.
+///
+/// Some settings have one level only. They are knobs too, so that the report shows what this level's error is, and what the
+/// alternatives would cost: the first level is the product's, the others are alternatives that it does not offer.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +13,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "host_sim/png_file.hpp"
 
 namespace tedavis::host_sim {
 
@@ -45,6 +50,12 @@ struct ExpectedLaw {
     Statement source;
 };
 
+/// What a level works through, where its number tells more than the time: triangles, texels.
+struct KnobWork {
+    Statement thing;  ///< plural
+    ExpectedLaw law;  ///< of their number over the amount
+};
+
 struct KnobLevel {
     Statement name;  ///< as the user writes it
     double amount;   ///< that laws are fitted over; 0: on no scale
@@ -60,7 +71,15 @@ struct KnobFacts {
     Statement never_trades;          ///< what stays as it is at every level
     Statement amount;                ///< what KnobLevel::amount counts
     std::optional<ExpectedLaw> law;  ///< nothing: none is known
-    std::vector<KnobLevel> levels;   ///< the cheapest first
+    std::vector<KnobLevel> levels;   ///< the cheapest first; where `only_level` is stated, the product's first
+    /// Why the product offers the first level and none of the others; nothing: it offers all.
+    std::optional<Statement> only_level = std::nullopt;
+    std::optional<KnobWork> work = std::nullopt;
+};
+
+/// From the left and from the top of a picture.
+struct KnobPixel {
+    std::uint32_t x = 0, y = 0;
 };
 
 /// A knob over inputs that were prepared when it was made. One thread.
@@ -74,14 +93,34 @@ public:
     [[nodiscard]] const KnobFacts& facts() const { return facts_; }
     /// How many pieces of work there are; each is timed for itself.
     [[nodiscard]] virtual std::size_t samples() const = 0;
+    /// Comes before run() of the same sample and is not timed: loads what a user does not wait for.
+    virtual void prepare(std::size_t /*level*/, std::size_t /*sample*/) {}
     /// Does the work of a sample at a level: this is what is timed, and nothing else.
     virtual void run(std::size_t level, std::size_t sample) = 0;
     /// Appends the errors of what run() would give, not negative, in the metric's unit.
     virtual void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) = 0;
     /// Where an error of find_errors() is, for people: a ray, a pixel, a pose.
     [[nodiscard]] virtual std::string place_of(std::size_t sample, std::size_t error) const = 0;
+    /// The picture of a sample at a level, for knobs that draw one; nothing for others.
+    [[nodiscard]] virtual std::optional<RgbaPicture> picture(std::size_t /*level*/, std::size_t /*sample*/) {
+        return std::nullopt;
+    }
+    /// Where an error of find_errors() is in that picture; nothing for knobs that draw none.
+    [[nodiscard]] virtual std::optional<KnobPixel> pixel_of(std::size_t /*sample*/, std::size_t /*error*/) const {
+        return std::nullopt;
+    }
+    /// The command that gives a sample at a level again.
+    [[nodiscard]] virtual std::string command(std::size_t /*level*/, std::size_t /*sample*/) const {
+        return "tedavis accuracy --knob " + facts_.name.text() + " -o DIR";
+    }
+    /// The options of `tedavis replay` that give a level; empty where options do not say it.
+    [[nodiscard]] virtual std::string options(std::size_t /*level*/) const { return ""; }
+    /// Mean number of the things of facts().work in a sample; after find_errors() of all samples.
+    [[nodiscard]] virtual double work(std::size_t /*level*/) const { return 0; }
     /// Memory that a level takes besides what all levels take.
     [[nodiscard]] virtual std::uint64_t bytes(std::size_t /*level*/) const { return 0; }
+    /// What a frame of a level sends to the GPU, for knobs that draw with it; nothing for others. After run().
+    [[nodiscard]] virtual std::optional<std::uint64_t> uploaded_bytes(std::size_t /*level*/) const { return std::nullopt; }
     /// Time for what is made once before the first sample.
     [[nodiscard]] virtual double build_ms(std::size_t /*level*/) const { return 0; }
 

@@ -24,7 +24,8 @@ struct RegisteredKnob {
 [[nodiscard]] std::vector<RegisteredKnob> chosen_knobs(const std::vector<std::string>& names);
 
 /// Returns why a knob cannot be measured credibly, or an empty text if it can. The faults are an empty statement, fewer than two
-/// levels, two levels with the same name, and a reference whose error bound is not 0 or more. Tests call it for every knob.
+/// levels (none, where the product has one level only), an expected law of a single level, two levels with the same name, and a
+/// reference whose error bound is not 0 or more. Tests call it for every knob.
 [[nodiscard]] std::string fault_of(const KnobFacts& facts);
 
 }  // namespace tedavis::host_sim

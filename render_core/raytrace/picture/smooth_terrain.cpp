@@ -1,5 +1,9 @@
 #include "render_core/raytrace/picture/smooth_terrain.hpp"
 
+#include <cmath>
+
+#include "render_core/raytrace/search/node_walk.hpp"
+#include "render_core/raytrace/search/search_surface.hpp"
 #include "render_core/raytrace/search/trace_surface.hpp"
 
 namespace tedavis::raytrace {
@@ -9,6 +13,15 @@ void SmoothTerrain<Height>::start(const HeightMipmap<Height>& maxima, const Surf
     maxima_ = &maxima;
     settings_ = &settings;
     width_ = width;
+    search_ = {};
+    cones_ = nullptr;
+}
+
+template <class Height>
+void SmoothTerrain<Height>::set_search(const SearchSettings& search, const ConeMap<Height>* cones) {
+    TEDAVIS_CHECK(search.kind != SearchKind::cones || cones != nullptr);
+    search_ = search;
+    cones_ = cones;
 }
 
 template <class Height>
@@ -18,11 +31,46 @@ void SmoothTerrain<Height>::set_view(const PictureSight& sight) {
     highest_ = static_cast<double>(maxima_->level(static_cast<std::uint32_t>(layout.top)).nodes[0]);
 }
 
+/// The length of a straight ray over the grid, in its t.
+template <class Height>
+double SmoothTerrain<Height>::way_over_grid(const Ray& straight) const {
+    constexpr std::uint32_t kWhole = 31;  // a level whose one node is the grid
+    const NodeWalk walk(straight, maxima_->grid().columns - 1, maxima_->grid().rows - 1);
+    return walk.is_inside() ? walk.exit_t(kWhole) - walk.t() : 0;
+}
+
+/// The same of all straight pieces of a ray of the world.
+template <class Height>
+double SmoothTerrain<Height>::whole_way(const Ray& ray) const {
+    double whole = 0;
+    static_cast<void>(trace_bent(sight_.space, ray, highest_, [&](const Ray& piece) {
+        whole += way_over_grid(piece);
+        return SurfaceHit{};
+    }));
+    return whole;
+}
+
+/// `whole` is the length that the steps of a search over the ray are shared by; unused by the other searches.
+template <class Height>
+SurfaceHit SmoothTerrain<Height>::searched(const Ray& straight, double whole) const {
+    switch (search_.kind) {
+        case SearchKind::exact: break;
+        case SearchKind::cells: return search_cells(*maxima_, *settings_, straight, search_.uniform());
+        case SearchKind::cones: return cones_->search(straight, {search_.steps, search_.halvings});
+        case SearchKind::ray: {
+            const double share = whole > 0 ? way_over_grid(straight) / whole : 0;
+            const auto steps = static_cast<std::uint32_t>(std::ceil(share * search_.steps));
+            return search_ray(maxima_->grid(), *settings_, straight, {steps > 0 ? steps : 1, search_.halvings});
+        }
+    }
+    return trace_surface(*maxima_, *settings_, straight);
+}
+
 /// Of a ray that begins a little below the surface only because its pieces do not meet exactly (Ray::gap), that is where it has
 /// met it.
 template <class Height>
-SurfaceHit SmoothTerrain<Height>::hit_of(const Ray& straight) const {
-    SurfaceHit hit = trace_surface(*maxima_, *settings_, straight);
+SurfaceHit SmoothTerrain<Height>::hit_of(const Ray& straight, double whole) const {
+    SurfaceHit hit = searched(straight, whole);
     if (straight.gap <= 0) return hit;
     const double from = static_cast<double>(straight.from);
     const glm::dvec3 begin = straight.origin + from * glm::dvec3(straight.direction);
@@ -37,8 +85,10 @@ SurfaceHit SmoothTerrain<Height>::hit_of(const Ray& straight) const {
 
 template <class Height>
 SurfaceHit SmoothTerrain<Height>::first_hit(const Ray& ray) const {
-    if (!sight_.is_of_world()) return hit_of(ray);
-    return trace_bent(sight_.space, ray, highest_, [this](const Ray& piece) { return hit_of(piece); });
+    const bool is_shared = search_.kind == SearchKind::ray;
+    if (!sight_.is_of_world()) return hit_of(ray, is_shared ? way_over_grid(ray) : 0);
+    const double whole = is_shared ? whole_way(ray) : 0;
+    return trace_bent(sight_.space, ray, highest_, [&](const Ray& piece) { return hit_of(piece, whole); });
 }
 
 template <class Height>

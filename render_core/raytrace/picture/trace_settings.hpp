@@ -1,6 +1,7 @@
 /// The operators that draw a traced picture (thesis 6.2.2.2). Plain data.
 #pragma once
 
+#include "render_core/raytrace/search/search_settings.hpp"
 #include "render_core/raytrace/surface/surface_settings.hpp"
 
 namespace tedavis::raytrace {
@@ -24,6 +25,7 @@ struct TraceSettings {
     static constexpr std::uint32_t kMaxMirrors = 8;
 
     SurfaceSettings surface;
+    SearchSettings search;  ///< of all rays; one that is not exact traces ray by ray, over the posts
     /// The surface is sampled once at start, `surface.subdivisions` times as finely, micro-structure included, with bilinear
     /// interpolation, so that the vector kernel can trace it. For approximate_bicubic it is the same surface, except for the
     /// micro-structure.
@@ -42,7 +44,8 @@ struct TraceSettings {
 
 /// True where the vector kernel traces the posts or the stored surface; else rays are traced one by one.
 [[nodiscard]] constexpr bool is_kernel_surface(const TraceSettings& settings) {
-    return settings.is_surface_stored || (!is_cubic(settings.surface.kind) && settings.surface.micro.kind == MicroKind::none);
+    return settings.search.is_exact() &&
+           (settings.is_surface_stored || (!is_cubic(settings.surface.kind) && settings.surface.micro.kind == MicroKind::none));
 }
 
 /// True where a picture needs only the first hits of its pixels' rays and the cells of these hits: no secondary rays, and

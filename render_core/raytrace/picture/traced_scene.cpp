@@ -27,8 +27,11 @@ template <class Height>
 struct TracedScene<Height>::Needs {
     const SurfaceSettings* stored = nullptr;
     const SurfaceSettings* smooth = nullptr;
+    SearchSettings search;  ///< of the smooth one
     bool has_triangles = false, has_bilinear = false, has_sky = false, has_apertures = false, has_averages = false;
-    bool is_of_one_surface = true;
+    bool is_of_one_surface = true, is_stored_exact = true;
+
+    [[nodiscard]] bool has_cones() const { return smooth != nullptr && search.kind == SearchKind::cones; }
 };
 
 template <class Height>
@@ -37,7 +40,12 @@ typename TracedScene<Height>::Needs TracedScene<Height>::needs_of(base::Span<con
     for (const TraceSettings& one : settings) {
         if (one.is_surface_stored || !is_kernel_surface(one)) {
             const SurfaceSettings*& surface = one.is_surface_stored ? needs.stored : needs.smooth;
-            needs.is_of_one_surface = needs.is_of_one_surface && (surface == nullptr || is_same_surface(*surface, one.surface));
+            const bool is_first = surface == nullptr, is_smooth = !one.is_surface_stored;
+            needs.is_of_one_surface =
+                needs.is_of_one_surface &&
+                (is_first || (is_same_surface(*surface, one.surface) && (!is_smooth || needs.search == one.search)));
+            needs.is_stored_exact = needs.is_stored_exact && (is_smooth || one.search.is_exact());
+            if (is_smooth) needs.search = one.search;
             surface = &one.surface;
         } else {
             (one.surface.kind == SurfaceKind::two_triangles ? needs.has_triangles : needs.has_bilinear) = true;
@@ -62,6 +70,7 @@ std::uint64_t TracedScene<Height>::bytes_needed(const HeightGrid<Height>& grid, 
                                                    static_cast<std::uint32_t>((grid.rows - 1) * parts + 1));
     }
     if (needs.smooth != nullptr) bytes += maxima;
+    if (needs.has_cones()) bytes += ConeMap<Height>::bytes_needed(grid.columns, grid.rows);
     if (needs.has_sky) bytes += SkyMap<Height>::bytes_needed(grid.columns, grid.rows, needs.has_apertures);
     if (needs.has_averages) bytes += AverageMipmap<Height>::bytes_needed(grid.columns, grid.rows);
     return bytes;
@@ -96,14 +105,23 @@ bool TracedScene<Height>::start_stored(base::Arena& arena) {
 }
 
 template <class Height>
+bool TracedScene<Height>::start_smooth(base::Arena& arena) {
+    const std::uint64_t before = arena.use().in_use;
+    if (!smooth_maxima_.start(grid_, arena, surface_bounds<Height>(smooth_settings_))) return false;
+    smooth_.start(smooth_maxima_, smooth_settings_, size_.width);
+    note("bounds of the surface", before, arena);
+    const std::uint64_t between = arena.use().in_use;
+    if (has_cones_) {
+        if (!cones_.start(grid_, {}, arena)) return false;
+        note("cones", between, arena);
+    }
+    smooth_.set_search(smooth_search_, has_cones_ ? &cones_ : nullptr);
+    return true;
+}
+
+template <class Height>
 bool TracedScene<Height>::start_maps(const Needs& needs, base::Arena& arena) {
     std::uint64_t before = arena.use().in_use;
-    if (has_smooth_) {
-        if (!smooth_maxima_.start(grid_, arena, surface_bounds<Height>(smooth_settings_))) return false;
-        smooth_.start(smooth_maxima_, smooth_settings_, size_.width);
-        note("bounds of the surface", before, arena);
-    }
-    before = arena.use().in_use;
     if (has_sky_) {
         const SkyMapSettings sky = {size_.sky_azimuths, size_.sky_radius, scale_, needs.has_apertures};
         if (!sky_.start(grid_, sky, arena)) return false;
@@ -121,6 +139,20 @@ template <class Height>
 typename TracedScene<Height>::Answer TracedScene<Height>::check_size(const SceneSize& size) {
     if (size.width == 0 || size.height == 0 || size.width > SceneSize::kMaxSide || size.height > SceneSize::kMaxSide)
         return base::fail(base::FaultText("a traced picture is 1 to 16384 pixels wide and high; change its size"));
+    return std::uint64_t{0};
+}
+
+template <class Height>
+typename TracedScene<Height>::Answer TracedScene<Height>::check_needs(const HeightGrid<Height>& grid, const Needs& needs) {
+    if (!needs.is_of_one_surface)
+        return base::fail(base::FaultText("settings ask for two different stored or smooth surfaces or searches; give them one"));
+    if (!needs.is_stored_exact)
+        return base::fail(base::FaultText("a stored surface is searched exactly only; choose the exact search or the posts"));
+    if (needs.has_cones() && needs.smooth->kind != SurfaceKind::bilinear)
+        return base::fail(base::FaultText("cones stand over a bilinear surface only; choose it or another search"));
+    if (needs.smooth != nullptr && !surface_fits(grid, *needs.smooth))
+        return base::fail(
+            base::FaultText("heights come too close to the limits of 16 bits for this surface; lower its amplitude"));
     return std::uint64_t{0};
 }
 
@@ -143,8 +175,7 @@ typename TracedScene<Height>::Answer TracedScene<Height>::start(const HeightGrid
     const Needs needs = needs_of(settings);
     if (settings.empty()) return base::fail(base::FaultText("a traced scene needs at least one setting; give one"));
     if (const Answer checked = check_size(size); !checked.ok()) return checked;
-    if (!needs.is_of_one_surface)
-        return base::fail(base::FaultText("settings ask for two different stored or smooth surfaces; give them one"));
+    if (const Answer checked = check_needs(grid, needs); !checked.ok()) return checked;
     other_terrain_ = nullptr;
     grid_ = grid;
     scale_ = scale;
@@ -154,16 +185,15 @@ typename TracedScene<Height>::Answer TracedScene<Height>::start(const HeightGrid
     has_bilinear_ = needs.has_bilinear;
     has_stored_ = needs.stored != nullptr;
     has_smooth_ = needs.smooth != nullptr;
+    has_cones_ = needs.has_cones();
     has_sky_ = needs.has_sky;
     has_averages_ = needs.has_averages;
     if (has_stored_) stored_settings_ = *needs.stored;
     if (has_smooth_) smooth_settings_ = *needs.smooth;
-    if (has_smooth_ && !surface_fits(grid, smooth_settings_))
-        return base::fail(
-            base::FaultText("heights come too close to the limits of 16 bits for this surface; lower its amplitude"));
+    smooth_search_ = needs.search;
     const std::uint64_t before = arena.use().in_use;
     const bool has_posts = !(has_triangles_ || has_bilinear_) || start_posts(arena);
-    if (!has_posts || (has_stored_ && !start_stored(arena)) || !start_maps(needs, arena))
+    if (!has_posts || (has_stored_ && !start_stored(arena)) || (has_smooth_ && !start_smooth(arena)) || !start_maps(needs, arena))
         return base::fail(base::FaultText("the traced scene does not fit its memory; give it bytes_needed()"));
     return arena.use().in_use - before;
 }
@@ -176,6 +206,7 @@ void TracedScene<Height>::build(base::Workers& workers) {
         stored_maxima_.build(workers);
     }
     if (has_smooth_) smooth_maxima_.build(workers);
+    if (has_cones_) cones_.build(workers);
     if (has_sky_) sky_.build(workers);
     if (has_averages_) averages_.build(workers);
 }

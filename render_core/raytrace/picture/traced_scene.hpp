@@ -43,7 +43,7 @@ public:
     /// Bytes that suffice for start().
     [[nodiscard]] static std::uint64_t bytes_needed(const HeightGrid<Height>& grid, base::Span<const TraceSettings> settings);
     /// Prepares pictures with any of `settings`; settings that are not traced by the kernel on the posts must have the same
-    /// surface. The grid must outlive the scene. Returns the allocated bytes, or one sentence.
+    /// surface and search. The grid must outlive the scene. Returns the allocated bytes, or one sentence.
     [[nodiscard]] Answer start(const HeightGrid<Height>& grid, const GridScale& scale, base::Span<const TraceSettings> settings,
                                const SceneSize& size, base::Arena& arena);
     /// Prepares pictures over another terrain, which must outlive the scene; `settings` need primary hits only
@@ -67,9 +67,11 @@ public:
 private:
     struct Needs;
     [[nodiscard]] static Answer check_size(const SceneSize& size);
+    [[nodiscard]] static Answer check_needs(const HeightGrid<Height>& grid, const Needs& needs);
     [[nodiscard]] static Needs needs_of(base::Span<const TraceSettings> settings);
     [[nodiscard]] bool start_posts(base::Arena& arena);
     [[nodiscard]] bool start_stored(base::Arena& arena);
+    [[nodiscard]] bool start_smooth(base::Arena& arena);
     [[nodiscard]] bool start_maps(const Needs& needs, base::Arena& arena);
     void note(const char* name, std::uint64_t before, const base::Arena& arena);
 
@@ -79,11 +81,13 @@ private:
     SceneSize size_;
     PictureSight sight_;
     SurfaceSettings stored_settings_, smooth_settings_;
-    bool has_triangles_ = false, has_bilinear_ = false, has_stored_ = false, has_smooth_ = false, has_sky_ = false,
-         has_averages_ = false;
+    SearchSettings smooth_search_;
+    bool has_triangles_ = false, has_bilinear_ = false, has_stored_ = false, has_smooth_ = false, has_cones_ = false,
+         has_sky_ = false, has_averages_ = false;
     HeightMipmap<Height> maxima_, smooth_maxima_;
     StoredSurface<Height> stored_;
     HeightMipmap<float> stored_maxima_;
+    ConeMap<Height> cones_;
     AverageMipmap<Height> averages_;
     SkyMap<Height> sky_;
     KernelTerrain<Height> triangles_, bilinear_;

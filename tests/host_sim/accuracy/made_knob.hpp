@@ -23,15 +23,19 @@ inline host_sim::KnobFacts made_facts(std::vector<host_sim::KnobLevel> levels) {
             "nothing",
             "steps",
             host_sim::ExpectedLaw{-1, 0.1, "made up"},
-            std::move(levels)};
+            std::move(levels),
+            std::nullopt,
+            host_sim::KnobWork{"steps taken", {1, 0.1, "made up"}}};
 }
 
 /// Level n has 2^n steps: errors are 1 / steps and half of it, and a sample takes steps milliseconds.
 class MadeKnob final : public host_sim::Knob {
 public:
     explicit MadeKnob(std::size_t levels) : Knob(made_facts(levels_of(levels))) {}
+    explicit MadeKnob(host_sim::KnobFacts facts) : Knob(std::move(facts)) {}
 
     [[nodiscard]] std::size_t samples() const override { return 3; }
+    void prepare(std::size_t, std::size_t) override { now_ms += preparation_ms; }
     void run(std::size_t level, std::size_t sample) override {
         runs.emplace_back(level, sample);
         now_ms += steps(level) * slowness(runs.size() / (samples() * facts().levels.size()));
@@ -39,6 +43,7 @@ public:
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         errors = {0.5 / steps(level), (sample == 1 ? 1.0 : 0.75) / steps(level)};
     }
+    [[nodiscard]] double work(std::size_t level) const override { return steps(level); }
     [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
         return "sample " + std::to_string(sample) + ", error " + std::to_string(error);
     }
@@ -51,7 +56,7 @@ public:
         return plan;
     }
 
-    double now_ms = 0;
+    double now_ms = 0, preparation_ms = 0;
     std::vector<std::pair<std::size_t, std::size_t>> runs;
     std::function<double(std::size_t round)> slowness = [](std::size_t) { return 1.0; };
 
@@ -63,6 +68,23 @@ private:
         return levels;
     }
 };
+
+/// Levels of which the product has the first only.
+inline host_sim::KnobFacts made_facts_of_one_level(std::vector<host_sim::KnobLevel> levels) {
+    host_sim::KnobFacts facts = made_facts(std::move(levels));
+    facts.name = "alone";
+    facts.title = "A made-up setting with one level";
+    facts.law = std::nullopt;
+    facts.work = std::nullopt;
+    facts.only_level = "one is enough";
+    return facts;
+}
+
+/// Of a knob whose alternatives are more accurate and slower.
+inline host_sim::MeasuredKnob made_knob_of_one_level() {
+    MadeKnob knob(made_facts_of_one_level({{"ours", 0}, {"finer", 0}, {"finest", 0}}));
+    return host_sim::measure_knob(knob, knob.plan(7));
+}
 
 /// Of one made-up knob, measured quickly and whole.
 inline host_sim::AccuracyReport made_report() {

@@ -13,8 +13,33 @@ namespace {
 
 AccuracyReport made_report() {
     AccuracyReport report = test_support::made_report();
+    report.knobs.push_back(test_support::made_knob_of_one_level());
     report.not_measured = {"another"};
     report.interrupted = true;
+    KnobPictures pictures;
+    pictures.knob = "made";
+    pictures.cheap_level = "1 steps";
+    pictures.exact_level = "16 steps";
+    pictures.place = {"a pose", "a command", 3, 4};
+    pictures.errors = {1, 2, 0.25, 0.5};
+    pictures.cheap.file = "made-cheap.png";
+    report.knobs[0].pictures = pictures;
+    report.knobs[0].levels[0].worst_pixel = KnobPixel{3, 4};
+    FlightErrors flight;
+    flight.flight = "a flight";
+    flight.terrain = "alps.tdb";
+    flight.asked_px = 1;
+    flight.moments = {{10, 0.9, 0.5, 12, 100, "36,-84,1000,0,0,0"}};
+    flight.lines = {{4, 3.5, 2.1, 600, 2}};
+    report.flights = {flight};
+    EffectUse use;
+    use.name = "haze";
+    use.contribution = "color";
+    use.asked = use.skipped = 3;
+    use.reasons = {{"nothing near", 3}};
+    use.largest_difference = 1;
+    use.worst_pose = "36,-84,1000,0,0,0";
+    report.uncalled = UncalledEffects{"default", "es3-mid", 3, {use}};
     report.control = NegativeControl{"steps", "m", "bad", "good", "here", 1e-9, {3, 4, 5, 6, 7}, {1, 1, 1, 1, 7}, true};
     report.comparisons = {
         {"old.json", "a processor", "a date", "1.0", true, {{"made", "4 steps", 1, 2, 3, 4, true, false}}, {"gone"}}};
@@ -26,6 +51,10 @@ TEST(AccuracyJson, IsReadAsItWasWritten) {
     EXPECT_EQ(accuracy_json(read_accuracy(json.dump(), "x.json")), json);
     EXPECT_EQ(json.at("knobs")[0].at("levels")[2].at("error").at("max"), 0.25);
     EXPECT_EQ(json.at("knobs")[0].at("reference").at("bound"), 1e-9);
+    EXPECT_EQ(json.at("knobs")[0].at("only_level"), "");
+    EXPECT_EQ(json.at("knobs")[1].at("only_level"), "one is enough");
+    EXPECT_EQ(json.at("knobs")[1].at("levels")[0].at("offered"), true);
+    EXPECT_EQ(json.at("knobs")[1].at("levels")[1].at("offered"), false);
     EXPECT_EQ(json.at("not_measured"), (std::vector<std::string>{"another"}));
 }
 
@@ -44,10 +73,10 @@ TEST(AccuracyJson, RefusesWhatItCannotRead) {
 
 TEST(AccuracyCsv, HasALineForEveryLevel) {
     const std::string csv = accuracy_csv(made_report());
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
     EXPECT_THAT(csv, ::testing::HasSubstr("\nmade,\"4 steps\",4,12,12,12,\"m\","));
     const std::size_t head = static_cast<std::size_t>(std::count(csv.begin(), std::find(csv.begin(), csv.end(), '\n'), ','));
-    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ',')), 6 * head) << "as many cells in every line";
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ',')), 9 * head) << "as many cells in every line";
 }
 
 }  // namespace

@@ -64,6 +64,20 @@ TEST(AccuracyPage, SaysWhatAReaderAsksFirst) {
     EXPECT_THAT(page, ::testing::Not(HasSubstr("http"))) << "nothing comes from the network";
 }
 
+TEST(AccuracyPage, SaysWhyASettingHasOneLevel) {
+    AccuracyReport report = made_report();
+    EXPECT_THAT(accuracy_page(report), ::testing::Not(HasSubstr("Settings with one level"))) << "control";
+    report.knobs.push_back(test_support::made_knob_of_one_level());
+    const std::string page = accuracy_page(report);
+    for (const char* const text : {"Settings with one level", "<td>ours</td><td class='n'>3.000</td>", "not offered",
+                                   "The product has the first level only: one is enough."})
+        EXPECT_THAT(page, HasSubstr(text));
+    const std::size_t section = page.find("id='alone'");
+    ASSERT_NE(section, std::string::npos);
+    EXPECT_EQ(page.find("What the next level costs", section), std::string::npos);
+    EXPECT_EQ(page.find("amount^", section), std::string::npos) << "no law of alternatives";
+}
+
 TEST(AccuracyPage, OpensInABrowserWithoutAMessage) {
     ASSERT_TRUE(test_support::has_browser()) << "Chromium is not installed (toolchains/install_packages tests)";
     const test_support::TemporaryFolder place;

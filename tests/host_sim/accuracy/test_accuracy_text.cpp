@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 #include "tests/host_sim/accuracy/made_knob.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 
@@ -22,10 +23,35 @@ TEST(AccuracyText, HasATableAndTheLaws) {
     EXPECT_THAT(text, HasSubstr("made up): agrees"));
 }
 
+TEST(AccuracyText, SaysWhyASettingHasOneLevelAndChoosesNoAlternative) {
+    AccuracyReport report = made_report();
+    report.knobs = {test_support::made_knob_of_one_level()};
+    const std::string text = accuracy_text(report);
+    EXPECT_THAT(text, HasSubstr("one level: one is enough"));
+    EXPECT_THAT(text, HasSubstr("not offered"));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("amount^")));
+    EXPECT_THAT(budget_text(report, 100), HasSubstr("alone: ours (3.000 ms"));
+    EXPECT_THAT(target_text(report, 0.3, "m", "--target-error 0.3m"), HasSubstr("no level keeps to it"));
+}
+
 TEST(AccuracyText, AnswersByBudget) {
     const AccuracyReport report = made_report();
     EXPECT_THAT(budget_text(report, 13), HasSubstr("made: 4 steps (12.000 ms, at most 0.25 m)"));
-    EXPECT_THAT(budget_text(report, 1), HasSubstr("made: no level keeps to it"));
+    test_support::expect_user_error([&] { static_cast<void>(budget_text(report, 1)); },
+                                    "--budget-ms 1: no level of any measured setting keeps to it; the quickest takes 3 ms");
+    AccuracyReport two = made_report();
+    two.knobs.push_back(two.knobs[0]);
+    two.knobs[1].name = "slow";
+    for (MeasuredLevel& level : two.knobs[1].levels) level.ms.median *= 100;
+    EXPECT_THAT(budget_text(two, 13), HasSubstr("slow: no level keeps to it"));
+}
+
+TEST(AccuracyText, SaysHowReplayGetsAFramesSettings) {
+    AccuracyReport report = made_report();
+    report.knobs[0].name = kFrameSettings;
+    report.knobs[0].levels[2].options = "--tau 2";
+    EXPECT_THAT(budget_text(report, 4),
+                HasSubstr("frame_settings: 4 steps (4.000 ms, at most 0.25 m); tedavis replay LOG -o DIR --tau 2"));
 }
 
 TEST(AccuracyText, NamesEachUnitOnce) {

@@ -14,7 +14,8 @@ using ::testing::Not;
 /// Five levels that take 1, 2, 4, 8 and 16 ms a frame and are 1, 0.5, 0.25, 0.125 and 0.0625 m off.
 AccuracyReport framed_report() {
     AccuracyReport report = test_support::made_report();
-    report.knobs[0].name = kFrameKnob;
+    report.knobs[0].name = kFrameSettings;
+    for (MeasuredLevel& level : report.knobs[0].levels) level.options = "--steps " + level.name.substr(0, level.name.find(' '));
     return report;
 }
 
@@ -22,13 +23,19 @@ TEST(FirstScreen, SaysTheBestOfATimeAndWhatTheNextLevelCosts) {
     const std::string page = first_screen(framed_report());
     EXPECT_THAT(page, HasSubstr("The best settings for 60 frames/s (16.7 ms) are 16 steps, 16.0 ms"));
     EXPECT_THAT(page, HasSubstr("No other settings are more accurate."));
-    EXPECT_THAT(page, HasSubstr("<th>12 ms</th><td class='n'>12.0</td><td>8 steps</td>"));
+    EXPECT_THAT(page, HasSubstr("<th>12 ms</th><td class='n'>12.0</td><td>8 steps</td><td>--steps 8</td>"));
     EXPECT_THAT(page, HasSubstr("<td>16 steps</td><td>x 2.00 time, x 0.50 error</td>"));
+}
+
+TEST(FirstScreen, SaysTheQuickestForAnError) {
+    EXPECT_THAT(first_screen(framed_report()),
+                HasSubstr("<th>0.5 m</th><td>2 steps</td><td>--steps 2</td><td class='n'>2.00</td>"));
+    EXPECT_THAT(first_screen(framed_report()), HasSubstr("<th>1 m</th><td>1 steps</td>"));
 }
 
 TEST(FirstScreen, SaysWhereNothingIsQuickEnough) {
     AccuracyReport report = framed_report();
-    for (MeasuredLevel& level : report.knobs[0].levels) level.ms = {1000, 900, 1100};
+    for (MeasuredLevel& level : report.knobs[0].levels) level.sample_ms = {1000, 900, 1100};
     const std::string page = first_screen(report);
     EXPECT_THAT(page, HasSubstr("No settings keep to 60 frames/s"));
     EXPECT_THAT(page, HasSubstr("no settings keep to it"));
@@ -43,7 +50,7 @@ TEST(BestFrameWithin, LooksAtTheSlowFrames) {
     AccuracyReport report = framed_report();
     MeasuredKnob& knob = report.knobs[0];
     EXPECT_EQ(best_frame_within(knob, 8)->name, "8 steps");
-    knob.levels[3].ms.p95 *= 1.5;
+    knob.levels[3].sample_ms.p95 *= 1.5;
     EXPECT_EQ(best_frame_within(knob, 8)->name, "4 steps") << "its median keeps to it, 95 of 100 frames do not";
     EXPECT_EQ(best_frame_within(knob, 0.5), nullptr);
 }

@@ -59,6 +59,16 @@ TEST(ErrorMap, RisesInLightnessWithTheError) {
     EXPECT_EQ(lightness(5), lightness(4)) << "beyond the scale";
 }
 
+TEST(MetricMap, PaintsEachErrorRoundItsPixelAndTheRestGrey) {
+    const RgbaPicture map = metric_map({0, 2, 1}, {{5, 5}, {15, 5}, {25, 5}}, {40, 20});
+    const auto color = [&](std::uint32_t x, std::uint32_t y) { return &map.pixels[(std::size_t{y} * 40 + x) * 4]; };
+    const RgbaPicture ramp = error_map({0, 2, 1}, 3, 2);
+    for (std::uint32_t n = 0; n < 3; ++n)
+        EXPECT_TRUE(std::equal(color(5 + 10 * n, 5), color(5 + 10 * n, 5) + 4, &ramp.pixels[4 * n])) << n;
+    EXPECT_EQ(*color(38, 18), 128) << "no error is known there";
+    EXPECT_EQ(metric_map({}, {}, {4, 4}).pixels.size(), 64u);
+}
+
 TEST(EnlargedCrop, StaysWithinThePictureAndHoldsThePlace) {
     const RgbaPicture whole = picture(true), crop = enlarged_crop(view_of(whole), kDotX, kDotY, 10, 2);
     EXPECT_EQ(crop.width, 20u);

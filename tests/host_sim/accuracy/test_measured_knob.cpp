@@ -54,6 +54,20 @@ TEST(MeasuredKnob, AnswersByBudgetAndByError) {
     EXPECT_EQ(cheapest_for(knob, 0.1), nullptr);
 }
 
+TEST(MeasuredKnob, AlternativesToAnOnlyLevelAreNeitherRankedNorChosen) {
+    MeasuredKnob knob;
+    knob.levels = {level("ours", 4, 8), level("quicker and better", 1, 2)};
+    knob.levels[1].is_offered = false;
+    knob.only_level = "made up";
+    judge(test_support::made_facts_of_one_level({{"ours", 1}, {"quicker and better", 2}}), knob);
+    EXPECT_FALSE(knob.levels[0].is_dominated) << "by what nobody can choose";
+    EXPECT_TRUE(knob_of({level("a", 4, 8), level("b", 1, 2)}).levels[0].is_dominated) << "control: else it would be";
+    EXPECT_EQ(best_within(knob, 10)->name, "ours");
+    EXPECT_EQ(best_within(knob, 2), nullptr);
+    EXPECT_EQ(cheapest_for(knob, 5), nullptr);
+    EXPECT_FALSE(knob.error_law.holds);
+}
+
 TEST(MeasuredKnob, ErrorsNearTheReferencesOwnBelongToNoLaw) {
     MeasuredKnob knob = knob_of({level("a", 1, 8), level("b", 2, 5e-9)});
     EXPECT_FALSE(knob.levels[0].is_near_reference);

@@ -31,5 +31,7 @@ TEST(NextLevel, PassesOverLevelsThatAreDominated) {
     EXPECT_DOUBLE_EQ(steps[0].time_ratio, 4);
 }
 
+TEST(NextLevel, AnOnlyLevelHasNoNextOne) { EXPECT_TRUE(next_levels(test_support::made_knob_of_one_level()).empty()); }
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_next_level

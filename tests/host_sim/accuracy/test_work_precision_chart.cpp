@@ -39,6 +39,15 @@ TEST(WorkPrecisionChart, HasAMarkOfItsKindForEachLevel) {
     EXPECT_THAT(svg, ::testing::HasSubstr(">4 steps</text>"));
 }
 
+TEST(WorkPrecisionChart, AlternativesAreRingsOffTheLine) {
+    const std::string svg = work_precision_svg(test_support::made_knob_of_one_level());
+    EXPECT_EQ(count_of(svg, "<circle "), 3u);
+    EXPECT_EQ(count_of(svg, "fill='none' stroke-width='2'/>"), 2u);
+    const std::size_t line = svg.find("points='");
+    ASSERT_NE(line, std::string::npos);
+    EXPECT_EQ(count_of(svg.substr(line, svg.find("'/>", line) - line), ","), 1u) << "the only level";
+}
+
 TEST(WorkPrecisionChart, TextsAreSafe) {
     test_support::MadeKnob made(2);
     MeasuredKnob knob = measure_knob(made, made.plan(7));

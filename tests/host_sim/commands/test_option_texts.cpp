@@ -65,5 +65,17 @@ TEST(OptionTexts, InstantsAreUtc) {
         expect_user_error([&] { static_cast<void>(time_from(text)); }, text);
 }
 
+TEST(OptionTexts, ReadSearchesWithTheirNumbers) {
+    using raytrace::SearchKind;
+    EXPECT_EQ(search_from("exact"), raytrace::SearchSettings());
+    EXPECT_EQ(search_from("cells"), raytrace::usual_search(SearchKind::cells));
+    EXPECT_EQ(search_from("ray:64"), (raytrace::SearchSettings{SearchKind::ray, 64, 12}));
+    EXPECT_EQ(search_from("cones:300:0"), (raytrace::SearchSettings{SearchKind::cones, 300, 0}));
+    for (const char* const text : {"", "Ray", "rays:4", "ray:", "ray:0", "ray:1.5", "ray:-4", "ray:65537", "ray:64:25",
+                                   "ray:64:12:1", "exact:4", "cells:many", ":64"})
+        expect_user_error([&] { static_cast<void>(search_from(text)); },
+                          std::string("--search ") + text + ": not exact, cells, ray or cones");
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_option_texts

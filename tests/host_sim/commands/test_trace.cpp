@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "host_sim/input_file.hpp"
@@ -30,6 +32,62 @@ TEST(Trace, LeavesThePictureAndWhatItTook) {
     EXPECT_EQ(picture.width, 120u);
     EXPECT_EQ(picture.height, 90u);
     EXPECT_THAT(run.notes, ::testing::HasSubstr("the sun is lower"));
+}
+
+/// How many pixels of two pictures differ by more than kSeen in a color.
+std::size_t differing(const RgbaPicture& a, const RgbaPicture& b) {
+    constexpr int kSeen = 8;
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < a.pixels.size(); n += 4)
+        count += std::equal(&a.pixels[n], &a.pixels[n] + 4, &b.pixels[n], [](int x, int y) { return std::abs(x - y) <= kSeen; })
+                     ? 0
+                     : 1;
+    return count;
+}
+
+/// Over the shipped hills.
+TEST(Trace, SearchesWithFewStepsMissTheGroundAndTheExactOneIsTheDefault) {
+    const test_support::TemporaryFolder folder;
+    TraceOptions options;
+    (void)test_support::run_command([&](Console& console) {
+        options.terrain.database = database_of({"", ""}, folder.path(), console);
+        return 0;
+    });
+    options.plan.width = 160;
+    options.plan.height = 120;
+    options.plan.rounds = 1;
+    options.preset = TracePreset::memory;
+    options.output = folder.file("searched.png");
+    const auto picture_of = [&](const raytrace::SearchSettings& search) {
+        options.search = search;
+        const auto run = test_support::run_command([&](Console& console) { return run_trace(options, console); }, true);
+        EXPECT_EQ(run.json().at("search").at("name"), to_string(search.kind));
+        EXPECT_EQ(run.json().at("search").value("steps", 0u), search.steps);
+        return read_png(options.output);
+    };
+    EXPECT_TRUE(TraceOptions().search.is_exact());
+    const RgbaPicture exact = picture_of({});
+    const std::size_t all = exact.pixels.size() / 4;
+    using raytrace::SearchKind;
+    EXPECT_LT(differing(picture_of(raytrace::usual_search(SearchKind::cells)), exact), all / 200);
+    EXPECT_LT(differing(picture_of({SearchKind::ray, 1024, 12}), exact), all / 100);
+    EXPECT_GT(differing(picture_of({SearchKind::ray, 16, 12}), exact), all / 40) << "control: sixteen steps over the whole ray";
+    EXPECT_LT(differing(picture_of(raytrace::usual_search(SearchKind::cones)), exact), all / 100);
+}
+
+TEST(Trace, RefusesSearchesThatDoNotSuitTheRest) {
+    const test_support::FlownFiles files;
+    TraceOptions options;
+    options.terrain.database = files.terrain;
+    options.plan.width = options.plan.height = 40;
+    options.output = files.folder.file("none.png");
+    options.search = raytrace::usual_search(raytrace::SearchKind::cones);
+    const auto run = [&] { (void)test_support::run_command([&](Console& console) { return run_trace(options, console); }); };
+    test_support::expect_user_error(run, "--search cones: stands over a bilinear surface, which --preset time has not");
+    options.search = raytrace::usual_search(raytrace::SearchKind::ray);
+    options.memory_mb = 0.195;
+    test_support::expect_user_error(run, "the search of --preset time need");
+    EXPECT_FALSE(std::filesystem::exists(options.output));
 }
 
 TEST(Trace, ChoosesUnderADeadlineAndSaysWhereItFails) {

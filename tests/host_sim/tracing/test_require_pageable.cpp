@@ -24,6 +24,9 @@ TEST(RequirePageable, SaysWhatNeedsAllHeightsAndWhatToDo) {
     test_support::expect_user_error(require(choice_levels()), needs.substr(0, needs.find(':')));
     test_support::expect_user_error(require({quality}), "--memory allows 0.2 MB; give --memory 0.");
     EXPECT_NO_THROW(require({settings_of(TracePreset::time)})());
+    raytrace::TraceSettings searched = settings_of(TracePreset::time);
+    searched.search = raytrace::usual_search(raytrace::SearchKind::cells);
+    test_support::expect_user_error(require({searched}), ": the search of ");
 }
 
 TEST(RequirePageable, AllowsEverythingInMemory) {

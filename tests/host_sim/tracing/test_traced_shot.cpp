@@ -76,6 +76,9 @@ TEST_F(TracedShotTest, SaysWhatItTakes) {
     EXPECT_GT(best.bytes(), fast.bytes());
     EXPECT_NE(fast.pixels.pixels, best.pixels.pixels);
     EXPECT_THAT(describe(settings_of(TracePreset::quality)), ::testing::HasSubstr("apertures"));
+    raytrace::TraceSettings searched = settings_of(TracePreset::time);
+    searched.search = {raytrace::SearchKind::ray, 64, 12};
+    EXPECT_EQ(describe(searched), "two triangles a cell, Lambert, search by ray (64 steps, 12 halvings)");
 }
 
 TEST_F(TracedShotTest, RefusesWhatItCannotSee) {

@@ -41,9 +41,23 @@ TEST(KnobRegistry, RefusesWhatIsNotCredible) {
     EXPECT_EQ(facts([](KnobFacts&) {}), "") << "control";
     EXPECT_EQ(facts([](KnobFacts& f) { f.metric = ""; }), "its metric is empty");
     EXPECT_EQ(facts([](KnobFacts& f) { f.never_trades = ""; }), "its never trades is empty");
+    EXPECT_EQ(facts([](KnobFacts& f) { f.work->thing = ""; }), "its work is empty");
     EXPECT_EQ(facts([](KnobFacts& f) { f.levels.pop_back(); }), "it has fewer than two levels");
     EXPECT_EQ(facts([](KnobFacts& f) { f.levels[1].name = "a"; }), "it has two levels 'a'");
     EXPECT_EQ(facts([](KnobFacts& f) { f.reference = {"the truth", -1, "unknown"}; }), "its reference has no bound");
+}
+
+TEST(KnobRegistry, OneLevelIsEnoughWhereTheKnobSaysWhy) {
+    const auto fault = [](auto change) {
+        KnobFacts made = test_support::made_facts_of_one_level({{"ours", 0}});
+        change(made);
+        return fault_of(made);
+    };
+    EXPECT_EQ(fault([](KnobFacts&) {}), "");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.only_level = std::nullopt; }), "it has fewer than two levels");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.only_level = ""; }), "its reason for one level is empty");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.levels.clear(); }), "it has no level");
+    EXPECT_EQ(fault([](KnobFacts& f) { f.law = ExpectedLaw{-1, 0.1, "made up"}; }), "it has one level and expects a law");
 }
 
 TEST(KnobRegistry, ChoosesByNameInItsOwnOrder) {

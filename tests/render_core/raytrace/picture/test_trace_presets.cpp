@@ -31,6 +31,7 @@ TEST(TracePresets, TimeAloneNeedsPrimaryHitsOnly) {
     EXPECT_TRUE(changed([](TraceSettings& s) { s.has_data = s.has_capsules = true; }));
     EXPECT_FALSE(changed([](TraceSettings& s) { s.surface.kind = SurfaceKind::bicubic; }));
     EXPECT_FALSE(changed([](TraceSettings& s) { s.is_surface_stored = true; }));
+    EXPECT_FALSE(changed([](TraceSettings& s) { s.search = usual_search(SearchKind::cells); }));
     EXPECT_FALSE(changed([](TraceSettings& s) { s.antialiasing = Antialiasing::average_mipmap; }));
     EXPECT_FALSE(changed([](TraceSettings& s) { s.ambient = Ambient::sky_view; }));
     EXPECT_FALSE(changed([](TraceSettings& s) { s.has_shadows = true; }));

@@ -63,6 +63,23 @@ TEST_F(TracedSceneTest, GivesEachSettingItsTerrain) {
         for (std::size_t b = 0; b < a; ++b) EXPECT_NE(&scene.terrain(all[a]), &scene.terrain(all[b]));
 }
 
+TEST_F(TracedSceneTest, ASearchHasATerrainOfItsOwnAndConesTakeMemory) {
+    TraceSettings exact = time_preset(), cones = time_preset();
+    exact.surface.kind = cones.surface.kind = SurfaceKind::bilinear;
+    cones.search = usual_search(SearchKind::cones);
+    Scene scene;
+    const Scene::Answer all = start(scene, {exact, cones});
+    ASSERT_TRUE(all.ok());
+    EXPECT_NE(&scene.terrain(exact), &scene.terrain(cones));
+    EXPECT_LE(all.value(), memory_.size());
+    ASSERT_EQ(scene.items().size(), 3U);
+    EXPECT_STREQ(scene.items()[2].name.c_str(), "cones");
+    EXPECT_GE(scene.items()[2].bytes, 65U * 65 * 4);
+    cones.search = usual_search(SearchKind::ray);
+    ASSERT_TRUE(start(scene, {exact, cones}).ok());
+    EXPECT_EQ(scene.items().size(), 2U) << "control: steps need no cones";
+}
+
 /// It has no surface.
 class NoTerrain final : public TracedTerrain {
 public:
@@ -96,6 +113,14 @@ TEST_F(TracedSceneTest, SaysWhatItRefuses) {
     TraceSettings other = quality_preset();
     other.surface.kind = SurfaceKind::approximate_bicubic;
     EXPECT_NE(std::string(start(scene, {quality_preset(), other}).error().c_str()).find("two different"), std::string::npos);
+    TraceSettings by_steps = quality_preset();
+    by_steps.search = usual_search(SearchKind::ray);
+    EXPECT_NE(std::string(start(scene, {quality_preset(), by_steps}).error().c_str()).find("two different"), std::string::npos);
+    TraceSettings stored = by_steps;
+    stored.is_surface_stored = true;
+    EXPECT_NE(std::string(start(scene, {stored}).error().c_str()).find("searched exactly only"), std::string::npos);
+    by_steps.search = usual_search(SearchKind::cones);
+    EXPECT_NE(std::string(start(scene, {by_steps}).error().c_str()).find("cones stand over a bilinear"), std::string::npos);
     size_.width = 20000;
     EXPECT_NE(std::string(start(scene, {time_preset()}, 1 << 20).error().c_str()).find("16384"), std::string::npos);
     size_.width = 100;

@@ -1,0 +1,161 @@
+#include "host_sim/accuracy/chapters_json.hpp"
+
+#include <utility>
+
+#include "host_sim/accuracy/knob_json.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json use_json(const EffectUse& use) {
+    Json reasons = Json::array();
+    for (const UncalledReason& reason : use.reasons) reasons.push_back({{"why", reason.text}, {"frames", reason.frames}});
+    return {{"name", use.name},
+            {"contribution", use.contribution},
+            {"asked", use.asked},
+            {"run", use.run},
+            {"replaced", use.replaced},
+            {"skipped", use.skipped},
+            {"reasons", std::move(reasons)},
+            {"skipped_work", use.skipped_work},
+            {"bound", use.bound},
+            {"saved_ms", use.saved.ms},
+            {"saved_spread_ms", use.saved.spread_ms},
+            {"largest_difference", use.largest_difference},
+            {"worst_pose", use.worst_pose}};
+}
+
+EffectUse use_of(const Json& json) {
+    EffectUse use;
+    use.name = json.at("name");
+    use.contribution = json.at("contribution");
+    use.asked = json.at("asked");
+    use.run = json.at("run");
+    use.replaced = json.at("replaced");
+    use.skipped = json.at("skipped");
+    for (const Json& reason : json.at("reasons")) use.reasons.push_back({reason.at("why"), reason.at("frames")});
+    use.skipped_work = json.at("skipped_work");
+    use.bound = json.at("bound");
+    use.saved = {json.at("saved_ms"), json.at("saved_spread_ms")};
+    use.largest_difference = json.at("largest_difference");
+    use.worst_pose = json.at("worst_pose");
+    return use;
+}
+
+}  // namespace
+
+nlohmann::ordered_json flight_json(const FlightErrors& flight) {
+    Json moments = Json::array(), lines = Json::array();
+    for (const MeasuredMoment& moment : flight.moments)
+        moments.push_back({{"time_s", moment.time_s},
+                           {"proven_px", moment.proven_px},
+                           {"measured_px", moment.measured_px},
+                           {"ms", moment.ms},
+                           {"samples", moment.samples},
+                           {"pose", moment.pose}});
+    for (const ToleranceLine& line : flight.lines)
+        lines.push_back({{"asked_px", line.asked_px},
+                         {"proven_px", line.proven_px},
+                         {"measured_px", line.measured_px},
+                         {"samples", line.samples},
+                         {"broken", line.broken}});
+    return {{"flight", flight.flight},
+            {"terrain", flight.terrain},
+            {"asked_px", flight.asked_px},
+            {"moments", std::move(moments)},
+            {"lines", std::move(lines)}};
+}
+
+FlightErrors flight_from(const nlohmann::ordered_json& json) {
+    FlightErrors flight;
+    flight.flight = json.at("flight");
+    flight.terrain = json.at("terrain");
+    flight.asked_px = json.at("asked_px");
+    for (const Json& moment : json.at("moments"))
+        flight.moments.push_back({moment.at("time_s"), moment.at("proven_px"), moment.at("measured_px"), moment.at("ms"),
+                                  moment.at("samples"), moment.at("pose")});
+    for (const Json& line : json.at("lines"))
+        flight.lines.push_back(
+            {line.at("asked_px"), line.at("proven_px"), line.at("measured_px"), line.at("samples"), line.at("broken")});
+    return flight;
+}
+
+nlohmann::ordered_json uncalled_json(const std::optional<UncalledEffects>& uncalled) {
+    if (!uncalled) return nullptr;
+    Json uses = Json::array();
+    for (const EffectUse& use : uncalled->uses) uses.push_back(use_json(use));
+    return {
+        {"design", uncalled->design}, {"device", uncalled->device}, {"frames", uncalled->frames}, {"effects", std::move(uses)}};
+}
+
+std::optional<UncalledEffects> uncalled_from(const nlohmann::ordered_json& json) {
+    if (json.is_null()) return std::nullopt;
+    UncalledEffects uncalled;
+    uncalled.design = json.at("design");
+    uncalled.device = json.at("device");
+    uncalled.frames = json.at("frames");
+    for (const Json& use : json.at("effects")) uncalled.uses.push_back(use_of(use));
+    return uncalled;
+}
+
+nlohmann::ordered_json control_json(const std::optional<NegativeControl>& control) {
+    if (!control) return nullptr;
+    return {{"title", control->title},
+            {"unit", control->unit},
+            {"wrong_name", control->wrong_name},
+            {"right_name", control->right_name},
+            {"worst", control->worst_place},
+            {"reference_bound", control->reference_bound},
+            {"wrong", error_json(control->wrong)},
+            {"right", error_json(control->right)},
+            {"caught", control->is_caught}};
+}
+
+std::optional<NegativeControl> control_from(const nlohmann::ordered_json& json) {
+    if (json.is_null()) return std::nullopt;
+    NegativeControl control;
+    control.title = json.at("title");
+    control.unit = json.at("unit");
+    control.wrong_name = json.at("wrong_name");
+    control.right_name = json.at("right_name");
+    control.worst_place = json.at("worst");
+    control.reference_bound = json.at("reference_bound");
+    control.wrong = error_of(json.at("wrong"));
+    control.right = error_of(json.at("right"));
+    control.is_caught = json.at("caught");
+    return control;
+}
+
+nlohmann::ordered_json compared_json(const ComparedReport& compared) {
+    Json levels = Json::array();
+    for (const ComparedLevel& level : compared.levels)
+        levels.push_back({{"knob", level.knob},
+                          {"level", level.level},
+                          {"ms", level.ms},
+                          {"earlier_ms", level.earlier_ms},
+                          {"error", level.error},
+                          {"earlier_error", level.earlier_error},
+                          {"slower", level.is_slower},
+                          {"less_accurate", level.is_less_accurate}});
+    return {{"file", compared.file},       {"processor", compared.processor},          {"date", compared.date},
+            {"version", compared.version}, {"same_machine", compared.is_same_machine}, {"levels", std::move(levels)},
+            {"gone", compared.gone}};
+}
+
+ComparedReport compared_from(const nlohmann::ordered_json& json) {
+    ComparedReport compared;
+    compared.file = json.at("file");
+    compared.processor = json.at("processor");
+    compared.date = json.at("date");
+    compared.version = json.at("version");
+    compared.is_same_machine = json.at("same_machine");
+    for (const Json& level : json.at("levels"))
+        compared.levels.push_back({level.at("knob"), level.at("level"), level.at("ms"), level.at("earlier_ms"), level.at("error"),
+                                   level.at("earlier_error"), level.at("slower"), level.at("less_accurate")});
+    for (const Json& name : json.at("gone")) compared.gone.push_back(name);
+    return compared;
+}
+
+}  // namespace tedavis::host_sim

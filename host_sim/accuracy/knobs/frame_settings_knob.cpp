@@ -1,0 +1,120 @@
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "host_sim/accuracy/knobs/flown_knob.hpp"
+#include "host_sim/accuracy/knobs/scaled_picture.hpp"
+#include "host_sim/accuracy/knobs/terrain_tau_knob.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr double kFrameTaus_px[] = {8, 4, 2, 1, 0.5};
+/// Parts of the window's width and height.
+struct DrawnShare {
+    double share;
+    const char* name;
+};
+constexpr DrawnShare kDrawnShares[] = {{0.5, "half size"}, {0.75, "three quarters"}, {1, "full size"}};
+constexpr std::size_t kFramePoses = 16, kQuickFramePoses = 5;
+
+struct FrameSetting {
+    double tau_px;
+    DrawnShare drawn;
+
+    [[nodiscard]] PictureSize size() const {
+        const auto part = [this](std::uint32_t whole) { return static_cast<std::uint32_t>(std::lround(drawn.share * whole)); };
+        return {part(kFlownSize.width), part(kFlownSize.height)};
+    }
+};
+
+std::vector<FrameSetting> frame_settings() {
+    std::vector<FrameSetting> settings;
+    for (const DrawnShare& drawn : kDrawnShares)
+        for (const double tau_px : kFrameTaus_px) settings.push_back({tau_px, drawn});
+    return settings;
+}
+
+KnobFacts frame_settings_facts() {
+    std::vector<KnobLevel> levels;
+    for (const FrameSetting& setting : frame_settings()) {
+        char name[64];
+        std::snprintf(name, sizeof name, "tau %g px, %s", setting.tau_px, setting.drawn.name);
+        levels.push_back({name, 0});
+    }
+    return {kFrameSettings,
+            "Settings of a frame: the terrain's error and the share of the window that is drawn",
+            "--tau and --size of replay, or tau_px of a design and the size of a device",
+            "distance on the window between the drawn and the true place of ground, and half of what a drawn pixel is wider than "
+            "one of the window "
+            "of 640 x 360 pixels",
+            "px",
+            {"the database's own heights, two triangles a cell, projected in doubles", 4e-3,
+             "twice that of terrain_tau, since a pixel of half the size is two of the window"},
+            "the bound that the display states for each frame, times the window's pixels in a drawn pixel",
+            "Warnings and symbology are drawn with every setting. What a smaller picture does to colours, picture_size states.",
+            "no scale: combinations of two settings",
+            std::nullopt,
+            std::move(levels)};
+}
+
+std::vector<FlownLevel> flown_settings(const std::string& terrain) {
+    std::vector<FlownLevel> levels;
+    for (const FrameSetting& setting : frame_settings()) {
+        FlownLevel level;
+        level.picture.terrain = terrain;
+        level.picture.size = setting.size();
+        level.picture.tau_px = setting.tau_px;
+        levels.push_back(level);
+    }
+    return levels;
+}
+
+class FrameSettingsKnob final : public FlownKnob {
+public:
+    FrameSettingsKnob(const TracedGround& ground, std::vector<SeenPose> seen)
+        : FlownKnob(frame_settings_facts(), flown_settings(ground.path()), poses_of(seen)),
+          settings_(frame_settings()),
+          seen_(std::move(seen)),
+          measured_(seen_.size()) {}
+
+    void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
+        display::Display& display = pictures().display(level, sample);
+        const double share = settings_[level].drawn.share;
+        measured_[sample].clear();
+        for (const SeenPlace& place : seen_[sample].places)
+            if (const auto error = terrain_error_px(display, place)) {
+                errors.push_back(*error / share + 0.5 * (1 / share - 1));
+                measured_[sample].push_back(place);
+            }
+    }
+    [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
+        const SeenPlace& place = measured_[sample][error];
+        constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
+        return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
+    }
+    [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override {
+        return scaled_picture(pictures().picture(level, sample), kFlownSize);
+    }
+    [[nodiscard]] std::string options(std::size_t level) const override {
+        char text[64];
+        const PictureSize size = settings_[level].size();
+        std::snprintf(text, sizeof text, "--tau %g --size %ux%u", settings_[level].tau_px, size.width, size.height);
+        return text;
+    }
+
+private:
+    std::vector<FrameSetting> settings_;
+    std::vector<SeenPose> seen_;
+    std::vector<std::vector<SeenPlace>> measured_;  ///< by pose, of the level that was measured last
+};
+
+}  // namespace
+
+std::unique_ptr<Knob> make_frame_settings_knob(const KnobGround& ground) {
+    const std::vector<AircraftPose> poses = KnobFlight(ground.ground).poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
+    return std::make_unique<FrameSettingsKnob>(ground.ground, seen_poses(ground.ground, poses));
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,35 @@
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/host_sim/accuracy/knob_errors.hpp"
+
+namespace tedavis::host_sim::test_frame_settings_knob {
+namespace {
+
+std::size_t level_named(const Knob& knob, const std::string& name) {
+    for (std::size_t n = 0; n < knob.facts().levels.size(); ++n)
+        if (knob.facts().levels[n].name.text() == name) return n;
+    ADD_FAILURE() << name;
+    return 0;
+}
+
+TEST(FrameSettingsKnob, ErrorsGrowWithTheToleranceAndWithTheDrawnPixel) {
+    const test_support::ShippedKnobGround shipped;
+    const auto knob = make_frame_settings_knob(shipped.quick());
+    const auto greatest = [&](const char* name) { return test_support::errors_of(*knob, level_named(*knob, name)).max; };
+    EXPECT_LE(greatest("tau 1 px, full size"), 1);
+    EXPECT_LE(greatest("tau 1 px, half size"), 2.5) << "a drawn pixel is two of the window";
+    EXPECT_GE(test_support::errors_of(*knob, level_named(*knob, "tau 0.5 px, half size")).mean, 0.5)
+        << "within a drawn pixel nobody can tell";
+    EXPECT_GT(greatest("tau 8 px, half size"), greatest("tau 8 px, full size"));
+    EXPECT_GT(greatest("tau 8 px, full size"), greatest("tau 1 px, full size"));
+    const std::size_t half = level_named(*knob, "tau 2 px, half size");
+    EXPECT_EQ(knob->options(half), "--tau 2 --size 320x180");
+    const auto picture = knob->picture(half, 0);
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->width, 640u) << "as the window shows it";
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_frame_settings_knob
