@@ -46,6 +46,14 @@ std::string told(const MeasuredCosts& measured, const std::string& output) {
         std::snprintf(line, sizeof line, "\n  %-14s %8.3f ms +- %.3f", cost.name.c_str(), cost.ms, cost.spread_ms);
         text += cost.note.empty() ? line : "\n  " + cost.name + ": not measured, " + cost.note;
     }
+    const effects::QualityLevels levels = choose_levels(measured.candidates);
+    for (std::size_t n = 0; n < levels.count; ++n) {
+        const effects::QualityLevel& level = levels.at[n];
+        char line[200];
+        std::snprintf(line, sizeof line, "\n  level %zu %8.3f ms, terrain within %.2f px, picture differs by %.2f (CIEDE2000)", n,
+                      level.ms, level.error_px, level.error_color);
+        text += line;
+    }
     return text;
 }
 

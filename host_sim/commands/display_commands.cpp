@@ -40,7 +40,9 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
     add_optional(command, "--deadline", picture.deadline_ms,
                  "milliseconds that a frame may take by the costs of --costs; default: none is held")
         ->check(above_zero());
-    command->add_option("--costs", picture.costs, "what everything costs on this machine: a file that calibrate wrote");
+    command->add_option(
+        "--costs", picture.costs,
+        "what everything costs on this machine, and the quality levels to choose from: a file that calibrate wrote");
     static const std::map<std::string, design::SaliencyView> kSaliency = {{"heat", design::SaliencyView::heat},
                                                                           {"map", design::SaliencyView::map}};
     command->add_option_function<std::string>(
@@ -210,8 +212,9 @@ void add_accuracy(CLI::App& app, CommandLine& line) {
 
 void add_calibrate(CLI::App& app, CommandLine& line) {
     CalibrateOptions& o = line.calibrate;
-    CLI::App* command = add_command(app, line, "calibrate", "what every effect costs on this machine, as a file for --costs",
-                                    [&o](Console& console) { return run_calibrate(o, console); });
+    CLI::App* command =
+        add_command(app, line, "calibrate", "what every effect and quality level costs on this machine, as a file for --costs",
+                    [&o](Console& console) { return run_calibrate(o, console); });
     command->add_option("-o", o.output, "the costs to write (.toml); beside it as .json what they were measured from")
         ->required();
     add_surface_options(command, o.picture);
@@ -220,7 +223,7 @@ void add_calibrate(CLI::App& app, CommandLine& line) {
         "--pose", [&o](const std::string& text) { o.pose = pose_from(text); },
         "lat,lon,alt_m,heading,pitch,roll; with --terrain");
     add_time(command, o.time);
-    command->add_option("--rounds", o.rounds, "frames with and without each effect")
+    command->add_option("--rounds", o.rounds, "frames with and without each effect; a third as many of each quality level")
         ->check(CLI::Range(3, 1000))
         ->capture_default_str();
 }

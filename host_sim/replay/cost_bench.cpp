@@ -4,9 +4,8 @@
 
 #include "host_sim/measure/paired_cost.hpp"
 #include "host_sim/replay/load_design.hpp"
-#include "platform/clock/monotonic_clock.hpp"
+#include "host_sim/replay/quality_bench.hpp"
 #include "render_core/display/calibration_subject.hpp"
-#include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::host_sim {
@@ -15,7 +14,6 @@ namespace {
 using effects::Effect;
 using effects::Overhead;
 
-constexpr std::uint32_t kWarmUp = 2;                // frames of each side that are not counted
 constexpr double kTauFactors[] = {1, 1.6, 2.5, 4};  // of the terrain that is measured
 constexpr const char* kGlyphDesign = "data/wind_arrows";
 constexpr const char* kElementDesign = "default";  // with few glyphs, whose cost is taken off
@@ -39,7 +37,7 @@ constexpr CallingDesign kCallingDesigns[] = {{Effect::surface_grid, "styles/line
                                              {Effect::focus_ground, "focus/brightness"},
                                              {Effect::focus_blur, "focus/blur"}};
 
-bool can_be_switched(Effect effect) { return effects::row_of(effect).given_up_from != effects::kNeverGivenUp; }
+bool can_be_switched(Effect effect) { return effects::row_of(effect).may_be_given_up; }
 
 /// Everything that a design may be drawn without.
 effects::EffectSet all_but_terrain() {
@@ -65,52 +63,11 @@ std::string why_not(const display::FrameRecord& record, Effect effect) {
 
 }  // namespace
 
-/// A display that frames are drawn with.
-struct CostBench::Side {
-    std::shared_ptr<DisplaySession> session;
-    effects::EffectSet given_up;
-};
-
 std::string design_calling_for(Effect effect) {
     for (const CallingDesign& calling : kCallingDesigns)
         if (calling.effect == effect) return calling.design;
     const bool is_free = effect == Effect::terrain || effects::row_of(effect).cost == "none";
     return is_free ? "" : "default";
-}
-
-CostBench::Side CostBench::open(const PictureOptions& options) const {
-    Side side{std::make_shared<DisplaySession>(options, false), {}};
-    display::Display& display = side.session->display();
-    if (!options.terrain.empty()) display::settle(display, {posed_aircraft(place_.pose, display), {}, place_.pose.time});
-    side.session->rest();
-    return side;
-}
-
-double CostBench::frame_ms(Side& side, std::uint32_t n) const {
-    DisplaySession& session = *side.session;
-    session.make_current();
-    session.display().memory().budget.give_up(side.given_up);
-    AircraftPose pose = place_.pose;
-    pose.time = pose.time + base::Duration::from_seconds(n / session.device().frame_rate_hz);
-    const flight::AircraftState state = posed_aircraft(pose, session.display());
-    const base::Time start = platform::monotonic_now();
-    session.display().plan({state, {}, pose.time});
-    session.draw();
-    const double ms = (platform::monotonic_now() - start).to_seconds() * 1000;
-    session.rest();
-    return ms;
-}
-
-/// All sides in turn, forwards and backwards, so that none of them always comes after the same other one.
-std::vector<std::vector<double>> CostBench::frames_ms(std::vector<Side>& sides) const {
-    std::vector<std::vector<double>> ms(sides.size());
-    for (std::uint32_t n = 0; n < rounds_ + kWarmUp; ++n)
-        for (std::size_t k = 0; k < sides.size(); ++k) {
-            const std::size_t side = n % 2 == 0 ? k : sides.size() - 1 - k;
-            const double frame = frame_ms(sides[side], n);
-            if (n >= kWarmUp) ms[side].push_back(frame);
-        }
-    return ms;
 }
 
 PictureOptions CostBench::options_for(Effect effect) const {
@@ -126,15 +83,15 @@ void CostBench::measure_terrain(MeasuredCosts& measured) {
     PictureOptions plain = place_.picture;
     plain.without = all_but_terrain();
     plain.scene.clear();
-    std::vector<Side> sides;
+    std::vector<BenchSide> sides;
     const double tau_px = load_design(plain).terrain.tau_px;
     for (const double factor : kTauFactors) {
         plain.tau_px = tau_px * factor;
-        sides.push_back(open(plain));
+        sides.push_back(open_bench_side(place_, plain));
     }
     plain.terrain.clear();
-    sides.push_back(open(plain));
-    const std::vector<std::vector<double>> ms = frames_ms(sides);
+    sides.push_back(open_bench_side(place_, plain));
+    const std::vector<std::vector<double>> ms = bench_frames_ms(place_, sides, rounds_);
     width_px_ = sides.front().session->width();
     height_px_ = sides.front().session->height();
     measured.subject = display::calibration_subject(sides.front().session->display());
@@ -160,20 +117,20 @@ MeasuredCost CostBench::measure_effect(Effect effect) const {
     if (design_calling_for(effect).empty()) return cost;
     PictureOptions options = options_for(effect);
     cost.design = options.design;
-    std::vector<Side> sides{open(options)};
+    std::vector<BenchSide> sides{open_bench_side(place_, options)};
     if (can_be_switched(effect)) {
         sides.push_back(sides.front());
         sides.back().given_up.add(effect);
     } else {
         options.without.add(effect);
-        sides.push_back(open(options));
+        sides.push_back(open_bench_side(place_, options));
     }
-    static_cast<void>(frame_ms(sides.front(), 0));
+    static_cast<void>(bench_frame_ms(place_, sides.front(), 0));
     display::Display& display = sides.front().session->display();
     cost.note = why_not(display.record(), effect);
     if (!cost.note.empty()) return cost;
     const double maps = display.planned().counters.maps;
-    const std::vector<std::vector<double>> ms = frames_ms(sides);
+    const std::vector<std::vector<double>> ms = bench_frames_ms(place_, sides, rounds_);
     const PairedCost paired = paired_cost(ms[0], ms[1]);
     cost.ms = paired.ms;
     cost.spread_ms = paired.spread_ms;
@@ -191,10 +148,10 @@ MeasuredCost CostBench::measure_overhead(Overhead overhead, const std::string& d
     cost.design = design;
     PictureOptions options = place_.picture;
     options.design = design;
-    std::vector<Side> sides{open(options)};
+    std::vector<BenchSide> sides{open_bench_side(place_, options)};
     options.scene.clear();
-    sides.push_back(open(options));
-    static_cast<void>(frame_ms(sides.front(), 0));
+    sides.push_back(open_bench_side(place_, options));
+    static_cast<void>(bench_frame_ms(place_, sides.front(), 0));
     const effects::FrameCounters counters = sides.front().session->display().planned().counters;
     const bool is_glyphs = overhead == Overhead::glyphs;
     const double things = is_glyphs ? counters.glyphs : counters.elements;
@@ -202,7 +159,7 @@ MeasuredCost CostBench::measure_overhead(Overhead overhead, const std::string& d
         cost.note = is_glyphs ? "no field of glyphs is in view" : "no data are in view";
         return cost;
     }
-    const std::vector<std::vector<double>> ms = frames_ms(sides);
+    const std::vector<std::vector<double>> ms = bench_frames_ms(place_, sides, rounds_);
     const PairedCost paired = paired_cost(ms[0], ms[1]);
     const double of_glyphs_ms =
         is_glyphs || !(counters.glyphs > 0)
@@ -215,7 +172,7 @@ MeasuredCost CostBench::measure_overhead(Overhead overhead, const std::string& d
 }
 
 MeasuredCosts CostBench::measure(const std::function<void(std::size_t, std::size_t)>& progress) {
-    constexpr std::size_t kTotal = effects::kEffectCount + effects::kOverheads - 1;
+    constexpr std::size_t kTotal = effects::kEffectCount + effects::kOverheads - 1 + QualityBench::kPictures;
     MeasuredCosts measured;
     measured.rounds = rounds_;
     std::size_t done = 0;
@@ -234,6 +191,8 @@ MeasuredCosts CostBench::measure(const std::function<void(std::size_t, std::size
     measured.costs.push_back(measure_overhead(Overhead::elements, kElementDesign));
     measured.costs.push_back(glyphs);
     progress(++done, kTotal);
+    const QualityBench quality(place_, (rounds_ + 2) / 3);
+    measured.candidates = quality.measure(measured.costs, [&] { progress(++done, kTotal); });
     return measured;
 }
 

@@ -2,22 +2,15 @@
 ///
 /// An effect that the governor may give up is switched within one running display, as the governor does it; the others are
 /// compared with a display whose design does not ask for them. Terrain is the slope over its triangles at several tolerances,
-/// what is left of a picture without terrain is the frame.
+/// what is left of a picture without terrain is the frame. The quality levels are measured at the end (quality_bench.hpp).
 #pragma once
 
 #include <functional>
-#include <memory>
 
-#include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/bench_frames.hpp"
 #include "host_sim/reports/calibration_file.hpp"
-#include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {
-
-struct BenchPlace {
-    PictureOptions picture;
-    AircraftPose pose;  ///< with the time that data are shown at
-};
 
 /// A shipped design that calls for an effect, by itself or with effects::with_effect; empty for what costs nothing or is measured
 /// otherwise.
@@ -28,14 +21,10 @@ public:
     /// Throws UserError where the display cannot be opened.
     CostBench(const BenchPlace& place, std::uint32_t rounds) : place_(place), rounds_(rounds) {}
 
-    /// Of every effect and overhead; date, design and terrain are the caller's. `progress(done, total)` may throw.
+    /// Of every effect, overhead and quality level; date, design and terrain are the caller's. `progress(done, total)` may throw.
     [[nodiscard]] MeasuredCosts measure(const std::function<void(std::size_t, std::size_t)>& progress);
 
 private:
-    struct Side;
-    [[nodiscard]] std::vector<std::vector<double>> frames_ms(std::vector<Side>& sides) const;
-    [[nodiscard]] double frame_ms(Side& side, std::uint32_t n) const;
-    [[nodiscard]] Side open(const PictureOptions& options) const;
     void measure_terrain(MeasuredCosts& measured);
     [[nodiscard]] MeasuredCost measure_effect(effects::Effect effect) const;
     [[nodiscard]] MeasuredCost measure_overhead(effects::Overhead overhead, const std::string& design) const;

@@ -44,6 +44,37 @@ std::string cost_toml(const MeasuredCost& cost) {
     return text + number("ms_per_thousand", cost.line.ms_per_thousand);
 }
 
+std::vector<std::string> names_of(const effects::EffectSet& effects) {
+    std::vector<std::string> names;
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n)
+        if (effects.has(static_cast<effects::Effect>(n)))
+            names.emplace_back(effects::row_of(static_cast<effects::Effect>(n)).name);
+    return names;
+}
+
+std::string level_toml(const effects::QualityLevel& level) {
+    std::string text = "\n[[quality]]\n" + number("tau_factor", level.tau_factor) + number("detail_factor", level.detail_factor);
+    text += "given_up = [";
+    for (const std::string& name : names_of(level.given_up)) text += (text.back() == '[' ? "" : ", ") + toml_text(name);
+    text += "]\n" + number("ms", level.ms) + number("error_px", level.error_px);
+    return text + number("error_color", level.error_color);
+}
+
+Json candidate_json(const QualityCandidate& candidate, const effects::QualityLevels& levels) {
+    const effects::QualityLevel& level = candidate.level;
+    Json chosen;
+    for (std::size_t n = 0; n < levels.count; ++n) {
+        const effects::QualityLevel& one = levels.at[n];
+        const bool is_it = one.tau_factor == level.tau_factor && one.detail_factor == level.detail_factor &&
+                           one.given_up.has_all(level.given_up) && level.given_up.has_all(one.given_up);
+        if (is_it) chosen = n;
+    }
+    return {{"tau_factor", level.tau_factor},       {"detail_factor", level.detail_factor},
+            {"given_up", names_of(level.given_up)}, {"ms", level.ms},
+            {"spread_ms", candidate.spread_ms},     {"error_px", level.error_px},
+            {"error_color", level.error_color},     {"level", chosen}};
+}
+
 }  // namespace
 
 std::string calibration_toml(const MeasuredCosts& measured) {
@@ -54,6 +85,9 @@ std::string calibration_toml(const MeasuredCosts& measured) {
             "\nwidth_px = " + std::to_string(of.width_px) + "\nheight_px = " + std::to_string(of.height_px) +
             "\ndate = " + toml_text(measured.date) + "\n";
     for (const MeasuredCost& cost : measured.costs) text += cost_toml(cost);
+    text += "\n" + comment("The quality levels that the governor may choose, from the design's own picture to the cheapest one.");
+    const effects::QualityLevels levels = choose_levels(measured.candidates);
+    for (std::size_t n = 0; n < levels.count; ++n) text += level_toml(levels.at[n]);
     return text;
 }
 
@@ -77,6 +111,9 @@ std::string calibration_json(const MeasuredCosts& measured) {
                                  {"ms_per_thousand", cost.line.ms_per_thousand},
                                  {"design", cost.design},
                                  {"note", cost.note}});
+    const effects::QualityLevels levels = choose_levels(measured.candidates);
+    json["quality"] = Json::array();
+    for (const QualityCandidate& candidate : measured.candidates) json["quality"].push_back(candidate_json(candidate, levels));
     return json_text(json, 2) + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/measure/quality_front.hpp"
 #include "render_core/effects/calibration.hpp"
 
 namespace tedavis::host_sim {
@@ -21,6 +22,7 @@ struct MeasuredCosts {
     std::string date, design, terrain;
     std::uint32_t rounds = 0;
     std::vector<MeasuredCost> costs;
+    std::vector<QualityCandidate> candidates;  ///< of quality levels, the design's own picture first; at least that one
 };
 
 [[nodiscard]] std::string calibration_toml(const MeasuredCosts& measured);

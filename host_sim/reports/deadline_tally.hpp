@@ -16,6 +16,7 @@ struct DeadlineSummary {
     std::uint64_t frames = 0, within_modelled = 0, within_measured = 0;
     std::uint64_t changes = 0;
     std::optional<double> least_s_between_changes;  ///< nothing: fewer than two
+    /// For each level of the calibration file; levels that it lacks have 0.
     std::array<std::uint64_t, effects::kQualityLevelCount> frames_at_quality_level{};
 };
 

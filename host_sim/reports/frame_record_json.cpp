@@ -64,12 +64,18 @@ Json effects_json(const display::FrameRecord& record) {
     return json;
 }
 
+Json given_up_json(const effects::EffectSet& given_up) {
+    Json names = Json::array();
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n)
+        if (given_up.has(static_cast<effects::Effect>(n))) names.push_back(effects::row_of(static_cast<effects::Effect>(n)).name);
+    return names;
+}
+
 Json governor_json(const display::GovernorRecord& governor) {
-    return {{"deadline_ms", governor.deadline_ms},
-            {"predicted_ms", governor.predicted_ms},
-            {"quality_level", governor.quality_level},
-            {"changed", governor.changed},
-            {"why", text(governor.why.view())}};
+    return {{"deadline_ms", governor.deadline_ms},     {"predicted_ms", governor.predicted_ms},
+            {"quality_level", governor.quality_level}, {"changed", governor.changed},
+            {"why", text(governor.why.view())},        {"tau_factor", governor.tau_factor},
+            {"detail_factor", governor.detail_factor}, {"given_up", given_up_json(governor.given_up)}};
 }
 
 Json weights_json(const display::FrameRecord& record) {

@@ -153,13 +153,13 @@ base::Error DisplayHost::start_core(const DisplayHostSettings& settings, base::P
 }
 
 base::Error DisplayHost::hold_deadline(double deadline_ms, const CostsFile& costs) {
-    effects::CostTable known;
+    effects::Calibration known;
     if (!costs.name.empty()) {
         const auto read = effects::read_calibration(costs.text, costs.name, display::calibration_subject(*display_));
         if (!read.ok()) return read.error();
-        known = read.value().costs;
+        known = read.value();
     }
-    display_->memory().budget.hold(deadline_ms, known);
+    display_->memory().budget.hold(deadline_ms, known.costs, known.quality);
     return {};
 }
 

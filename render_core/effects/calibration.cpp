@@ -3,7 +3,7 @@
 namespace tedavis::effects {
 namespace {
 
-constexpr double kMaxMs = 1e6;
+constexpr double kMaxMs = 1e6, kMaxErrorPx = 1e6, kMaxErrorColor = 1000;
 constexpr std::string_view kAnew = "; measure this display with `tedavis calibrate`";
 
 void read_line(base::ConfigSection costs, std::string_view name, CostLine& line) {
@@ -24,6 +24,51 @@ void read_costs(base::ConfigSection costs, CostTable& table) {
     for (std::size_t n = 0; n < kEffectCount; ++n) read_line(costs, row_of(static_cast<Effect>(n)).name, table.effects[n]);
     for (std::size_t n = 0; n < kOverheads; ++n) read_line(costs, kOverheadNames[n], table.overheads[n]);
     table.is_known = true;
+}
+
+/// The effects that a level gives up, and that may be given up.
+EffectSet read_given_up(base::ConfigSection& section) {
+    std::array<std::string_view, kEffectCount> names;
+    const std::size_t count = section.texts("given_up", {names.data(), names.size()});
+    EffectSet given_up;
+    for (std::size_t n = 0; n < count && n < names.size(); ++n) {
+        const Effect effect = effect_of(names[n]);
+        if (effect != Effect::count_ && row_of(effect).may_be_given_up) {
+            given_up.add(effect);
+            continue;
+        }
+        base::FixedString<255> message("'");
+        message.append(names[n]);
+        message.append(effect == Effect::count_ ? "' is no effect" : "' may not be given up for time");
+        message.append(kAnew);
+        section.fault("given_up", message.view());
+    }
+    return given_up;
+}
+
+void read_level(base::ConfigSection section, QualityLevels& levels, std::size_t n) {
+    QualityLevel& level = levels.at[n];
+    level.tau_factor = section.number("tau_factor", 1, 100);
+    level.detail_factor = section.number("detail_factor", 0, 1);
+    level.given_up = read_given_up(section);
+    level.ms = section.number("ms", 0, kMaxMs);
+    level.error_px = section.number("error_px", 0, kMaxErrorPx);
+    level.error_color = section.number("error_color", 0, kMaxErrorColor);
+    const std::string_view fault = fault_of(levels, n);
+    if (fault.empty()) return;
+    base::FixedString<255> message(fault);
+    message.append(kAnew);
+    section.fault("ms", message.view());
+}
+
+void read_levels(base::ConfigSection& root, QualityLevels& levels) {
+    const std::size_t count = root.table_count("quality");
+    if (count == 0) return root.fault("quality", "the quality levels are missing; measure it anew with `tedavis calibrate`");
+    if (count > kQualityLevelCount)
+        return root.fault("quality", "a calibration has at most 6 quality levels; measure it anew with `tedavis calibrate`");
+    static_assert(kQualityLevelCount == 6, "the sentence above");
+    levels.count = static_cast<std::uint8_t>(count);
+    for (std::size_t n = 0; n < count; ++n) read_level(root.table_at("quality", n), levels, n);
 }
 
 void read_subject(base::ConfigSection& root, CalibrationSubject& subject) {
@@ -64,6 +109,7 @@ base::Result<Calibration, base::Error> read(std::string_view text, std::string_v
     calibration.date = root.text("date", "");
     if (display != nullptr) require_subject(root, calibration.subject, *display);
     read_costs(root.section("cost"), calibration.costs);
+    read_levels(root, calibration.quality);
     if (!reader.finish()) return base::fail(reader.error());
     return calibration;
 }

@@ -1,4 +1,4 @@
-/// The costs of one device on one machine: a calibration file that `tedavis calibrate` writes.
+/// The costs and the quality levels of one device on one machine: a calibration file that `tedavis calibrate` writes.
 ///
 ///     device = "es3-mid"              name in the device file
 ///     renderer = "llvmpipe (...)"     as the driver calls itself
@@ -9,6 +9,13 @@
 ///     fixed_ms = 0.4                  the three of them from 0 on
 ///     ms_per_megapixel = 6.1
 ///     ms_per_thousand = 0.03
+///     [[quality]]                     one table for every quality level, at most kQualityLevelCount, the richest one first
+///     tau_factor = 2.5                the six of them as in QualityLevel
+///     detail_factor = 0.5
+///     given_up = ["antialiasing"]     names of effects that may be given up
+///     ms = 21.4
+///     error_px = 2.31
+///     error_color = 0.84
 ///
 /// Memory  reading allocates (start-up only); the result is plain data. Failure  one sentence with file and line.
 #pragma once
@@ -16,7 +23,7 @@
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
-#include "render_core/effects/cost_model.hpp"
+#include "render_core/effects/quality_level.hpp"
 
 namespace tedavis::effects {
 
@@ -31,9 +38,10 @@ struct Calibration {
     CalibrationSubject subject;
     base::FixedString<31> date;
     CostTable costs;
+    QualityLevels quality;
 };
 
-/// Reads a calibration file; one that lacks a table or has costs below 0 is refused.
+/// Reads a calibration file; one that lacks a table, has costs below 0, or has levels that fault_of() refuses, is refused.
 [[nodiscard]] base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name);
 /// The same; also refuses a file that was measured for another device, renderer or size than `display`.
 [[nodiscard]] base::Result<Calibration, base::Error> read_calibration(std::string_view text, std::string_view file_name,

@@ -41,6 +41,8 @@ public:
     void remove(Effect effect) { bits_ &= ~(1u << static_cast<unsigned>(effect)); }
     void add(Effect effect) { bits_ |= 1u << static_cast<unsigned>(effect); }
     [[nodiscard]] bool has(Effect effect) const { return (bits_ >> static_cast<unsigned>(effect) & 1u) != 0; }
+    [[nodiscard]] bool has_all(const EffectSet& effects) const { return (effects.bits_ & ~bits_) == 0; }
+    [[nodiscard]] bool is_empty() const { return bits_ == 0; }
 
 private:
     std::uint32_t bits_ = 0;

@@ -25,9 +25,7 @@ public:
     constexpr EffectRowBuilder may_be_forbidden() const { return with(&EffectRow::may_be_forbidden, true); }
     constexpr EffectRowBuilder distracts() const { return with(&EffectRow::distracts, true); }
     constexpr EffectRowBuilder without_terrain() const { return with(&EffectRow::needs_terrain, false); }
-    constexpr EffectRowBuilder given_up_from(std::uint8_t quality_level) const {
-        return with(&EffectRow::given_up_from, quality_level);
-    }
+    constexpr EffectRowBuilder may_be_given_up() const { return with(&EffectRow::may_be_given_up, true); }
     constexpr EffectRowBuilder changes(Contribution contribution, std::string_view bound) const {
         return with(&EffectRow::contribution, contribution).with(&EffectRow::bound, bound);
     }

@@ -63,9 +63,6 @@ inline constexpr double kUnseenPixels = 0.5;
 struct EffectRequest;
 struct EffectFacts;
 
-/// The effect is not given up at any quality level.
-inline constexpr std::uint8_t kNeverGivenUp = 255;
-
 struct EffectRow {
     using Design = design::DesignSettings;
 
@@ -78,9 +75,9 @@ struct EffectRow {
     std::string_view bound;                                              ///< what its bound is made of; empty: it has none
     std::string_view cost;                                               ///< what it adds to a frame
     std::array<Effect, 2> replacements{Effect::count_, Effect::count_};  ///< in order; count_ for none
-    std::uint8_t given_up_from = kNeverGivenUp;                          ///< first quality level without it
-    bool distracts = false;     ///< it distracts from a recovery and is not shown in an unusual attitude
-    bool needs_terrain = true;  ///< it is not shown where terrain is not
+    bool may_be_given_up = false;  ///< for the frame's deadline: it embellishes, and nothing that safety needs depends on it
+    bool distracts = false;        ///< it distracts from a recovery and is not shown in an unusual attitude
+    bool needs_terrain = true;     ///< it is not shown where terrain is not
 
     /// Null: it only takes the place of others.
     bool (*is_asked)(const Design&) = nullptr;

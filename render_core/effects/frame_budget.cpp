@@ -8,34 +8,36 @@ namespace {
 constexpr double kMinFactor = 0.5, kMaxFactor = 4;
 constexpr double kMeasuredWeight = 1.0 / 16;  // of one frame: a single late one is no trend
 
-Quality quality_on(std::size_t quality_level, const TerrainTolerance& tolerance) {
-    return {tau_px_on(quality_level, tolerance.design_px, tolerance.coarse_px), kQualityLevels[quality_level].detail_factor};
+Quality quality_on(const QualityLevel& level, const TerrainTolerance& tolerance) {
+    return {tau_px_on(level, tolerance.design_px, tolerance.coarse_px), level.detail_factor};
 }
 
 }  // namespace
 
-void FrameBudget::hold(double deadline_ms, const CostTable& costs, const GovernorSettings& settings) {
+void FrameBudget::hold(double deadline_ms, const CostTable& costs, const QualityLevels& levels,
+                       const GovernorSettings& settings) {
     deadline_ms_ = deadline_ms;
     costs_ = costs;
+    levels_ = levels;
     settings_ = settings;
     measured_factor_ = 1;
     governor_ = FrameGovernor();
 }
 
 double FrameBudget::tau_factor(const TerrainTolerance& tolerance) const {
-    return tau_px_on(governor_.quality_level(), tolerance.design_px, tolerance.coarse_px) / tolerance.design_px;
+    return tau_px_on(level(), tolerance.design_px, tolerance.coarse_px) / tolerance.design_px;
 }
 
 std::array<double, kQualityLevelCount> FrameBudget::costs_of_quality_levels(const PlanInput& input,
                                                                             const DeviceCapability& device,
                                                                             const FrameCounters& counters,
                                                                             const TerrainTolerance& tolerance) const {
-    const Quality now = quality_on(governor_.quality_level(), tolerance);
+    const Quality now = quality_on(level(), tolerance);
     std::array<double, kQualityLevelCount> ms{};
-    for (std::size_t quality_level = 0; quality_level < kQualityLevelCount; ++quality_level) {
+    for (std::size_t quality_level = 0; quality_level < levels_.count; ++quality_level) {
         PlanInput on_quality_level = input;
-        on_quality_level.too_costly.add(given_up_on(quality_level));
-        const FrameCounters there = counters_at(counters, now, quality_on(quality_level, tolerance));
+        on_quality_level.too_costly.add(levels_.at[quality_level].given_up);
+        const FrameCounters there = counters_at(counters, now, quality_on(levels_.at[quality_level], tolerance));
         ms[quality_level] = measured_factor_ * modelled_ms(costs_, plan_effects(on_quality_level, device), there);
     }
     return ms;
@@ -47,12 +49,13 @@ FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, con
     report_.deadline_ms = deadline_ms_;
     input.too_costly.add(given_up_);
     if (is_held()) {
-        const GovernorDecision decision =
-            governor_.decide({now, deadline_ms_, costs_of_quality_levels(input, device, counters, tolerance)}, settings_);
+        const GovernorDecision decision = governor_.decide(
+            {now, deadline_ms_, costs_of_quality_levels(input, device, counters, tolerance), levels_.count}, settings_);
         report_.quality_level = decision.quality_level;
         report_.changed = decision.changed;
         report_.why = decision.why;
-        input.too_costly.add(given_up_on(decision.quality_level));
+        report_.quality = level();
+        input.too_costly.add(report_.quality.given_up);
     } else if (deadline_ms_ > 0) {
         report_.why = GovernorWhy::cost_unknown;
     }

@@ -1,7 +1,8 @@
 /// Plans a display's frames within a deadline: models the cost of each quality level, lets the governor choose a level, and
 /// plans the effects of that level. Terrain and glyphs of the frame were selected before; they follow in the next frame.
 ///
-///   hold(deadline, costs) once · tau_factor(), detail_factor() before, plan() after terrain and data are chosen, each frame
+///   hold(deadline, costs, levels) once · tau_factor(), detail_factor() before, plan() after terrain and data are chosen, each
+///   frame
 ///
 /// Without a deadline or without known costs it plans the requested effects and states why nothing is reduced.
 /// Pure. Thread  one. Memory  none besides itself.
@@ -23,22 +24,23 @@ struct BudgetReport {
     bool changed = false;
     bool is_missed = false;  ///< the modelled cost exceeds the deadline nevertheless
     GovernorWhy why = GovernorWhy::no_deadline;
+    QualityLevel quality;  ///< of the level
 };
 
 class FrameBudget {
 public:
-    /// Sets the deadline and the costs; `deadline_ms` 0 means none.
-    void hold(double deadline_ms, const CostTable& costs, const GovernorSettings& settings = {});
+    /// Sets the deadline, the costs and the levels to choose from, which fault_of() finds nothing wrong with; `deadline_ms` 0
+    /// means none.
+    void hold(double deadline_ms, const CostTable& costs, const QualityLevels& levels = {},
+              const GovernorSettings& settings = {});
     [[nodiscard]] bool is_held() const { return deadline_ms_ > 0 && costs_.is_known; }
 
     /// Factor for the error that the design allows the terrain.
     [[nodiscard]] double tau_factor(const TerrainTolerance& tolerance) const;
-    [[nodiscard]] double detail_factor() const { return kQualityLevels[governor_.quality_level()].detail_factor; }
+    [[nodiscard]] double detail_factor() const { return level().detail_factor; }
     [[nodiscard]] bool is_reduced() const { return governor_.quality_level() > 0; }
     /// True where the last planned frame gives up the effect.
-    [[nodiscard]] bool gives_up(Effect effect) const {
-        return given_up_.has(effect) || given_up_on(governor_.quality_level()).has(effect);
-    }
+    [[nodiscard]] bool gives_up(Effect effect) const { return given_up_.has(effect) || level().given_up.has(effect); }
 
     /// Plans the frame. `counters` are those of this frame, whose terrain was selected with tau_factor() and whose glyphs with
     /// detail_factor().
@@ -58,6 +60,7 @@ public:
     void restore(const FrameGovernor& governor) { governor_ = governor; }
 
 private:
+    [[nodiscard]] const QualityLevel& level() const { return levels_.at[governor_.quality_level()]; }
     [[nodiscard]] std::array<double, kQualityLevelCount> costs_of_quality_levels(const PlanInput& input,
                                                                                  const DeviceCapability& device,
                                                                                  const FrameCounters& counters,
@@ -66,6 +69,7 @@ private:
     double deadline_ms_ = 0;
     double measured_factor_ = 1;
     CostTable costs_;
+    QualityLevels levels_;
     EffectSet given_up_;
     GovernorSettings settings_;
     FrameGovernor governor_;

@@ -6,7 +6,6 @@
 namespace tedavis::effects {
 namespace {
 
-constexpr std::size_t kLastQualityLevel = kQualityLevelCount - 1;
 constexpr double kMaxGrowth = 2;
 constexpr std::int64_t kRelapseDwells = 8;  // a return that lasted less was none
 
@@ -21,11 +20,14 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(GovernorWhy::cou
     "the cheapest picture is too dear",
 };
 
-/// The richest quality level whose cost is at most `limit_ms`; the last one for none.
-std::size_t richest_within(const std::array<double, kQualityLevelCount>& ms, double growth, double limit_ms) {
-    for (std::size_t quality_level = 0; quality_level < kQualityLevelCount; ++quality_level)
-        if (ms[quality_level] * growth <= limit_ms) return quality_level;
-    return kLastQualityLevel;
+/// The richest quality level whose cost is at most `limit_ms`; where there is none, the richest one of the cheapest.
+std::size_t richest_within(const GovernorInput& input, double growth, double limit_ms) {
+    std::size_t cheapest = 0;
+    for (std::size_t quality_level = 0; quality_level < input.level_count; ++quality_level) {
+        if (input.ms[quality_level] * growth <= limit_ms) return quality_level;
+        if (input.ms[quality_level] < input.ms[cheapest]) cheapest = quality_level;
+    }
+    return cheapest;
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ bool FrameGovernor::may_change(base::Time now, const GovernorSettings& settings)
 }
 
 void FrameGovernor::record_cheap_quality_levels(const GovernorInput& input, const GovernorSettings& settings, double growth) {
-    for (std::size_t quality_level = 0; quality_level < kQualityLevelCount; ++quality_level)
+    for (std::size_t quality_level = 0; quality_level < input.level_count; ++quality_level)
         if (input.ms[quality_level] * growth > settings.relax_at * input.deadline_ms) now_.cheap_since[quality_level] = input.now;
 }
 
@@ -85,14 +87,13 @@ GovernorDecision FrameGovernor::change(std::size_t quality_level, GovernorWhy wh
 
 GovernorDecision FrameGovernor::tighten(const GovernorInput& input, const GovernorSettings& settings, double growth) {
     const bool still_fits = input.ms[now_.quality_level] <= input.deadline_ms;
-    if (now_.quality_level == kLastQualityLevel)
-        return {kLastQualityLevel, false, still_fits ? GovernorWhy::cheaper_for_now : GovernorWhy::cheapest_is_too_dear};
+    const std::size_t quality_level = richest_within(input, growth, settings.aim_at * input.deadline_ms);
+    if (quality_level == now_.quality_level)
+        return {quality_level, false, still_fits ? GovernorWhy::cheaper_for_now : GovernorWhy::cheapest_is_too_dear};
     if (!may_change(input.now, settings)) return {now_.quality_level, false, GovernorWhy::waits};
     const bool is_relapse = now_.has_relaxed && (input.now - now_.last_relaxed).ns < kRelapseDwells * settings.dwell.ns;
     const std::uint32_t more = now_.patience * 2;
     now_.patience = !is_relapse ? 1 : more < settings.most_patience ? more : settings.most_patience;
-    std::size_t quality_level = richest_within(input.ms, growth, settings.aim_at * input.deadline_ms);
-    if (quality_level <= now_.quality_level) quality_level = now_.quality_level + std::size_t{1};
     return change(quality_level,
                   input.ms[quality_level] > input.deadline_ms ? GovernorWhy::cheapest_is_too_dear : GovernorWhy::too_dear,
                   input.now);

@@ -2,10 +2,12 @@
 /// and modelled costs and reads no clock, so a replay decides as the flight did.
 ///
 /// - A frame whose modelled cost exceeds `act_at` of the deadline changes at once to the richest level below `aim_at` of it,
-///   without intermediate levels; costs that grow steadily are extrapolated to the time of the next possible change.
+///   without intermediate levels; where there is none, to the richest one of the cheapest levels. Costs that grow steadily are
+///   extrapolated to the time of the next possible change.
 /// - A richer level returns when its cost has been below `relax_at` without interruption for the dwell; after a return that
 ///   did not last the wait is doubled, up to `most_patience` times the dwell.
-/// - The dwell must pass between two changes. A frame that is too expensive meanwhile is reported, as is one at the last level.
+/// - The dwell must pass between two changes. A frame that is too expensive meanwhile is reported, as is one that no level makes
+/// cheaper.
 ///
 /// Pure. Thread  any. Memory  none; the state is plain data of fixed size.
 #pragma once
@@ -40,7 +42,8 @@ enum class GovernorWhy : std::uint8_t {
 struct GovernorInput {
     base::Time now;  ///< the source's time; an earlier one than the last resets, the same one decides the same frame again
     double deadline_ms = 0;
-    std::array<double, kQualityLevelCount> ms{};  ///< modelled cost of this frame at every level, descending
+    std::array<double, kQualityLevelCount> ms{};   ///< modelled cost of this frame at every level
+    std::size_t level_count = kQualityLevelCount;  ///< number of levels that there are, from 1 on
 };
 
 struct GovernorDecision {

@@ -131,8 +131,14 @@ void record_weights(const design::PrioritySettings& priority, const design::Aspe
 }
 
 void record_budget(const effects::BudgetReport& report, FrameRecord& record) {
-    record.governor = {report.deadline_ms, report.predicted_ms, static_cast<std::uint32_t>(report.quality_level), report.changed,
-                       effects::to_string(report.why)};
+    record.governor = {report.deadline_ms,
+                       report.predicted_ms,
+                       static_cast<std::uint32_t>(report.quality_level),
+                       report.changed,
+                       effects::to_string(report.why),
+                       report.quality.tau_factor,
+                       report.quality.detail_factor,
+                       report.quality.given_up};
     if (report.is_missed) flag("deadline.missed", record);
 }
 

@@ -12,6 +12,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "render_core/display/planner/distortion.hpp"
 #include "render_core/effects/clutter_budget.hpp"
+#include "render_core/effects/effect_planner.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
 #include "render_core/policy/terrain_light.hpp"
@@ -114,9 +115,11 @@ struct FocusRecord {
 struct GovernorRecord {
     double deadline_ms = 0;           ///< 0: none is held
     double predicted_ms = 0;          ///< modelled cost of the frame; 0: not known
-    std::uint32_t quality_level = 0;  ///< of effects::kQualityLevels; 0: the design's own picture
+    std::uint32_t quality_level = 0;  ///< of the calibration file's levels; 0: the design's own picture
     bool changed = false;             ///< with this frame
     base::FixedString<63> why;
+    double tau_factor = 1, detail_factor = 1;  ///< of the level (effects::QualityLevel)
+    effects::EffectSet given_up;
 };
 
 /// How the budget of clutter was held (display/planner/declutter_control.hpp).

@@ -43,6 +43,16 @@ TEST(Calibrate, WritesCostsThatThisDisplayTakesAndNoOther) {
     ASSERT_TRUE(read.ok()) << read.error().message.c_str();
     const effects::CostTable& costs = read.value().costs;
     EXPECT_GT(costs.overheads[0].fixed_ms, 0) << "every frame costs something";
+    const effects::QualityLevels& levels = read.value().quality;
+    EXPECT_GT(levels.at[0].ms, 0) << "the design's own picture";
+    EXPECT_EQ(levels.at[0].error_color, 0);
+    std::size_t chosen = 0, reduced = 0;
+    for (const auto& candidate : run.json()["quality"]) {
+        chosen += candidate["level"].is_null() ? 0 : 1;
+        reduced += candidate["error_color"] > 0 ? 1 : 0;
+    }
+    EXPECT_EQ(chosen, levels.count);
+    EXPECT_GT(reduced, 10u) << "what is given up can be seen";
     EXPECT_THAT(read_file(options.output), HasSubstr("# not measured")) << "this database has no image";
 
     PictureOptions picture = options.picture;

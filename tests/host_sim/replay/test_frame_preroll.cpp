@@ -12,6 +12,7 @@
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/frame_instants.hpp"
 #include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/flights/six_levels.hpp"
 #include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_frame_preroll {
@@ -135,7 +136,7 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_prer
     DisplaySession session(asked.picture, false);
     effects::GovernorSettings settings;
     settings.dwell = base::Duration::milliseconds(200);
-    session.display().memory().budget.hold(kScarce_ms, costs_of_triangles(), settings);
+    session.display().memory().budget.hold(kScarce_ms, costs_of_triangles(), test_support::six_levels(), settings);
     FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
     const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);

@@ -9,7 +9,7 @@ namespace {
 
 FrameResult frame(double time_s, double predicted_ms, double measured_ms, std::uint32_t quality_level = 0, bool changed = false) {
     FrameResult result = test_support::frame_result(0, time_s);
-    result.record.governor = {33, predicted_ms, quality_level, changed, "x"};
+    result.record.governor = {33, predicted_ms, quality_level, changed, "x", 1, 1, {}};
     result.timing.total_ms = measured_ms;
     return result;
 }

@@ -141,6 +141,8 @@ TEST(FrameRecordJson, FlagsAndEffectsAreLists) {
     EXPECT_EQ(json["flags"], Json({"altitude.stale"}));
     EXPECT_EQ(json["governor"]["deadline_ms"], 0);
     EXPECT_EQ(json["governor"]["changed"], false);
+    EXPECT_EQ(json["governor"]["tau_factor"], 1);
+    EXPECT_TRUE(json["governor"]["given_up"].empty());
     EXPECT_EQ(json["effects"][0]["name"], "haze");
     EXPECT_EQ(json["effects"][0]["state"], "replaced");
     EXPECT_EQ(json["effects"][0]["replaced_by"], "tint");

@@ -4,6 +4,7 @@
 #include "render_core/display/preroll.hpp"
 #include "render_core/effects/calibration.hpp"
 #include "tests/support/display/hills_display.hpp"
+#include "tests/support/flights/six_levels.hpp"
 
 namespace tedavis::display::test_display_budget {
 namespace {
@@ -36,12 +37,12 @@ const EffectRecord* effect_of(const FrameRecord& record, std::string_view name) 
 TEST(DisplayBudget, WithoutADeadlineNothingChangesAndTheRecordSaysSo) {
     OverHills over;
     const HillsPicture before = hills_picture(over.display, aircraft_over_hills(1500));
-    over.display.display().memory().budget.hold(0, costs_of_triangles());
+    over.display.display().memory().budget.hold(0, costs_of_triangles(), test_support::six_levels());
     EXPECT_EQ(hills_picture(over.display, aircraft_over_hills(1500)), before);
     const GovernorRecord& governor = over.display.display().record().governor;
     EXPECT_EQ(governor.why.view(), "no deadline is set");
     EXPECT_DOUBLE_EQ(governor.predicted_ms, over.display.display().planned().counters.triangles / 1000);
-    over.display.display().memory().budget.hold(0.001, {});
+    over.display.display().memory().budget.hold(0.001, {}, test_support::six_levels());
     EXPECT_EQ(hills_picture(over.display, aircraft_over_hills(1500)), before) << "it rests where costs are not known";
     EXPECT_EQ(over.display.display().record().governor.why.view(), "the cost is not known: calibrate this device");
 }
@@ -52,7 +53,7 @@ TEST(DisplayBudget, AScarceDeadlineCoarsensTheTerrainButTakesNoWarningColors) {
     static_cast<void>(hills_picture(over.display, high()));
     const double whole = display.planned().counters.triangles;
     const double tau_px = display.record().terrain.tau_px;
-    display.memory().budget.hold(0.8 * whole / 1000, costs_of_triangles());
+    display.memory().budget.hold(0.8 * whole / 1000, costs_of_triangles(), test_support::six_levels());
     const HillsPicture reduced = hills_picture(over.display, high());
     const FrameRecord& record = display.record();
     EXPECT_GT(record.governor.quality_level, 0u);
@@ -69,10 +70,12 @@ TEST(DisplayBudget, AScarceDeadlineCoarsensTheTerrainButTakesNoWarningColors) {
 TEST(DisplayBudget, WhereNothingSufficesItSaysSoAndGivesUpSilhouettes) {
     OverHills over;
     display::Display& display = over.display.display();
-    display.memory().budget.hold(0.001, costs_of_triangles());
+    display.memory().budget.hold(0.001, costs_of_triangles(), test_support::six_levels());
     static_cast<void>(hills_picture(over.display, aircraft_over_hills(1500)));
     const FrameRecord& record = display.record();
-    EXPECT_EQ(record.governor.quality_level, effects::kQualityLevelCount - 1);
+    EXPECT_EQ(record.governor.quality_level, 4u) << "the last level has as many triangles";
+    EXPECT_EQ(record.governor.tau_factor, 4);
+    EXPECT_TRUE(record.governor.given_up.has(Effect::silhouettes));
     EXPECT_EQ(record.governor.why.view(), "the cheapest picture is too dear");
     EXPECT_TRUE(has_flag(over.display, "deadline.missed"));
     const EffectRecord* const silhouettes = effect_of(record, "silhouettes");
@@ -84,7 +87,7 @@ TEST(DisplayBudget, WhereNothingSufficesItSaysSoAndGivesUpSilhouettes) {
 TEST(DisplayBudget, TheDisplaySaysItWhereTheDesignAsks) {
     OverHills over;
     display::Display& display = over.display.display();
-    display.memory().budget.hold(0.001, costs_of_triangles());
+    display.memory().budget.hold(0.001, costs_of_triangles(), test_support::six_levels());
     const HillsPicture quiet = hills_picture(over.display, aircraft_over_hills(1500));
     design::DesignSettings design = design::default_design_settings();
     design.terrain.style.sketch.silhouettes = 0.7;

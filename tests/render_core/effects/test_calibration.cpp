@@ -20,7 +20,10 @@ std::string good() {
     };
     for (std::size_t e = 0; e < kEffectCount; ++e) line(row_of(static_cast<Effect>(e)).name);
     for (const std::string_view name : kOverheadNames) line(name);
-    return text.str();
+    return text.str() +
+           "[[quality]]\ntau_factor = 1\ndetail_factor = 1\ngiven_up = []\nms = 40\nerror_px = 1\nerror_color = 0\n" +
+           "[[quality]]\ntau_factor = 2\ndetail_factor = 0.5\ngiven_up = [\"antialiasing\", \"silhouettes\"]\nms = 20\n"
+           "error_px = 2.25\nerror_color = 0.75\n";
 }
 
 const CalibrationSubject kSubject{"es3-mid", "llvmpipe", 1024, 768};
@@ -48,6 +51,52 @@ TEST(Calibration, IsReadWhole) {
         EXPECT_EQ(c.costs.effects[n].ms_per_thousand, static_cast<double>(n + 1) + 0.5);
     }
     EXPECT_EQ(c.costs.overheads[kOverheads - 1].fixed_ms, static_cast<double>(kEffectCount + kOverheads));
+}
+
+TEST(Calibration, HasTheMeasuredLevels) {
+    const auto read = read_calibration(good(), "c.toml", kSubject);
+    ASSERT_TRUE(read.ok()) << read.error().message.c_str();
+    const QualityLevels& levels = read.value().quality;
+    ASSERT_EQ(levels.count, 2u);
+    EXPECT_TRUE(levels.at[0].given_up.is_empty());
+    const QualityLevel& level = levels.at[1];
+    EXPECT_EQ(level.tau_factor, 2);
+    EXPECT_EQ(level.detail_factor, 0.5);
+    EXPECT_EQ(level.ms, 20);
+    EXPECT_EQ(level.error_px, 2.25);
+    EXPECT_EQ(level.error_color, 0.75);
+    for (std::size_t e = 0; e < kEffectCount; ++e) {
+        const auto effect = static_cast<Effect>(e);
+        EXPECT_EQ(level.given_up.has(effect), effect == Effect::antialiasing || effect == Effect::silhouettes);
+    }
+}
+
+TEST(Calibration, WithoutLevelsItMustBeMeasuredAnew) {
+    const std::string text = good();
+    const std::string message = refusal(text.substr(0, text.find("[[quality]]")));
+    EXPECT_NE(message.find("the quality levels are missing; measure it anew with `tedavis calibrate`"), std::string::npos)
+        << message;
+    std::string seven = text;
+    for (int n = 0; n < 5; ++n) seven += text.substr(text.rfind("[[quality]]"));
+    EXPECT_NE(refusal(seven).find("at most 6 quality levels"), std::string::npos) << refusal(seven);
+}
+
+/// Forged files: each would trade what may not be traded, or offer a level that is never right.
+TEST(Calibration, ForgedLevelsAreRefusedWithTheirLine) {
+    for (const std::string name : {"terrain", "warning_colors", "ground_data", "adjacent", "haze", "vertical_lines"}) {
+        const std::string message = refusal(replaced(good(), "\"silhouettes\"]", "\"" + name + "\"]"));
+        EXPECT_NE(message.find("'" + name + "' may not be given up for time"), std::string::npos) << message;
+        EXPECT_EQ(message.find("c.toml:"), 0u) << message;
+    }
+    EXPECT_NE(refusal(replaced(good(), "\"silhouettes\"]", "\"symbology\"]")).find("'symbology' is no effect"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "\nms = 20", "\nms = 41")).find("of two quality levels one is at least as accurate"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "tau_factor = 1\n", "tau_factor = 1.5\n")).find("the design's own picture"),
+              std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "error_px = 2.25", "error_px = -1")).find("error_px"), std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "tau_factor = 2\n", "tau_factor = 2\npixels = 3\n")).find("unknown key"),
+              std::string::npos);
 }
 
 TEST(Calibration, OfAnotherDeviceRendererOrSizeIsRefusedInOneSentence) {

@@ -22,14 +22,10 @@ const char* name_of(Need need) {
                                                   : "";
 }
 
-std::string quality_level_of(const EffectRow& row) {
-    return row.given_up_from == kNeverGivenUp ? "" : std::to_string(row.given_up_from);
-}
-
 /// The table of the module's README, from the code.
 std::string table() {
     std::ostringstream text;
-    text << "| effect | asked for by | shows | needs | bound of what is seen | cost | grows with | given up from level | in its "
+    text << "| effect | asked for by | shows | needs | bound of what is seen | cost | grows with | may be given up | in its "
             "place "
             "|\n|---|---|---|---|---|---|---|---|---|\n";
     for (std::size_t n = 0; n < kEffectCount; ++n) {
@@ -37,7 +33,7 @@ std::string table() {
         text << "| `" << row.name << "` | " << (row.design_key.empty() ? "" : "`" + std::string(row.design_key) + "`") << " | "
              << kContributionNames[static_cast<std::size_t>(row.contribution)] << " | " << name_of(row.need) << " | " << row.bound
              << " | " << row.cost << " | " << kCostThingNames[static_cast<std::size_t>(thing_of(row.effect))] << " | "
-             << quality_level_of(row) << " | ";
+             << (row.may_be_given_up ? "yes" : "") << " | ";
         for (const Effect replacement : row.replacements)
             if (replacement != Effect::count_) text << "`" << row_of(replacement).name << "` ";
         text << "|\n";

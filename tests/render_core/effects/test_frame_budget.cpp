@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "tests/support/flights/six_levels.hpp"
+
 namespace tedavis::effects::test_frame_budget {
 namespace {
 
@@ -86,7 +88,7 @@ struct Flown {
 /// The simulated machine draws what the planned frame has; the terrain and the glyphs are those of the quality level before.
 Flown fly(double deadline_ms, const GovernorSettings& settings = {}, double first_s = 0) {
     FrameBudget budget;
-    budget.hold(deadline_ms, simulated_costs(), settings);
+    budget.hold(deadline_ms, simulated_costs(), test_support::six_levels(), settings);
     Flown flown;
     double last_change_s = -1e9;
     constexpr double kRate_hz = 30;
@@ -156,8 +158,8 @@ TEST(FrameBudgetFlight, IsDeterministic) { EXPECT_EQ(fly(33).quality_levels, fly
 /// A replay that restores the governor goes on as the whole run did, wherever it begins.
 TEST(FrameBudget, RestoredItGoesOnAlike) {
     FrameBudget whole, part;
-    whole.hold(33, simulated_costs());
-    part.hold(33, simulated_costs());
+    whole.hold(33, simulated_costs(), test_support::six_levels());
+    part.hold(33, simulated_costs(), test_support::six_levels());
     const auto plan = [](FrameBudget& budget, double t) {
         const FrameCounters drawn = drawn_at(counters_of(load_at(t)), budget.tau_factor(kTolerance), budget.detail_factor());
         static_cast<void>(budget.plan(called(load_at(t)), {}, drawn, kTolerance, at(t)));
@@ -193,7 +195,7 @@ TEST(FrameBudget, RestsWithoutDeadlineAndWithoutCosts) {
 
 TEST(FrameBudget, GivesUpOnlyWhatItMayAndSaysWhy) {
     FrameBudget budget;
-    budget.hold(1, simulated_costs());
+    budget.hold(1, simulated_costs(), test_support::six_levels());
     const FramePlan plan = budget.plan(called(1), {}, counters_of(1), kTolerance, at(0));
     EXPECT_EQ(budget.report().quality_level, kQualityLevelCount - 1);
     EXPECT_TRUE(budget.report().is_missed);
@@ -206,9 +208,40 @@ TEST(FrameBudget, GivesUpOnlyWhatItMayAndSaysWhy) {
     EXPECT_TRUE(budget.is_reduced());
 }
 
+TEST(FrameBudget, ADeadlineWithRoomHasTheDesignsOwnPictureAllAlong) {
+    const Flown flown = fly(200);
+    EXPECT_EQ(flown.changes, 0);
+    for (const std::size_t level : flown.quality_levels) ASSERT_EQ(level, 0u);
+    EXPECT_GT(fly(33).changes, 0) << "control";
+}
+
+/// Only the measured levels are there to choose from.
+TEST(FrameBudget, WithoutMeasuredLevelsNothingIsReduced) {
+    FrameBudget budget;
+    budget.hold(1, simulated_costs());
+    const FramePlan plan = budget.plan(called(1), {}, counters_of(1), kTolerance, at(0));
+    EXPECT_TRUE(plan.runs(Effect::silhouettes));
+    EXPECT_EQ(budget.report().quality_level, 0u);
+    EXPECT_EQ(budget.report().why, GovernorWhy::cheapest_is_too_dear);
+    EXPECT_TRUE(budget.report().is_missed);
+    EXPECT_FALSE(budget.is_reduced());
+}
+
+TEST(FrameBudget, TheReportSaysWhatTheLevelIs) {
+    FrameBudget budget;
+    const QualityLevels levels = test_support::six_levels();
+    budget.hold(33, simulated_costs(), levels);
+    static_cast<void>(budget.plan(called(1), {}, counters_of(1), kTolerance, at(0)));
+    const BudgetReport& report = budget.report();
+    ASSERT_GT(report.quality_level, 0u);
+    EXPECT_EQ(report.quality.tau_factor, levels.at[report.quality_level].tau_factor);
+    EXPECT_EQ(report.quality.detail_factor, levels.at[report.quality_level].detail_factor);
+    EXPECT_TRUE(report.quality.given_up.has(Effect::depth_of_field));
+}
+
 TEST(FrameBudget, AMachineThatNeedsMoreThanTheModelSaysIsBelieved) {
     FrameBudget budget;
-    budget.hold(20, simulated_costs());
+    budget.hold(20, simulated_costs(), test_support::six_levels());
     const auto frame = [&](double t) { static_cast<void>(budget.plan(called(0.05), {}, counters_of(0.05), kTolerance, at(t))); };
     frame(0);
     const double modelled = budget.report().predicted_ms;

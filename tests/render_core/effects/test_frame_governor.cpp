@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace tedavis::effects::test_frame_governor {
 namespace {
@@ -23,7 +24,9 @@ std::array<double, kQualityLevelCount> falling_from(double ms) {
 
 class Governor : public ::testing::Test {
 protected:
-    GovernorDecision frame(double seconds, double ms) { return governor_.decide({at(seconds), kDeadline_ms, falling_from(ms)}); }
+    GovernorDecision frame(double seconds, double ms) {
+        return governor_.decide({at(seconds), kDeadline_ms, falling_from(ms), kQualityLevelCount});
+    }
     /// All frames of a span at 30 a second; the last decision.
     GovernorDecision span(double from_s, double to_s, double ms) {
         GovernorDecision last;
@@ -117,8 +120,8 @@ TEST_F(Governor, AGrowingCostIsTakenForWhatItWillBe) {
     }
     const std::size_t of_ramp = decision.quality_level;
     FrameGovernor jump;
-    static_cast<void>(jump.decide({at(0), kDeadline_ms, falling_from(10)}));
-    const std::size_t of_jump = jump.decide({at(5), kDeadline_ms, falling_from(ms)}).quality_level;
+    static_cast<void>(jump.decide({at(0), kDeadline_ms, falling_from(10), kQualityLevelCount}));
+    const std::size_t of_jump = jump.decide({at(5), kDeadline_ms, falling_from(ms), kQualityLevelCount}).quality_level;
     EXPECT_GT(of_ramp, of_jump);
 }
 
@@ -145,10 +148,72 @@ TEST_F(Governor, ACopyGoesOnAlike) {
     FrameGovernor copy = governor_;
     for (double t = 4; t < 12; t += 1.0 / 30) {
         const double ms = 40 + 25 * std::sin(t);
-        const GovernorDecision one = frame(t, ms), other = copy.decide({at(t), kDeadline_ms, falling_from(ms)});
+        const GovernorDecision one = frame(t, ms),
+                               other = copy.decide({at(t), kDeadline_ms, falling_from(ms), kQualityLevelCount});
         EXPECT_EQ(one.quality_level, other.quality_level);
         EXPECT_EQ(one.why, other.why);
     }
+}
+
+/// A front of 1 to 6 levels, and what a frame costs at each: the later ones at most as much, and often exactly as much, as where
+/// nothing is in view that a level leaves out.
+struct Front {
+    QualityLevels levels;
+    std::array<double, kQualityLevelCount> ms{};
+};
+
+class RandomFronts {
+public:
+    Front next() {
+        Front front;
+        front.levels.count = static_cast<std::uint8_t>(1 + std::uniform_int_distribution<int>(0, 5)(random_));
+        double ms = between(5, 120);
+        for (std::size_t n = 0; n < front.levels.count; ++n) {
+            const double x = static_cast<double>(n);
+            front.levels.at[n] = {1 + x, 1 / (1 + x), {}, 100 - 10 * x, 1 + x, x};
+            front.ms[n] = ms;
+            if (between(0, 1) < 0.6) ms *= between(0.4, 1);
+        }
+        return front;
+    }
+    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+
+private:
+    std::mt19937 random_{33};
+};
+
+/// Whether another level is at least as cheap in this frame, and better.
+bool is_dominated(const Front& front, std::size_t chosen) {
+    const auto in_frame = [&](std::size_t n) {
+        QualityLevel level = front.levels.at[n];
+        level.ms = front.ms[n];
+        return level;
+    };
+    for (std::size_t n = 0; n < front.levels.count; ++n)
+        if (dominates(in_frame(n), in_frame(chosen))) return true;
+    return false;
+}
+
+/// What it chooses is within the limits where anything is, and no other level would have been better.
+TEST(GovernorOverFronts, NeverChangesToADominatedLevel) {
+    RandomFronts fronts;
+    int changes = 0, control = 0;
+    for (int n = 0; n < 5000; ++n) {
+        FrameGovernor governor;
+        for (int frame = 0; frame < 4; ++frame) {
+            const Front front = fronts.next();
+            const GovernorInput input{at(3.0 * frame), kDeadline_ms, front.ms, front.levels.count};
+            if (governor.quality_level() >= input.level_count) break;  // another calibration: hold() begins anew
+            const GovernorDecision decision = governor.decide(input);
+            ASSERT_LT(decision.quality_level, input.level_count);
+            if (!decision.changed) continue;
+            ++changes;
+            EXPECT_FALSE(is_dominated(front, decision.quality_level)) << n;
+            control += is_dominated(front, input.level_count - 1) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(changes, 1000);
+    EXPECT_GT(control, 100) << "the last level of all would often have been a dominated one";
 }
 
 TEST(CostTrend, KnowsARampFromAJump) {

@@ -2,43 +2,80 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/flights/six_levels.hpp"
+
 namespace tedavis::effects::test_quality_level {
 namespace {
 
-TEST(QualityLevels, EveryQualityLevelAsksForNoMoreThanTheOneBefore) {
-    EXPECT_EQ(kQualityLevels[0].tau_factor, 1);
-    EXPECT_EQ(kQualityLevels[0].detail_factor, 1);
-    for (std::size_t n = 1; n < kQualityLevelCount; ++n) {
-        EXPECT_GE(kQualityLevels[n].tau_factor, kQualityLevels[n - 1].tau_factor);
-        EXPECT_LE(kQualityLevels[n].detail_factor, kQualityLevels[n - 1].detail_factor);
-        for (std::size_t e = 0; e < kEffectCount; ++e) {
-            const auto effect = static_cast<Effect>(e);
-            EXPECT_LE(given_up_on(n - 1).has(effect), given_up_on(n).has(effect)) << row_of(effect).name;
-        }
-    }
+std::string_view first_fault(const QualityLevels& levels) {
+    for (std::size_t n = 0; n < levels.count; ++n)
+        if (const std::string_view fault = fault_of(levels, n); !fault.empty()) return fault;
+    return {};
 }
 
+TEST(QualityLevels, TheDesignsOwnPictureIsTheFirstOne) {
+    QualityLevels levels = test_support::six_levels();
+    EXPECT_EQ(first_fault(levels), "");
+    EXPECT_EQ(first_fault(QualityLevels()), "");
+    levels.at[0].tau_factor = 1.2;
+    EXPECT_NE(fault_of(levels, 0), "");
+    levels.at[0] = {1, 0.9, {}, 60, 1, 0};
+    EXPECT_NE(fault_of(levels, 0), "");
+    levels.at[0] = {1, 1, levels.at[1].given_up, 60, 1, 0};
+    EXPECT_NE(fault_of(levels, 0), "");
+    levels.at[0] = {1, 1, {}, 60, 1, 0.1};
+    EXPECT_NE(fault_of(levels, 0), "") << "it does not differ from itself";
+}
+
+TEST(QualityLevels, EachKeepsNoMoreThanTheOneBeforeAndIsCheaper) {
+    const auto fault_with = [](const auto& change) {
+        QualityLevels levels = test_support::six_levels();
+        change(levels.at[3]);
+        return first_fault(levels);
+    };
+    const std::string_view kKeeps = "a quality level must keep no more than the one before it";
+    EXPECT_EQ(fault_with([](QualityLevel& level) { level.tau_factor = 1.9; }), kKeeps);
+    EXPECT_EQ(fault_with([](QualityLevel& level) { level.detail_factor = 0.7; }), kKeeps);
+    EXPECT_EQ(fault_with([](QualityLevel& level) { level.given_up.remove(Effect::antialiasing); }), kKeeps);
+    EXPECT_EQ(fault_with([](QualityLevel& level) { level.ms = 40; }).substr(0, 21), "of two quality levels");
+    EXPECT_EQ(fault_with([](QualityLevel& level) {
+                  level.ms = 45;
+                  level.error_color = 0.9;  // not dominated, but out of order
+              }),
+              "a quality level must take less time than the one before it");
+    EXPECT_EQ(fault_with([](QualityLevel& level) { level.error_px = level.error_color = 0.1; }).substr(0, 21),
+              "of two quality levels")
+        << "cheaper and more accurate than the level before, which is useless then";
+}
+
+/// Over every effect of the table.
 TEST(QualityLevels, WhatSafetyNeedsIsGivenUpAtNoQualityLevel) {
-    for (const Effect effect : {Effect::terrain, Effect::warning_colors, Effect::ground_data, Effect::adjacent, Effect::haze}) {
-        EXPECT_EQ(row_of(effect).given_up_from, kNeverGivenUp) << row_of(effect).name;
-        EXPECT_FALSE(given_up_on(kQualityLevelCount - 1).has(effect));
+    for (std::size_t e = 0; e < kEffectCount; ++e) {
+        QualityLevels levels = test_support::six_levels();
+        levels.at[5].given_up.add(static_cast<Effect>(e));
+        EXPECT_EQ(first_fault(levels).empty(), row_of(static_cast<Effect>(e)).may_be_given_up) << e;
     }
+    for (const Effect effect : {Effect::terrain, Effect::warning_colors, Effect::ground_data, Effect::adjacent, Effect::haze,
+                                Effect::ridges, Effect::drape, Effect::vertical_lines, Effect::curtains, Effect::clutter})
+        EXPECT_FALSE(row_of(effect).may_be_given_up) << row_of(effect).name;
 }
 
-TEST(QualityLevels, WhatEmbellishesGoesFirst) {
-    EXPECT_LT(row_of(Effect::depth_of_field).given_up_from, row_of(Effect::antialiasing).given_up_from);
-    EXPECT_LT(row_of(Effect::antialiasing).given_up_from, row_of(Effect::silhouettes).given_up_from);
-}
-
-TEST(QualityLevels, NothingIsGivenUpThatTheDesignGetsWhole) {
-    for (std::size_t e = 0; e < kEffectCount; ++e) EXPECT_FALSE(given_up_on(0).has(static_cast<Effect>(e)));
+TEST(QualityLevels, ALevelDominatesWhatIsNoBetterInAnything) {
+    const QualityLevel level{2, 1, {}, 20, 2, 1};
+    EXPECT_FALSE(dominates(level, level));
+    EXPECT_TRUE(dominates(level, {2, 1, {}, 21, 2, 1}));
+    EXPECT_TRUE(dominates(level, {2, 1, {}, 20, 2.5, 1}));
+    EXPECT_TRUE(dominates(level, {2, 1, {}, 20, 2, 1.5}));
+    EXPECT_FALSE(dominates(level, {2, 1, {}, 30, 3, 0.9}));
+    EXPECT_FALSE(dominates(level, {2, 1, {}, 19, 3, 3}));
 }
 
 TEST(QualityLevels, TerrainIsNeverSoCoarseThatItWouldLoseItsWarningColors) {
-    EXPECT_EQ(tau_px_on(0, 1, 4), 1);
-    EXPECT_EQ(tau_px_on(2, 1, 4), 2);
-    EXPECT_EQ(tau_px_on(kQualityLevelCount - 1, 1.5, 4), 4) << "not 6";
-    EXPECT_EQ(tau_px_on(kQualityLevelCount - 1, 5, 4), 5) << "a design that asks for more is not made finer";
+    const QualityLevels levels = test_support::six_levels();
+    EXPECT_EQ(tau_px_on(levels.at[0], 1, 4), 1);
+    EXPECT_EQ(tau_px_on(levels.at[2], 1, 4), 2);
+    EXPECT_EQ(tau_px_on(levels.at[5], 1.5, 4), 4) << "not 6";
+    EXPECT_EQ(tau_px_on(levels.at[5], 5, 4), 5) << "a design that asks for more is not made finer";
 }
 
 TEST(QualityLevels, CountersThereAndBackAreNeverTooSmall) {

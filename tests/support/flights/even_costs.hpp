@@ -1,4 +1,5 @@
-/// The text of a costs file, as `tedavis calibrate` writes it, in which every cost is the same.
+/// The text of a costs file, as `tedavis calibrate` writes it, in which every cost is the same, and whose only level is the
+/// design's own picture.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@ inline std::string even_costs(const effects::CalibrationSubject& subject) {
     };
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) add(effects::row_of(static_cast<effects::Effect>(n)).name);
     for (const std::string_view name : effects::kOverheadNames) add(name);
-    return text;
+    return text + "[[quality]]\ntau_factor = 1\ndetail_factor = 1\ngiven_up = []\nms = 9\nerror_px = 1\nerror_color = 0\n";
 }
 
 }  // namespace tedavis::test_support

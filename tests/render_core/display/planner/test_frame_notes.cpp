@@ -81,13 +81,17 @@ TEST(FrameNotes, TheTerrainSaysWhatKeptItFromTau) {
 }
 
 TEST(FrameNotes, AMissedDeadlineIsFlagged) {
-    effects::BudgetReport report{33, 40, 5, true, false, effects::GovernorWhy::too_dear};
+    effects::BudgetReport report{33, 40, 5, true, false, effects::GovernorWhy::too_dear, {2.5, 0.5, {}, 0, 0, 0}};
+    report.quality.given_up.add(effects::Effect::antialiasing);
     FrameRecord record;
     record_budget(report, record);
     EXPECT_EQ(record.governor.deadline_ms, 33);
     EXPECT_EQ(record.governor.predicted_ms, 40);
     EXPECT_EQ(record.governor.quality_level, 5u);
     EXPECT_TRUE(record.governor.changed);
+    EXPECT_EQ(record.governor.tau_factor, 2.5);
+    EXPECT_EQ(record.governor.detail_factor, 0.5);
+    EXPECT_TRUE(record.governor.given_up.has(effects::Effect::antialiasing));
     EXPECT_EQ(record.governor.why.view(), "the time does not suffice");
     EXPECT_FALSE(has_flag(record, "deadline.missed"));
     report.is_missed = true;
