@@ -47,6 +47,7 @@ AccuracyReport report_of(const Json& json) {
     for (const Json& name : json.at("not_measured")) report.not_measured.push_back(name);
     for (const Json& flight : json.at("flights")) report.flights.push_back(flight_from(flight));
     report.uncalled = uncalled_from(json.at("uncalled_effects"));
+    report.governor = json.contains("governor") ? governor_choice_from(json.at("governor")) : std::nullopt;
     report.control = control_from(json.at("negative_control"));
     for (const Json& compared : json.at("comparisons")) report.comparisons.push_back(compared_from(compared));
     return report;
@@ -69,6 +70,7 @@ Json accuracy_json(const AccuracyReport& report) {
             {"not_measured", report.not_measured},
             {"flights", std::move(flights)},
             {"uncalled_effects", uncalled_json(report.uncalled)},
+            {"governor", governor_choice_json(report.governor)},
             {"negative_control", control_json(report.control)},
             {"comparisons", std::move(comparisons)}};
 }

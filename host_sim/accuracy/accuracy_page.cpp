@@ -7,6 +7,7 @@
 #include "host_sim/accuracy/effects_chapter.hpp"
 #include "host_sim/accuracy/first_screen.hpp"
 #include "host_sim/accuracy/flight_errors_chapter.hpp"
+#include "host_sim/accuracy/governor_chapter.hpp"
 #include "host_sim/accuracy/next_level.hpp"
 #include "host_sim/accuracy/picture_section.hpp"
 #include "host_sim/accuracy/work_precision_chart.hpp"
@@ -240,6 +241,11 @@ std::string effects_section(const AccuracyReport& report) {
     return html_section("What the scene did not call for", effects_chapter(*report.uncalled));
 }
 
+std::string governor_section(const AccuracyReport& report) {
+    if (!report.governor) return "";
+    return html_section("What the governor may choose", governor_chapter(*report.governor));
+}
+
 std::string control_section(const AccuracyReport& report) {
     if (!report.control) return "";
     return html_section("A level that is wrong on purpose",
@@ -262,8 +268,8 @@ std::string accuracy_page(const AccuracyReport& report) {
         "<main>\n" + first_screen(report) + summary_words(report) +
         html_section("From the quickest to the most accurate", summary_table(report)) + one_level_section(report);
     for (const MeasuredKnob& knob : report.knobs) page += knob_section(knob);
-    return page + flights_section(report) + effects_section(report) + comparison_section(report) + control_section(report) +
-           not_measured_section(report) +
+    return page + flights_section(report) + effects_section(report) + governor_section(report) + comparison_section(report) +
+           control_section(report) + not_measured_section(report) +
            "</main>\n<footer><p>Charts: a disc is a level that is worth its time, a cross one that another level beats, a ring "
            "an alternative that the product does not offer, a square on the lower border a level without an error. The bar is "
            "the 5th to the 95th percentile of the times, the dashed line reaches up to the greatest "

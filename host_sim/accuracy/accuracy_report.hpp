@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/accuracy/flight_errors.hpp"
+#include "host_sim/accuracy/governor_choice.hpp"
 #include "host_sim/accuracy/measured_knob.hpp"
 #include "host_sim/accuracy/negative_control.hpp"
 #include "host_sim/accuracy/uncalled_effects.hpp"
@@ -51,6 +52,7 @@ struct AccuracyReport {
     std::vector<std::string> not_measured;  ///< names of knobs that were asked for, too
     std::vector<FlightErrors> flights;
     std::optional<UncalledEffects> uncalled;
+    std::optional<GovernorChoice> governor;
     std::optional<NegativeControl> control;
     std::vector<ComparedReport> comparisons;
 };

@@ -8,6 +8,7 @@
 #include "host_sim/accuracy/effects_chapter.hpp"
 #include "host_sim/accuracy/first_screen.hpp"
 #include "host_sim/accuracy/flight_errors_chapter.hpp"
+#include "host_sim/accuracy/governor_chapter.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -82,6 +83,7 @@ std::string accuracy_text(const AccuracyReport& report) {
     for (const std::string& name : report.not_measured) text += "\n\n" + name + ": not measured";
     text += flight_errors_text(report.flights);
     if (report.uncalled) text += uncalled_text(*report.uncalled);
+    if (report.governor) text += governor_text(*report.governor);
     if (report.control) text += "\n\n" + control_text(*report.control);
     for (const ComparedReport& compared : report.comparisons) text += comparison_text(compared);
     return text;

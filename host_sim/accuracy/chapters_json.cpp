@@ -44,6 +44,30 @@ EffectUse use_of(const Json& json) {
     return use;
 }
 
+Json quality_json(const effects::QualityLevel& level, std::uint64_t frames) {
+    Json given_up = Json::array();
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n)
+        if (level.given_up.has(static_cast<effects::Effect>(n)))
+            given_up.push_back(effects::row_of(static_cast<effects::Effect>(n)).name);
+    return {{"tau_factor", level.tau_factor},
+            {"detail_factor", level.detail_factor},
+            {"given_up", std::move(given_up)},
+            {"ms", level.ms},
+            {"error_px", level.error_px},
+            {"error_color", level.error_color},
+            {"frames", frames}};
+}
+
+effects::QualityLevel quality_of(const Json& json) {
+    effects::QualityLevel level{json.at("tau_factor"), json.at("detail_factor"), {},
+                                json.at("ms"),         json.at("error_px"),      json.at("error_color")};
+    for (const Json& name : json.at("given_up")) {
+        const effects::Effect effect = effects::effect_of(name.get<std::string>());
+        if (effect != effects::Effect::count_) level.given_up.add(effect);
+    }
+    return level;
+}
+
 }  // namespace
 
 nlohmann::ordered_json flight_json(const FlightErrors& flight) {
@@ -98,6 +122,34 @@ std::optional<UncalledEffects> uncalled_from(const nlohmann::ordered_json& json)
     uncalled.frames = json.at("frames");
     for (const Json& use : json.at("effects")) uncalled.uses.push_back(use_of(use));
     return uncalled;
+}
+
+nlohmann::ordered_json governor_choice_json(const std::optional<GovernorChoice>& choice) {
+    if (!choice) return nullptr;
+    Json levels = Json::array();
+    for (std::size_t n = 0; n < choice->levels.count; ++n)
+        levels.push_back(quality_json(choice->levels.at[n], choice->frames[n]));
+    return {{"costs", choice->costs},     {"device", choice->device},           {"renderer", choice->renderer},
+            {"flight", choice->flight},   {"deadline_ms", choice->deadline_ms}, {"missed", choice->missed},
+            {"levels", std::move(levels)}};
+}
+
+std::optional<GovernorChoice> governor_choice_from(const nlohmann::ordered_json& json) {
+    if (json.is_null()) return std::nullopt;
+    GovernorChoice choice;
+    choice.costs = json.at("costs");
+    choice.device = json.at("device");
+    choice.renderer = json.at("renderer");
+    choice.flight = json.at("flight");
+    choice.deadline_ms = json.at("deadline_ms");
+    choice.missed = json.at("missed");
+    choice.levels.count = 0;
+    for (const Json& level : json.at("levels")) {
+        if (choice.levels.count == effects::kQualityLevelCount) break;
+        choice.levels.at[choice.levels.count] = quality_of(level);
+        choice.frames[choice.levels.count++] = level.at("frames");
+    }
+    return choice;
 }
 
 nlohmann::ordered_json control_json(const std::optional<NegativeControl>& control) {

@@ -15,6 +15,8 @@ namespace tedavis::host_sim {
 /// Null for what was not measured.
 [[nodiscard]] nlohmann::ordered_json uncalled_json(const std::optional<UncalledEffects>& uncalled);
 [[nodiscard]] std::optional<UncalledEffects> uncalled_from(const nlohmann::ordered_json& json);
+[[nodiscard]] nlohmann::ordered_json governor_choice_json(const std::optional<GovernorChoice>& choice);
+[[nodiscard]] std::optional<GovernorChoice> governor_choice_from(const nlohmann::ordered_json& json);
 [[nodiscard]] nlohmann::ordered_json control_json(const std::optional<NegativeControl>& control);
 [[nodiscard]] std::optional<NegativeControl> control_from(const nlohmann::ordered_json& json);
 

@@ -32,7 +32,8 @@ constexpr const char* kPageName = "/report.html";
 constexpr const char* kPictureFolder = "/pictures/";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
 constexpr std::size_t kMoments = 120, kLinePoses = 60, kQuickEffectPoses = 3;
-constexpr double kKnob_s = 120, kQuickKnob_s = 8;  ///< for the rounds of a knob
+constexpr double kGovernorRate_hz = 10, kQuickGovernorRate_hz = 2;  ///< frames of the flight
+constexpr double kKnob_s = 120, kQuickKnob_s = 8;                   ///< for the rounds of a knob
 
 double clock_ms() { return static_cast<double>(platform::monotonic_now().ns) * 1e-6; }
 
@@ -42,6 +43,7 @@ std::string command_of(const AccuracyOptions& options) {
     if (options.is_quick) command += " --quick";
     if (!options.terrain.empty()) command += " --terrain " + options.terrain;
     for (const std::string& knob : options.knobs) command += " --knob " + knob;
+    if (!options.costs.empty()) command += " --costs " + options.costs;
     if (options.is_control_only) command += " --negative-control";
     for (const std::string& file : options.compare) command += " --compare " + file;
     return command;
@@ -133,6 +135,24 @@ public:
             write_report(report, options_.output);
             if (!report.uncalled) report.uncalled = uncalled(ground, flight, interrupt);
             if (!report.control) report.control = measure_control(*make_ray_control({ground, options_.is_quick}));
+        } catch (const Interrupted&) {
+            report.interrupted = true;
+        }
+        console_.progress_done();
+        return !report.interrupted;
+    }
+
+    /// By the costs that the user gave, with the frames of the flight. False where the user has stopped it.
+    bool measure_governor(const TracedGround& ground, AccuracyReport& report) {
+        const InterruptGuard interrupt;
+        KnobFlight flight(ground);
+        PictureOptions picture;
+        picture.terrain = ground.path();
+        picture.scene = flight.scene();
+        GovernorChoicePlan plan{options_.budget_ms, options_.is_quick ? kQuickGovernorRate_hz : kGovernorRate_hz, {}};
+        plan.progress = progress_of("frames of the governor", interrupt);
+        try {
+            report.governor = governor_choice(options_.costs, picture, flight, plan);
         } catch (const Interrupted&) {
             report.interrupted = true;
         }
@@ -237,6 +257,7 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
         options.is_control_only ? std::vector<RegisteredKnob>() : chosen_knobs(options.knobs);
     if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
     const auto earlier = earlier_reports(options.compare);
+    if (!options.costs.empty()) static_cast<void>(read_costs(options.costs));
     const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
     NewFolder folder(options.output);
     const std::unique_ptr<base::Workers> workers = trace_workers(0);
@@ -253,6 +274,7 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
         report.control = measure_control(*make_ray_control({ground, options.is_quick}));
     else if (is_whole && options.knobs.empty())
         is_whole = run.measure_chapters(ground, report);
+    if (is_whole && !options.costs.empty()) is_whole = run.measure_governor(ground, report);
     report.comparisons.clear();
     for (const auto& [file, old] : earlier) report.comparisons.push_back(compare_accuracy(report, old, file, limits));
     write_report(report, options.output);

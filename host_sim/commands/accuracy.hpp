@@ -10,13 +10,14 @@
 namespace tedavis::host_sim {
 
 struct AccuracyOptions {
-    std::string output;                                      ///< folder
-    std::string terrain;                                     ///< .tdb; empty: built from the shipped raster
-    bool is_quick = false;                                   ///< fewer samples and rounds
-    std::vector<std::string> knobs;                          ///< empty: all
-    std::optional<double> budget_ms;                         ///< asks for the most accurate levels within it
-    bool is_control_only = false;                            ///< measures the negative control alone
-    std::vector<std::string> compare;                        ///< accuracy.json of earlier runs
+    std::string output;                ///< folder
+    std::string terrain;               ///< .tdb; empty: built from the shipped raster
+    bool is_quick = false;             ///< fewer samples and rounds
+    std::vector<std::string> knobs;    ///< empty: all
+    std::string costs;                 ///< a calibration file: adds what the governor may choose by it; empty: nothing
+    std::optional<double> budget_ms;   ///< asks for the most accurate levels within it
+    bool is_control_only = false;      ///< measures the negative control alone
+    std::vector<std::string> compare;  ///< accuracy.json of earlier runs
     double slower_percent = 25, less_accurate_percent = 10;  ///< beyond these a comparison fails
     std::string target_error;  ///< such as "0.5 px": asks for the quickest levels that keep to it; empty: nothing
 };

@@ -201,6 +201,9 @@ void add_accuracy(CLI::App& app, CommandLine& line) {
     command->add_flag("--quick", o.is_quick, "fewer samples and rounds");
     command->add_option("--knob", o.knobs, "only this setting; may be repeated; default: all")->allow_extra_args(false);
     command->add_option("--terrain", o.terrain, "terrain database (.tdb); default: built from the shipped raster");
+    command->add_option("--costs", o.costs,
+                        "also says what the governor may choose by this file, which calibrate wrote, and what it chooses along "
+                        "the flight; its deadline is --budget-ms, or else the time of a frame at the device's rate");
     add_accuracy_verdicts(*command, o);
     add_optional(command, "--budget-ms", o.budget_ms,
                  "also says the most accurate level of each setting within so many milliseconds")

@@ -7,18 +7,12 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::uint32_t kWarmUp = 2;  // frames of each side that are not counted
-constexpr double kAmpleMs = 1e9;      // a deadline that every frame meets, so that the only level remains
 
 void take_turn(BenchSide& side) {
     side.session->make_current();
     effects::FrameBudget& budget = side.session->display().memory().budget;
     budget.give_up(side.given_up);
-    if (!side.level) return;
-    effects::CostTable free_of_cost;
-    free_of_cost.is_known = true;
-    effects::QualityLevels only;
-    only.at[0] = *side.level;
-    budget.hold(kAmpleMs, free_of_cost, only);
+    if (side.level) budget.pin(*side.level);
 }
 
 }  // namespace

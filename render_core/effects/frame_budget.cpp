@@ -24,6 +24,11 @@ void FrameBudget::hold(double deadline_ms, const CostTable& costs, const Quality
     governor_ = FrameGovernor();
 }
 
+void FrameBudget::pin(const QualityLevel& level) {
+    hold(0, costs_);
+    levels_.at[0] = level;
+}
+
 double FrameBudget::tau_factor(const TerrainTolerance& tolerance) const {
     return tau_px_on(level(), tolerance.design_px, tolerance.coarse_px) / tolerance.design_px;
 }
@@ -54,11 +59,11 @@ FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, con
         report_.quality_level = decision.quality_level;
         report_.changed = decision.changed;
         report_.why = decision.why;
-        report_.quality = level();
-        input.too_costly.add(report_.quality.given_up);
     } else if (deadline_ms_ > 0) {
         report_.why = GovernorWhy::cost_unknown;
     }
+    report_.quality = level();
+    input.too_costly.add(level().given_up);
     FramePlan plan = plan_effects(input, device);
     if (costs_.is_known) report_.predicted_ms = measured_factor_ * modelled_ms(costs_, plan, counters);
     report_.is_missed = is_held() && report_.predicted_ms > deadline_ms_;

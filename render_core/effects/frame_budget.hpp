@@ -52,6 +52,8 @@ public:
     /// Modelled costs are then scaled to this machine, by 0.5 to 4. A time above the model but below the deadline may include
     /// waiting for the screen and is ignored.
     void record_measured(double ms);
+    /// Draws all frames at one level, whatever they cost, until hold() is called; used to measure what a level costs and changes.
+    void pin(const QualityLevel& level);
     /// Gives up further effects at every level; used to measure the cost of an effect.
     void give_up(const EffectSet& effects) { given_up_ = effects; }
 

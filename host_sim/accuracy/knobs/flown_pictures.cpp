@@ -45,7 +45,7 @@ std::string changed_device(const std::string& folder, const std::string& name, c
 std::optional<std::string> shot_options(const FlownLevel& level) {
     const PictureOptions& picture = level.picture;
     const bool is_own_file = (picture.device + picture.design + picture.scene).find('/') != std::string::npos;
-    if (level.change || level.quality_level > 0 || is_own_file || !picture.size) return std::nullopt;
+    if (level.change || level.quality || is_own_file || !picture.size) return std::nullopt;
     char text[64];
     std::snprintf(text, sizeof text, " --size %ux%u", picture.size->width, picture.size->height);
     std::string options = " --terrain " + picture.terrain + " --design " + picture.design + " --device " + picture.device + text;
@@ -89,8 +89,7 @@ std::unique_ptr<FlownPictures::Shown> FlownPictures::started(const FlownLevel& l
     }
     shown->build_ms = (platform::monotonic_now() - begun).to_seconds() * 1000;
     shown->begun = std::make_unique<display::PlannerMemory>(display.memory());
-    shown->begun->budget.restore(effects::FrameGovernor(level.quality_level));
-    shown->begun->budget.give_up(effects::given_up_on(level.quality_level));
+    if (level.quality) shown->begun->budget.pin(*level.quality);
     return shown;
 }
 

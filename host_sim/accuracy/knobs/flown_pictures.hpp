@@ -31,7 +31,7 @@ struct DeviceValue {
 
 struct FlownLevel {
     PictureOptions picture;
-    std::size_t quality_level = 0;  ///< of the governor (effects/quality_level.hpp)
+    std::optional<effects::QualityLevel> quality;  ///< as the governor would draw; nothing: as the design asks
     /// What else differs from the design that the options name; it may ask for no technique that this one lacks.
     std::function<void(design::DesignSettings&)> change = {};
 };

@@ -1,20 +1,35 @@
 #include "host_sim/accuracy/knobs/quality_level_knob.hpp"
 
+#include <cstdio>
+
 #include "host_sim/accuracy/knobs/color_knob.hpp"
 #include "render_core/effects/quality_level.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-using effects::kQualityLevelCount;
+/// Levels of the kind that `tedavis calibrate` measures and chooses from; the design asks for silhouettes, so these are given up.
+struct SampledQuality {
+    double tau_factor, detail_factor;
+    bool has_silhouettes;
+};
+constexpr SampledQuality kSampledQualities[] = {{4, 0.2, false}, {4, 0.35, false}, {2.8, 0.5, true},
+                                                {2, 0.65, true}, {1.4, 0.8, true}, {1, 1, true}};
+
+std::string name_of(const SampledQuality& sampled) {
+    if (sampled.tau_factor == 1) return "as the design asks";
+    char name[80];
+    std::snprintf(name, sizeof name, "tau x %g, detail x %g%s", sampled.tau_factor, sampled.detail_factor,
+                  sampled.has_silhouettes ? "" : ", no silhouettes");
+    return name;
+}
 
 KnobFacts quality_level_facts() {
     std::vector<KnobLevel> levels;
-    for (std::size_t n = kQualityLevelCount; n-- > 0;)
-        levels.push_back({n == 0 ? std::string("as the design asks") : "level " + std::to_string(n), 0});
+    for (const SampledQuality& sampled : kSampledQualities) levels.push_back({name_of(sampled), 0});
     return {"quality_level",
             "Quality that the governor chooses for a frame's deadline",
-            "effects::kQualityLevels, chosen by --deadline with --costs",
+            "[[quality]] of a calibration file, chosen by --deadline with --costs",
             kPixelMetric,
             kColorUnit,
             {"the picture that the design asks for", 0, "it is one of the levels; a test draws it twice with the same bits"},
@@ -27,15 +42,16 @@ KnobFacts quality_level_facts() {
 
 ColorPlan quality_levels(const std::string& terrain, const std::string& scene) {
     ColorPlan plan;
-    for (std::size_t n = kQualityLevelCount; n-- > 0;) {
+    for (const SampledQuality& sampled : kSampledQualities) {
         FlownLevel level;
         level.picture.terrain = terrain;
         level.picture.scene = scene;
         level.picture.size = kFlownSize;
-        level.quality_level = n;
+        level.quality = effects::QualityLevel{sampled.tau_factor, sampled.detail_factor, {}, 0, 0, 0};
+        if (!sampled.has_silhouettes) level.quality->given_up.add(effects::Effect::silhouettes);
         plan.drawn.push_back(level);
     }
-    plan.reference = kQualityLevelCount - 1;
+    plan.reference = plan.drawn.size() - 1;
     return plan;
 }
 

@@ -7,6 +7,7 @@
 
 #include "tests/host_sim/accuracy/made_knob.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/flights/six_levels.hpp"
 
 namespace tedavis::host_sim::test_accuracy_json {
 namespace {
@@ -40,6 +41,12 @@ AccuracyReport made_report() {
     use.largest_difference = 1;
     use.worst_pose = "36,-84,1000,0,0,0";
     report.uncalled = UncalledEffects{"default", "es3-mid", 3, {use}};
+    GovernorChoice choice;
+    choice.costs = "costs.toml";
+    choice.levels = test_support::six_levels();
+    choice.deadline_ms = 33;
+    choice.frames = {60, 0, 0, 15, 0, 5};
+    report.governor = choice;
     report.control = NegativeControl{"steps", "m", "bad", "good", "here", 1e-9, {3, 4, 5, 6, 7}, {1, 1, 1, 1, 7}, true};
     report.comparisons = {
         {"old.json", "a processor", "a date", "1.0", true, {{"made", "4 steps", 1, 2, 3, 4, true, false}}, {"gone"}}};
@@ -55,6 +62,8 @@ TEST(AccuracyJson, IsReadAsItWasWritten) {
     EXPECT_EQ(json.at("knobs")[1].at("only_level"), "one is enough");
     EXPECT_EQ(json.at("knobs")[1].at("levels")[0].at("offered"), true);
     EXPECT_EQ(json.at("knobs")[1].at("levels")[1].at("offered"), false);
+    EXPECT_EQ(json.at("governor").at("levels")[5].at("given_up").size(), 7u);
+    EXPECT_EQ(json.at("governor").at("levels")[3].at("frames"), 15);
     EXPECT_EQ(json.at("not_measured"), (std::vector<std::string>{"another"}));
 }
 

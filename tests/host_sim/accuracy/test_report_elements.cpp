@@ -215,6 +215,14 @@ const std::vector<ReportElement>& elements() {
                                   number(worst->at("time_s"))),
                           "--pose " + text(worst->at("pose"))};
          }},
+        {17, "what the governor may choose",
+         [](const Json& json) {
+             Texts all{printed("a deadline of %g ms", number(json.at("governor").at("deadline_ms")))};
+             for (const Json& level : json.at("governor").at("levels"))
+                 all.push_back(cell(printed("%.3f", number(level.at("ms")))) + cell(three(level.at("error_px"))) +
+                               cell(three(level.at("error_color"))) + cell(std::to_string(level.at("frames").get<int>())));
+             return all;
+         }},
         {18, "columns by machine",
          [](const Json& json) {
              const Json& compared = json.at("comparisons").at(0);

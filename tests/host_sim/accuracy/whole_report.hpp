@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/host_sim/accuracy/made_knob.hpp"
+#include "tests/support/flights/six_levels.hpp"
 
 namespace tedavis::test_support {
 
@@ -43,6 +44,19 @@ inline host_sim::UncalledEffects made_uncalled() {
     return {"default", "es3-mid", 8, {use}};
 }
 
+inline host_sim::GovernorChoice made_governor_choice() {
+    host_sim::GovernorChoice choice;
+    choice.costs = "costs.toml";
+    choice.device = "es3-mid";
+    choice.renderer = "llvmpipe";
+    choice.flight = "the default flight";
+    choice.levels = six_levels();
+    choice.deadline_ms = 33;
+    choice.frames = {60, 0, 0, 15, 0, 5};
+    choice.missed = 2;
+    return choice;
+}
+
 inline host_sim::AccuracyReport whole_report() {
     host_sim::AccuracyReport report = made_report();
     report.knobs[0].pictures = made_pictures();
@@ -56,6 +70,7 @@ inline host_sim::AccuracyReport whole_report() {
     report.knobs.push_back(made_knob_of_one_level());
     report.flights = {made_flight_errors()};
     report.uncalled = made_uncalled();
+    report.governor = made_governor_choice();
     report.control =
         host_sim::NegativeControl{"steps", "m", "bad", "good", "there", 1e-9, {30, 40, 50, 60, 7}, {1.5, 2, 2, 2.5, 7}, true};
     report.comparisons = {{"old.json",

@@ -215,6 +215,20 @@ TEST(FrameBudget, ADeadlineWithRoomHasTheDesignsOwnPictureAllAlong) {
     EXPECT_GT(fly(33).changes, 0) << "control";
 }
 
+TEST(FrameBudget, APinnedLevelIsDrawnUntilADeadlineIsHeld) {
+    FrameBudget budget;
+    const QualityLevel last = test_support::six_levels().at[5];
+    budget.pin(last);
+    const FramePlan plan = budget.plan(called(1), {}, counters_of(1), kTolerance, at(0));
+    EXPECT_EQ(plan[Effect::silhouettes].state, PlanState::skipped);
+    EXPECT_EQ(budget.tau_factor(kTolerance), last.tau_factor);
+    EXPECT_EQ(budget.detail_factor(), last.detail_factor);
+    EXPECT_TRUE(budget.gives_up(Effect::silhouettes));
+    budget.hold(0, {});
+    EXPECT_TRUE(budget.plan(called(1), {}, counters_of(1), kTolerance, at(1)).runs(Effect::silhouettes));
+    EXPECT_EQ(budget.tau_factor(kTolerance), 1);
+}
+
 /// Only the measured levels are there to choose from.
 TEST(FrameBudget, WithoutMeasuredLevelsNothingIsReduced) {
     FrameBudget budget;
