@@ -55,6 +55,28 @@ FittedLaw law_of(const Json& json) {
             json.at("r2"),    json.at("worst_residual"), json.at("reason")};
 }
 
+Json work_json(const MeasuredWork& work) {
+    return {{"thing", work.thing},
+            {"counts", work.counts},
+            {"law", law_json(work.law)},
+            {"law_expected", work.law_expected},
+            {"law_agrees", work.law_agrees},
+            {"fixed_ms", work.fixed_ms},
+            {"ms_per_thousand", work.ms_per_thousand}};
+}
+
+MeasuredWork work_of(const Json& json) {
+    MeasuredWork work;
+    work.thing = json.at("thing");
+    work.counts = json.at("counts").get<std::vector<double>>();
+    work.law = law_of(json.at("law"));
+    work.law_expected = json.at("law_expected");
+    work.law_agrees = json.at("law_agrees");
+    work.fixed_ms = json.at("fixed_ms");
+    work.ms_per_thousand = json.at("ms_per_thousand");
+    return work;
+}
+
 Json knob_json(const MeasuredKnob& knob) {
     Json levels = Json::array();
     for (const MeasuredLevel& level : knob.levels) levels.push_back(level_json(level));
@@ -74,6 +96,7 @@ Json knob_json(const MeasuredKnob& knob) {
             {"time_law", law_json(knob.time_law)},
             {"law_expected", knob.law_expected},
             {"law_agrees", knob.law_agrees},
+            {"work", knob.work ? work_json(*knob.work) : Json()},
             {"levels", std::move(levels)}};
 }
 
@@ -98,6 +121,7 @@ MeasuredKnob knob_of(const Json& json) {
     knob.time_law = law_of(json.at("time_law"));
     knob.law_expected = json.at("law_expected");
     knob.law_agrees = json.at("law_agrees");
+    if (!json.at("work").is_null()) knob.work = work_of(json.at("work"));
     for (const Json& level : json.at("levels")) knob.levels.push_back(level_of(level));
     return knob;
 }

@@ -82,6 +82,21 @@ std::string law_words(const char* what, const FittedLaw& law) {
                        law.worst_residual);
 }
 
+std::string work_words(const MeasuredKnob& knob) {
+    if (!knob.work) return "";
+    const MeasuredWork& work = *knob.work;
+    std::string counts;
+    for (const double count : work.counts) counts += (counts.empty() ? "" : ", ") + decimal(count, 0);
+    return "<p>" +
+           escaped_html(
+               "The levels have, in the mean of a sample, " + counts + " " + work.thing + ". " +
+               law_words(work.thing.c_str(), work.law) + "Expected: " + work.law_expected +
+               (work.law_agrees ? "; the measurement agrees. " : "; the measurement differs. ") +
+               figure_text("A sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
+               work.thing + ".") +
+           "</p>\n";
+}
+
 std::string worst_words(const MeasuredKnob& knob) {
     const auto worst = std::max_element(knob.levels.begin(), knob.levels.end(),
                                         [](const auto& a, const auto& b) { return a.error.max < b.error.max; });
@@ -111,7 +126,7 @@ std::string knob_section(const MeasuredKnob& knob) {
                              "</p>\n";
     return "<section class='knob' id='" + escaped_html(knob.name) + "'><h2>" + escaped_html(knob.title) + " <code>" +
            escaped_html(knob.name) + "</code></h2>\n" + facts + work_precision_svg(knob) + level_table(knob) + laws +
-           next_table(knob) + "</section>\n";
+           work_words(knob) + next_table(knob) + "</section>\n";
 }
 
 /// A line a knob: its cheapest and its most accurate level that are worth their time.

@@ -28,6 +28,13 @@ std::string law_text(const char* what, const FittedLaw& law) {
                    law.worst_residual);
 }
 
+std::string work_text(const MeasuredWork& work) {
+    return law_text(work.thing.c_str(), work.law) + "\n  expected: " + work.law_expected +
+           (work.law_agrees ? ": agrees" : ": differs") +
+           printed("\n  a sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
+           work.thing;
+}
+
 std::string knob_text(const MeasuredKnob& knob) {
     std::string text = "\n\n" + knob.name + ": " + knob.title + "\n  error: " + knob.metric + ", " + knob.unit + "; against " +
                        knob.reference + printed(" (itself within %.2g)", knob.reference_bound) +
@@ -38,6 +45,7 @@ std::string knob_text(const MeasuredKnob& knob) {
     for (const MeasuredLevel& level : knob.levels) text += level_line(level);
     text += law_text("error", knob.error_law) + law_text("time", knob.time_law);
     if (!knob.law_expected.empty()) text += "\n  expected: " + knob.law_expected + (knob.law_agrees ? ": agrees" : ": differs");
+    if (knob.work) text += work_text(*knob.work);
     return text;
 }
 

@@ -18,6 +18,7 @@ MeasuredKnob described(const KnobFacts& facts) {
     measured.reference_bound = facts.reference.error_bound();
     measured.second_oracle = facts.second_oracle.text();
     measured.never_trades = facts.never_trades.text();
+    if (facts.work) measured.work.emplace().thing = facts.work->thing.text();
     return measured;
 }
 
@@ -45,9 +46,14 @@ MeasuredLevel errors_of(Knob& knob, std::size_t number) {
 }
 
 double run_ms(Knob& knob, std::size_t level, const MeasuringPlan& plan) {
-    const double begun = plan.clock_ms();
-    for (std::size_t sample = 0; sample < knob.samples(); ++sample) knob.run(level, sample);
-    return plan.clock_ms() - begun;
+    double ms = 0;
+    for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
+        knob.prepare(level, sample);
+        const double begun = plan.clock_ms();
+        knob.run(level, sample);
+        ms += plan.clock_ms() - begun;
+    }
+    return ms;
 }
 
 /// Times of the rounds, by level.
@@ -93,6 +99,7 @@ MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
     for (std::size_t level = 0; level < knob.facts().levels.size(); ++level) {
         plan.progress(0, plan.rounds);
         measured.levels.push_back(errors_of(knob, level));
+        if (measured.work) measured.work->counts.push_back(knob.work(level));
     }
     const RoundTimes times = time_rounds(knob, plan);
     for (std::size_t level = 0; level < times.size(); ++level) measured.levels[level].ms = spread_of(times[level]);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "host_sim/measure/paired_cost.hpp"
+
 namespace tedavis::host_sim {
 namespace {
 
@@ -16,10 +18,30 @@ bool dominates(const MeasuredKnob& knob, const MeasuredLevel& a, const MeasuredL
     return is_quicker(knob, a, b);
 }
 
-std::string expected_text(const ExpectedLaw& law) {
+std::string expected_text(const std::string& what, const ExpectedLaw& law) {
     char text[96];
-    std::snprintf(text, sizeof text, "error ~ amount^%.2f, +- %.2f (", law.exponent, law.tolerance);
-    return text + law.source.text() + ")";
+    std::snprintf(text, sizeof text, " ~ amount^%.2f, +- %.2f (", law.exponent, law.tolerance);
+    return what + text + law.source.text() + ")";
+}
+
+bool agrees(const FittedLaw& found, const ExpectedLaw& law) {
+    return found.holds && std::abs(found.exponent - law.exponent) <= law.tolerance;
+}
+
+void judge_work(const KnobFacts& facts, MeasuredKnob& knob) {
+    MeasuredWork& work = *knob.work;
+    std::vector<LawPoint> counts;
+    std::vector<CostPoint> costs;
+    for (std::size_t n = 0; n < knob.levels.size(); ++n) {
+        counts.push_back({knob.levels[n].amount, work.counts[n]});
+        costs.push_back({work.counts[n], knob.levels[n].ms.median / static_cast<double>(knob.samples)});
+    }
+    work.law = fit_law(counts);
+    work.law_expected = expected_text(work.thing, facts.work->law);
+    work.law_agrees = agrees(work.law, facts.work->law);
+    const CostSlope slope = cost_slope(costs);
+    work.fixed_ms = slope.offset;
+    work.ms_per_thousand = 1000 * slope.slope;
 }
 
 }  // namespace
@@ -39,9 +61,10 @@ void judge(const KnobFacts& facts, MeasuredKnob& knob) {
     }
     knob.error_law = fit_law(errors);
     knob.time_law = fit_law(times);
+    if (knob.work) judge_work(facts, knob);
     if (!facts.law) return;
-    knob.law_expected = expected_text(*facts.law);
-    knob.law_agrees = knob.error_law.holds && std::abs(knob.error_law.exponent - facts.law->exponent) <= facts.law->tolerance;
+    knob.law_expected = expected_text("error", *facts.law);
+    knob.law_agrees = agrees(knob.error_law, *facts.law);
 }
 
 const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms) {

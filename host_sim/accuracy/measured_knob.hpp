@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,16 @@ struct MeasuredLevel {
     bool is_near_reference = false;  ///< its greatest error is less than ten times the reference's own bound
 };
 
+/// What the levels work through.
+struct MeasuredWork {
+    std::string thing;
+    std::vector<double> counts;  ///< by level, mean of a sample
+    FittedLaw law;               ///< over the amount
+    std::string law_expected;
+    bool law_agrees = false;
+    double fixed_ms = 0, ms_per_thousand = 0;  ///< median time of a sample = fixed + that of its things, by least squares
+};
+
 struct MeasuredKnob {
     std::string name, title, setting, metric, unit, amount;
     std::string reference, reference_reason, second_oracle, never_trades;
@@ -33,6 +44,7 @@ struct MeasuredKnob {
     FittedLaw error_law, time_law;      ///< over the amount: mean error, median time
     std::string law_expected;           ///< in words; empty: none is known
     bool law_agrees = false;            ///< with what is expected
+    std::optional<MeasuredWork> work;
 };
 
 /// True where the noise does not hide which of both is quicker.

@@ -45,6 +45,12 @@ struct ExpectedLaw {
     Statement source;
 };
 
+/// What a level works through, where its number tells more than the time: triangles, texels.
+struct KnobWork {
+    Statement thing;  ///< plural
+    ExpectedLaw law;  ///< of their number over the amount
+};
+
 struct KnobLevel {
     Statement name;  ///< as the user writes it
     double amount;   ///< that laws are fitted over; 0: on no scale
@@ -61,6 +67,7 @@ struct KnobFacts {
     Statement amount;                ///< what KnobLevel::amount counts
     std::optional<ExpectedLaw> law;  ///< nothing: none is known
     std::vector<KnobLevel> levels;   ///< the cheapest first
+    std::optional<KnobWork> work = std::nullopt;
 };
 
 /// A knob over inputs that were prepared when it was made. One thread.
@@ -74,12 +81,16 @@ public:
     [[nodiscard]] const KnobFacts& facts() const { return facts_; }
     /// How many pieces of work there are; each is timed for itself.
     [[nodiscard]] virtual std::size_t samples() const = 0;
+    /// Comes before run() of the same sample and is not timed: loads what a user does not wait for.
+    virtual void prepare(std::size_t /*level*/, std::size_t /*sample*/) {}
     /// Does the work of a sample at a level: this is what is timed, and nothing else.
     virtual void run(std::size_t level, std::size_t sample) = 0;
     /// Appends the errors of what run() would give, not negative, in the metric's unit.
     virtual void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) = 0;
     /// Where an error of find_errors() is, for people: a ray, a pixel, a pose.
     [[nodiscard]] virtual std::string place_of(std::size_t sample, std::size_t error) const = 0;
+    /// Mean number of the things of facts().work in a sample; after find_errors() of all samples.
+    [[nodiscard]] virtual double work(std::size_t /*level*/) const { return 0; }
     /// Memory that a level takes besides what all levels take.
     [[nodiscard]] virtual std::uint64_t bytes(std::size_t /*level*/) const { return 0; }
     /// Time for what is made once before the first sample.

@@ -12,6 +12,7 @@
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
+#include "host_sim/accuracy/knobs/terrain_tau_knob.hpp"
 #include "host_sim/accuracy/knobs/tube_knobs.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -54,6 +55,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"saliency_start", make_saliency_start_knob},
         {"edge_size", make_edge_size_knob},
         {"own_ship_filter", make_own_ship_filter_knob},
+        {"terrain_tau", make_terrain_tau_knob},
     };
     return kKnobs;
 }
@@ -73,6 +75,7 @@ std::vector<RegisteredKnob> chosen_knobs(const std::vector<std::string>& names) 
 
 std::string fault_of(const KnobFacts& facts) {
     if (const char* const what = empty_statement(facts)) return std::string("its ") + what + " is empty";
+    if (facts.work && facts.work->thing.text().empty()) return "its work is empty";
     if (facts.levels.size() < 2) return "it has fewer than two levels";
     if (!(facts.reference.error_bound() >= 0)) return "its reference has no bound";
     std::set<std::string> names;

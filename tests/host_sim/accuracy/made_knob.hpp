@@ -23,7 +23,8 @@ inline host_sim::KnobFacts made_facts(std::vector<host_sim::KnobLevel> levels) {
             "nothing",
             "steps",
             host_sim::ExpectedLaw{-1, 0.1, "made up"},
-            std::move(levels)};
+            std::move(levels),
+            host_sim::KnobWork{"steps taken", {1, 0.1, "made up"}}};
 }
 
 /// Level n has 2^n steps: errors are 1 / steps and half of it, and a sample takes steps milliseconds.
@@ -32,6 +33,7 @@ public:
     explicit MadeKnob(std::size_t levels) : Knob(made_facts(levels_of(levels))) {}
 
     [[nodiscard]] std::size_t samples() const override { return 3; }
+    void prepare(std::size_t, std::size_t) override { now_ms += preparation_ms; }
     void run(std::size_t level, std::size_t sample) override {
         runs.emplace_back(level, sample);
         now_ms += steps(level) * slowness(runs.size() / (samples() * facts().levels.size()));
@@ -39,6 +41,7 @@ public:
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         errors = {0.5 / steps(level), (sample == 1 ? 1.0 : 0.75) / steps(level)};
     }
+    [[nodiscard]] double work(std::size_t level) const override { return steps(level); }
     [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
         return "sample " + std::to_string(sample) + ", error " + std::to_string(error);
     }
@@ -51,7 +54,7 @@ public:
         return plan;
     }
 
-    double now_ms = 0;
+    double now_ms = 0, preparation_ms = 0;
     std::vector<std::pair<std::size_t, std::size_t>> runs;
     std::function<double(std::size_t round)> slowness = [](std::size_t) { return 1.0; };
 

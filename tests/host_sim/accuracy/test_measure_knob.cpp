@@ -29,6 +29,25 @@ TEST(MeasureKnob, FindsErrorsTimesAndTheLaw) {
     EXPECT_EQ(measured.reference, "the truth");
 }
 
+TEST(MeasureKnob, CountsWhatTheLevelsWorkThrough) {
+    MadeKnob knob(5);
+    const MeasuredKnob measured = measure_knob(knob, knob.plan(8));
+    ASSERT_TRUE(measured.work);
+    EXPECT_EQ(measured.work->thing, "steps taken");
+    EXPECT_EQ(measured.work->counts, (std::vector<double>{1, 2, 4, 8, 16}));
+    EXPECT_NEAR(measured.work->law.exponent, 1, 1e-12);
+    EXPECT_TRUE(measured.work->law_agrees);
+    EXPECT_NEAR(measured.work->ms_per_thousand, 1000, 1e-6) << "a step takes a millisecond";
+    EXPECT_NEAR(measured.work->fixed_ms, 0, 1e-9);
+}
+
+TEST(MeasureKnob, DoesNotTimeWhatIsPrepared) {
+    MadeKnob knob(3);
+    knob.preparation_ms = 50;
+    EXPECT_DOUBLE_EQ(measure_knob(knob, knob.plan(8)).levels[2].ms.median, 12) << "three samples of four milliseconds";
+    EXPECT_GT(knob.now_ms, 8 * 3 * 3 * 50) << "control: it was prepared";
+}
+
 TEST(MeasureKnob, TakesLevelsInTurnsThatChange) {
     MadeKnob knob(4);
     static_cast<void>(measure_knob(knob, knob.plan(8)));

@@ -41,6 +41,7 @@ TEST(KnobRegistry, RefusesWhatIsNotCredible) {
     EXPECT_EQ(facts([](KnobFacts&) {}), "") << "control";
     EXPECT_EQ(facts([](KnobFacts& f) { f.metric = ""; }), "its metric is empty");
     EXPECT_EQ(facts([](KnobFacts& f) { f.never_trades = ""; }), "its never trades is empty");
+    EXPECT_EQ(facts([](KnobFacts& f) { f.work->thing = ""; }), "its work is empty");
     EXPECT_EQ(facts([](KnobFacts& f) { f.levels.pop_back(); }), "it has fewer than two levels");
     EXPECT_EQ(facts([](KnobFacts& f) { f.levels[1].name = "a"; }), "it has two levels 'a'");
     EXPECT_EQ(facts([](KnobFacts& f) { f.reference = {"the truth", -1, "unknown"}; }), "its reference has no bound");

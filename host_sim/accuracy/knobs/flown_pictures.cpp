@@ -1,0 +1,134 @@
+#include "host_sim/accuracy/knobs/flown_pictures.hpp"
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/replay/load_design.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/user_error.hpp"
+#include "platform/clock/monotonic_clock.hpp"
+#include "platform/surface_factory.hpp"
+#include "render_core/display/preroll.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr std::uint32_t kTriedSurface_px = 16;
+
+GlChoice offered_gl() {
+    const bool has_osmesa = platform::make_surface("osmesa", {kTriedSurface_px, kTriedSurface_px}).ok();
+    return has_osmesa ? GlChoice::osmesa : GlChoice::egl;
+}
+
+}  // namespace
+
+std::string changed_device(const std::string& folder, const std::string& name, const std::string& shipped,
+                           const std::vector<DeviceValue>& values) {
+    const std::string origin = resolve_config(shipped, "devices");
+    std::string text = read_file(origin);
+    for (const DeviceValue& value : values) {
+        const std::string key = "\n" + value.key + " = ";
+        const std::size_t after = text.find(value.after), at = after == std::string::npos ? after : text.find(key, after);
+        if (at == std::string::npos) throw UserError(origin + ": has no '" + value.key + "'; restore the shipped file");
+        const std::size_t begin = at + key.size();
+        text.replace(begin, text.find('\n', begin) - begin, value.value);
+    }
+    const std::string path = folder + "/" + name + ".toml";
+    write_file_atomically(path, text);
+    return path;
+}
+
+/// A level's display, and what it knew at its start.
+struct FlownPictures::Shown {
+    DisplaySession session;
+    std::unique_ptr<display::PlannerMemory> begun;
+    double build_ms = 0;
+    std::size_t pose = kNone;  ///< that is shown
+    flight::AircraftState state;
+
+    explicit Shown(const PictureOptions& options) : session(options, true) {}
+};
+
+FlownPictures::FlownPictures(const std::vector<FlownLevel>& levels, std::vector<AircraftPose> poses) : poses_(std::move(poses)) {
+    const GlChoice gl = offered_gl();
+    for (const FlownLevel& level : levels) {
+        shown_.push_back(started(level, gl));
+        shown_.back()->session.rest();
+    }
+}
+
+std::unique_ptr<FlownPictures::Shown> FlownPictures::started(const FlownLevel& level, GlChoice gl) {
+    PictureOptions options = level.picture;
+    options.gl = gl;
+    const base::Time begun = platform::monotonic_now();
+    auto shown = std::make_unique<Shown>(options);
+    display::Display& display = shown->session.display();
+    if (level.change) {
+        const auto design = std::make_unique<design::DesignSettings>(load_design(options));
+        level.change(*design);
+        if (!display.set_design(*design)) throw UserError(options.design + ": lacks what a level of the knob needs");
+    }
+    shown->build_ms = (platform::monotonic_now() - begun).to_seconds() * 1000;
+    shown->begun = std::make_unique<display::PlannerMemory>(display.memory());
+    shown->begun->budget.restore(effects::FrameGovernor(level.quality_level));
+    shown->begun->budget.give_up(effects::given_up_on(level.quality_level));
+    return shown;
+}
+
+FlownPictures::~FlownPictures() { rest(); }
+
+void FlownPictures::rest() {
+    if (current_ != kNone) shown_[current_]->session.rest();
+    current_ = kNone;
+}
+
+double FlownPictures::build_ms(std::size_t level) const { return shown_[level]->build_ms; }
+
+void FlownPictures::make_current(std::size_t level) {
+    if (current_ == level) return;
+    rest();
+    shown_[level]->session.make_current();
+    current_ = level;
+}
+
+void FlownPictures::show(std::size_t level, std::size_t pose) {
+    make_current(level);
+    Shown& shown = *shown_[level];
+    display::Display& display = shown.session.display();
+    display.memory() = *shown.begun;
+    shown.state = posed_aircraft(poses_[pose], display);
+    const flight::FrameInput input = {shown.state, {}, poses_[pose].time};
+    display::settle(display, input);
+    display.plan(input);
+    shown.session.draw();
+    shown.pose = pose;
+}
+
+void FlownPictures::draw(std::size_t level, std::size_t pose) {
+    if (current_ != level || shown_[level]->pose != pose) show(level, pose);
+    Shown& shown = *shown_[level];
+    shown.session.display().plan({shown.state, {}, poses_[pose].time});
+    shown.session.draw();
+    rest();
+}
+
+void FlownPictures::fly_to(std::size_t level, const AircraftPose& pose) {
+    make_current(level);
+    Shown& shown = *shown_[level];
+    shown.pose = kNone;
+    shown.state = posed_aircraft(pose, shown.session.display());
+    shown.session.display().plan({shown.state, {}, pose.time});
+    shown.session.draw();
+}
+
+RgbaView FlownPictures::picture(std::size_t level, std::size_t pose) {
+    if (shown_[level]->pose != pose) show(level, pose);
+    rest();
+    return shown_[level]->session.pixels();
+}
+
+display::Display& FlownPictures::display(std::size_t level, std::size_t pose) {
+    static_cast<void>(picture(level, pose));
+    return shown_[level]->session.display();
+}
+
+}  // namespace tedavis::host_sim

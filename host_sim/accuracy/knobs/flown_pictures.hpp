@@ -1,0 +1,72 @@
+/// Pictures of the shipped default flight, drawn by the product's own display: what the knobs that draw with GL are measured on.
+///
+/// A level is a set of options of a picture, among them its device, and a change to its design. Each level has a display of its
+/// own, which is started once and stays; the time of its start is build_ms(). Where OSMesa is missing, EGL draws.
+///
+/// A pose follows from nothing: what a display knows of earlier frames is put back before each, and all terrain has arrived. So
+/// a picture does not depend on the order in which pictures are drawn.
+///
+/// Thread  one. No surface is current between the calls, but from show() to the draw() that follows.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host_sim/replay/display_session.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
+
+namespace tedavis::host_sim {
+
+/// A value in a device file: that of the first `key` behind the first place of `after`, which may be empty.
+struct DeviceValue {
+    std::string after, key, value;
+};
+
+/// Writes a shipped device with other values to a folder; returns its path. Throws UserError where it has no such key.
+[[nodiscard]] std::string changed_device(const std::string& folder, const std::string& name, const std::string& shipped,
+                                         const std::vector<DeviceValue>& values);
+
+struct FlownLevel {
+    PictureOptions picture;
+    std::size_t quality_level = 0;  ///< of the governor (effects/quality_level.hpp)
+    /// What else differs from the design that the options name; it may ask for no technique that this one lacks.
+    std::function<void(design::DesignSettings&)> change = {};
+};
+
+class FlownPictures {
+public:
+    /// Throws UserError where a display cannot be started.
+    FlownPictures(const std::vector<FlownLevel>& levels, std::vector<AircraftPose> poses);
+    ~FlownPictures();
+    FlownPictures(const FlownPictures&) = delete;
+    FlownPictures& operator=(const FlownPictures&) = delete;
+
+    [[nodiscard]] const std::vector<AircraftPose>& poses() const { return poses_; }
+    /// Brings a level's display to a pose and draws there once, so that a further frame has nothing left to load.
+    void show(std::size_t level, std::size_t pose);
+    /// Plans a further frame there, draws it and reads it back; calls show() before, where that has not just been done.
+    void draw(std::size_t level, std::size_t pose);
+    /// Plans, draws and reads back a frame at another pose, which follows from the last one of the level, as in flight.
+    void fly_to(std::size_t level, const AircraftPose& pose);
+    /// Good until the level draws again.
+    [[nodiscard]] RgbaView picture(std::size_t level, std::size_t pose);
+    /// At a pose, for what its planner can be asked.
+    [[nodiscard]] display::Display& display(std::size_t level, std::size_t pose);
+    [[nodiscard]] double build_ms(std::size_t level) const;
+
+private:
+    struct Shown;
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+    [[nodiscard]] static std::unique_ptr<Shown> started(const FlownLevel& level, GlChoice gl);
+    void make_current(std::size_t level);
+    void rest();
+
+    std::vector<AircraftPose> poses_;
+    std::vector<std::unique_ptr<Shown>> shown_;
+    std::size_t current_ = kNone;  ///< the level whose surface is current
+};
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,81 @@
+#include "host_sim/accuracy/knobs/seen_ground.hpp"
+
+#include <glm/geometric.hpp>
+
+#include "host_sim/tracing/ground_look.hpp"
+#include "host_sim/tracing/shot_drawer.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/earth/wgs84.hpp"
+#include "render_core/raytrace/surface/surface_height.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr double kNearestPlace_m = 50;
+
+raytrace::TraceSettings true_surface() {
+    raytrace::TraceSettings settings;
+    settings.surface.kind = raytrace::SurfaceKind::two_triangles;
+    return settings;
+}
+
+template <class Height>
+std::vector<SeenPlace> places_seen(const TracedGround& ground, const TracedShotPlan& plan) {
+    base::SerialWorkers alone;
+    const GroundLook look(ground, sun_at(plan.pose, plan.time));
+    ShotDrawer<Height> drawer(ground, {true_surface()}, plan);
+    drawer.build(ground, alone);
+    static_cast<void>(drawer.draw(look.look(), {}, true, alone));
+    const raytrace::HitPicture& hits = drawer.stages().hits();
+    const std::uint32_t cells = ground.columns() - 1;
+    std::vector<SeenPlace> places;
+    for (std::uint32_t n = 0; n < plan.width * plan.height; ++n) {
+        if (hits.cell[n] < 0) continue;
+        const auto cell = static_cast<std::uint32_t>(hits.cell[n]);
+        const double column = cell % cells + static_cast<double>(hits.u[n]), row = cell / cells + static_cast<double>(hits.v[n]);
+        raytrace::SurfacePoint surface;
+        if (!raytrace::find_surface(ground.grid<Height>(), true_surface().surface, column, row, surface)) continue;
+        const earth::Ecef position = ground.space().position({column, row, surface.height});
+        const earth::Geodetic place = earth::from_ecef(position);
+        places.push_back({n % plan.width, n / plan.width, place.latitude_rad, place.longitude_rad, position});
+    }
+    return places;
+}
+
+}  // namespace
+
+std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<AircraftPose>& poses) {
+    std::vector<SeenPose> seen;
+    TracedShotPlan plan;
+    plan.width = SeenPose::kAcross;
+    plan.height = SeenPose::kDown;
+    for (const AircraftPose& pose : poses) {
+        plan.pose = pose;
+        const glm::dvec3 eye = view_of(ground, plan).eye;
+        SeenPose one{pose, {}};
+        for (const SeenPlace& place : seen_ground(ground, plan))
+            if (glm::distance(place.position, eye) >= kNearestPlace_m) one.places.push_back(place);
+        if (!one.places.empty()) seen.push_back(std::move(one));
+    }
+    if (seen.empty()) throw UserError("the default flight sees no ground of the terrain; name another --terrain");
+    return seen;
+}
+
+std::vector<AircraftPose> poses_of(const std::vector<SeenPose>& seen) {
+    std::vector<AircraftPose> poses;
+    for (const SeenPose& one : seen) poses.push_back(one.pose);
+    return poses;
+}
+
+std::optional<glm::dvec2> pixel_at(const terrain::View& view, const earth::Ecef& place) {
+    const glm::dvec3 way = place - view.eye;
+    const double depth = glm::dot(way, view.forward);
+    if (depth < view.near_m) return std::nullopt;
+    return view.focal_px / depth * glm::dvec2(glm::dot(way, view.right), glm::dot(way, view.down));
+}
+
+std::vector<SeenPlace> seen_ground(const TracedGround& ground, const TracedShotPlan& plan) {
+    return ground.is_whole() ? places_seen<std::int16_t>(ground, plan) : places_seen<float>(ground, plan);
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,19 @@
+/// The error of the terrain, in pixels, that a design allows.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "host_sim/accuracy/knobs/knob.hpp"
+#include "host_sim/accuracy/knobs/knob_ground.hpp"
+#include "host_sim/accuracy/knobs/seen_ground.hpp"
+#include "render_core/display/display.hpp"
+
+namespace tedavis::host_sim {
+
+/// How far from its true place the planned frame draws a place, in pixels. Nothing where it draws no terrain.
+[[nodiscard]] std::optional<double> terrain_error_px(display::Display& display, const SeenPlace& place);
+
+[[nodiscard]] std::unique_ptr<Knob> make_terrain_tau_knob(const KnobGround& ground);
+
+}  // namespace tedavis::host_sim
