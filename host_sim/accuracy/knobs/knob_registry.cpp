@@ -9,6 +9,7 @@
 #include "host_sim/accuracy/knobs/own_ship_knob.hpp"
 #include "host_sim/accuracy/knobs/perception_knobs.hpp"
 #include "host_sim/accuracy/knobs/picture_knobs.hpp"
+#include "host_sim/accuracy/knobs/quality_level_knob.hpp"
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/knobs/sky_knobs.hpp"
 #include "host_sim/accuracy/knobs/surface_knob.hpp"
@@ -56,6 +57,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"edge_size", make_edge_size_knob},
         {"own_ship_filter", make_own_ship_filter_knob},
         {"terrain_tau", make_terrain_tau_knob},
+        {"quality_level", make_quality_level_knob},
     };
     return kKnobs;
 }
