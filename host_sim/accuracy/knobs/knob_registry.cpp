@@ -5,6 +5,7 @@
 
 #include "host_sim/accuracy/knobs/cap_overlap_knob.hpp"
 #include "host_sim/accuracy/knobs/color_classes_knob.hpp"
+#include "host_sim/accuracy/knobs/effect_knobs.hpp"
 #include "host_sim/accuracy/knobs/isosurface_knob.hpp"
 #include "host_sim/accuracy/knobs/own_ship_knob.hpp"
 #include "host_sim/accuracy/knobs/perception_knobs.hpp"
@@ -58,6 +59,10 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"own_ship_filter", make_own_ship_filter_knob},
         {"terrain_tau", make_terrain_tau_knob},
         {"quality_level", make_quality_level_knob},
+        {"shadow_map", make_shadow_map_knob},
+        {"map_pages", make_map_pages_knob},
+        {"focus_levels", make_focus_levels_knob},
+        {"shaft_steps", make_shaft_steps_knob},
     };
     return kKnobs;
 }
