@@ -1,0 +1,158 @@
+#include "host_sim/accuracy/knobs/output_knobs.hpp"
+
+#include <cstdio>
+#include <glm/geometric.hpp>
+
+#include "host_sim/accuracy/knobs/color_knob.hpp"
+#include "host_sim/accuracy/knobs/seen_ground.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+struct SizeLevel {
+    const char* name;
+    double share;
+    PictureSize size;
+};
+constexpr SizeLevel kSizeLevels[] = {{"160 x 90", 0.25, {160, 90}},
+                                     {"240 x 135", 0.375, {240, 135}},
+                                     {"320 x 180", 0.5, {320, 180}},
+                                     {"480 x 270", 0.75, {480, 270}},
+                                     {"640 x 360", 1, kFlownSize}};
+
+constexpr double kRates_hz[] = {5, 10, 15, 30, 60};
+constexpr double kFlownPart_s = 0.2;
+constexpr int kMoments = 4;  // of the time that a picture stands
+
+KnobFacts picture_size_facts() {
+    std::vector<KnobLevel> levels;
+    for (const SizeLevel& level : kSizeLevels) levels.push_back({level.name, level.share});
+    return {"picture_size",
+            "Size of the picture that the display hardware scales to 640 x 360",
+            "width_px and height_px of a device, and --size",
+            kPixelMetric,
+            kColorUnit,
+            {"the picture of the full size", 0, "it is what the levels are scaled to"},
+            "none: a smaller picture is compared with what it stands for",
+            "Terrain alone is measured; text is never smaller than the design's dpi allows, so a small picture holds less of it.",
+            "share of the width",
+            std::nullopt,
+            std::move(levels)};
+}
+
+ColorPlan picture_size_plan(const KnobGround& ground) {
+    ColorPlan plan;
+    plan.reference = std::size(kSizeLevels) - 1;
+    for (const SizeLevel& size : kSizeLevels) {
+        FlownLevel level;
+        level.picture.terrain = ground.ground.path();
+        level.picture.shown = ShownAspects::terrain;
+        level.picture.symbology = false;
+        level.picture.size = size.size;
+        plan.drawn.push_back(level);
+    }
+    return plan;
+}
+
+class PictureSizeKnob final : public ColorKnob {
+public:
+    PictureSizeKnob(const KnobGround& ground, std::vector<AircraftPose> poses)
+        : ColorKnob(picture_size_facts(), picture_size_plan(ground), std::move(poses)) {}
+
+    [[nodiscard]] std::uint64_t bytes(std::size_t level) const override {
+        return std::uint64_t{4} * kSizeLevels[level].size.width * kSizeLevels[level].size.height;
+    }
+};
+
+KnobFacts output_rate_facts() {
+    std::vector<KnobLevel> levels;
+    for (const double rate_hz : kRates_hz) {
+        char name[24];
+        std::snprintf(name, sizeof name, "%g pictures/s", rate_hz);
+        levels.push_back({name, rate_hz});
+    }
+    return {"output_rate",
+            "Pictures a second; times are those of 0.2 s of flight",
+            "frame_rate_hz of a device, and --step",
+            "distance on the screen between the place of visible ground in the picture and where it is while the picture stands, "
+            "640 x 360 pixels",
+            "px",
+            {"the flight as it is generated, every 10 ms, and between linearly", 0.01,
+             "a turn of 1 rad/s2 is off by 0.0125 mrad between two states, which is 0.007 px"},
+            "none: the flight is generated, so its places are known",
+            "What a picture shows is the same at every rate.",
+            "pictures a second",
+            ExpectedLaw{-1, 0.1, "a place moves evenly while a picture stands"},
+            std::move(levels)};
+}
+
+std::vector<FlownLevel> output_rate_level(const KnobGround& ground) {
+    FlownLevel level;
+    level.picture.terrain = ground.ground.path();
+    level.picture.size = kFlownSize;
+    return {level};
+}
+
+/// One display draws all levels.
+class OutputRateKnob final : public FlownKnob {
+public:
+    OutputRateKnob(const KnobGround& ground, std::unique_ptr<KnobFlight> flight, std::vector<SeenPose> seen)
+        : FlownKnob(output_rate_facts(), output_rate_level(ground), poses_of(seen)),
+          ground_(ground.ground),
+          flight_(std::move(flight)),
+          seen_(std::move(seen)) {}
+
+    void prepare(std::size_t, std::size_t sample) override { pictures().show(0, sample); }
+    void run(std::size_t level, std::size_t sample) override {
+        const double rate_hz = kRates_hz[level];
+        const int frames = static_cast<int>(kFlownPart_s * rate_hz + 0.5);
+        for (int n = 1; n <= frames; ++n) pictures().fly_to(0, pose_after(sample, n / rate_hz));
+    }
+    void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
+        const terrain::View drawn = view_after(sample, 0);
+        std::vector<terrain::View> later;
+        for (int n = 0; n < kMoments; ++n) later.push_back(view_after(sample, (n + 0.5) / kMoments / kRates_hz[level]));
+        for (const SeenPlace& place : seen_[sample].places)
+            for (const terrain::View& view : later) {
+                const auto here = pixel_at(drawn, place.position), there = pixel_at(view, place.position);
+                errors.push_back(here && there ? glm::distance(*here, *there) : 0);
+            }
+    }
+    [[nodiscard]] std::string place_of(std::size_t sample, std::size_t error) const override {
+        const SeenPlace& place = seen_[sample].places[error / kMoments];
+        constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
+        return pixel_text(sample, place.x * kStep + kStep / 2, place.y * kStep + kStep / 2);
+    }
+    [[nodiscard]] double build_ms(std::size_t) const override { return FlownKnob::build_ms(0); }
+
+private:
+    [[nodiscard]] AircraftPose pose_after(std::size_t sample, double seconds) {
+        const double at_s = (pictures().poses()[sample].time - flight_->begin()).to_seconds();
+        return flight_->pose_at(at_s + seconds);
+    }
+    [[nodiscard]] terrain::View view_after(std::size_t sample, double seconds) {
+        TracedShotPlan plan;
+        plan.pose = pose_after(sample, seconds);
+        plan.width = kFlownSize.width;
+        plan.height = kFlownSize.height;
+        return view_of(ground_, plan);
+    }
+
+    const TracedGround& ground_;
+    std::unique_ptr<KnobFlight> flight_;
+    std::vector<SeenPose> seen_;
+};
+
+}  // namespace
+
+std::unique_ptr<Knob> make_picture_size_knob(const KnobGround& ground) {
+    return std::make_unique<PictureSizeKnob>(ground, KnobFlight(ground.ground).poses(flown_poses(ground.is_quick)));
+}
+
+std::unique_ptr<Knob> make_output_rate_knob(const KnobGround& ground) {
+    auto flight = std::make_unique<KnobFlight>(ground.ground);
+    std::vector<SeenPose> seen = seen_poses(ground.ground, flight->poses(flown_poses(ground.is_quick)));
+    return std::make_unique<OutputRateKnob>(ground, std::move(flight), std::move(seen));
+}
+
+}  // namespace tedavis::host_sim
