@@ -7,6 +7,7 @@
 #include "host_sim/accuracy/knobs/color_classes_knob.hpp"
 #include "host_sim/accuracy/knobs/effect_knobs.hpp"
 #include "host_sim/accuracy/knobs/isosurface_knob.hpp"
+#include "host_sim/accuracy/knobs/label_places_knob.hpp"
 #include "host_sim/accuracy/knobs/output_knobs.hpp"
 #include "host_sim/accuracy/knobs/own_ship_knob.hpp"
 #include "host_sim/accuracy/knobs/perception_knobs.hpp"
@@ -64,6 +65,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"picture_size", make_picture_size_knob},
         {"output_rate", make_output_rate_knob},
         {"map_pages", make_map_pages_knob},
+        {"label_places", make_label_places_knob},
         {"focus_levels", make_focus_levels_knob},
         {"shaft_steps", make_shaft_steps_knob},
     };
