@@ -53,10 +53,12 @@ public:
 
 private:
     static std::vector<FlownLevel> sides(PictureOptions options, Effect effect) {
+        FlownLevel called, forced;
         options.with.add(effect);
-        PictureOptions forced = options;
-        forced.force_effects = true;
-        return {{options}, {forced}};
+        called.picture = options;
+        options.force_effects = true;
+        forced.picture = options;
+        return {called, forced};
     }
 
     /// Null where the frame did not ask for it.

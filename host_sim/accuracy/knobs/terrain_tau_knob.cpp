@@ -33,7 +33,7 @@ KnobFacts terrain_tau_facts() {
         ExpectedLaw{1, 0.25, "errors of chunks are as large as they may be"},
         std::move(levels),
         std::nullopt,
-        KnobWork{"triangles", {-1.66, 0.4, "NUMERICS K1: 79,382 at 2 px and 25,100 at 4 px over Puget Sound"}}};
+        KnobWork{"triangles", {-1.66, 0.4, "Lindstrom and Pascucci (2001): 79,382 at 2 px and 25,100 at 4 px over Puget Sound"}}};
 }
 
 std::vector<FlownLevel> terrain_tau_levels(const std::string& terrain) {

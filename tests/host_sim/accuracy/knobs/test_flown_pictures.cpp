@@ -23,7 +23,8 @@ FlownLevel level_with(const std::string& terrain, double tau_px) {
 TEST(FlownPictures, DoNotDependOnTheOrderInWhichTheyAreDrawn) {
     const test_support::ShippedKnobGround shipped;
     FlownLevel reduced = level_with(shipped.ground.path(), 1), dark = reduced;
-    reduced.quality_level = 5;
+    reduced.quality.emplace();
+    reduced.quality->tau_factor = 4;
     dark.change = [](design::DesignSettings& design) { design.terrain.style.shade.ambient = 0.1; };
     FlownPictures pictures({level_with(shipped.ground.path(), 1), reduced, dark}, KnobFlight(shipped.ground).poses(3));
     const auto pixels = [&](std::size_t level, std::size_t pose) { return upright(pictures.picture(level, pose)).pixels; };
