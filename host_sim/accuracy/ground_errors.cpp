@@ -67,7 +67,8 @@ GroundErrors ground_errors(const TracedGround& ground, display::Display& display
     if (!raytrace::can_trace(ground.space(), *plan.view)) return errors;
     for (const SeenPlace& place : seen_ground(ground, plan)) {
         if (glm::distance(place.position, view.eye) < kNearestSeenPlace_m) continue;
-        if (const auto error = terrain_error_px(display, place)) errors.px[std::size_t{place.y} * errors.across + place.x] = *error;
+        if (const auto error = terrain_error_px(display, place))
+            errors.px[std::size_t{place.y} * errors.across + place.x] = *error;
     }
     return errors;
 }

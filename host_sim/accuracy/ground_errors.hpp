@@ -18,7 +18,7 @@ namespace tedavis::host_sim {
 
 /// A grid of square cells round the middle of a picture, which covers all of it; its outer cells may reach beyond the picture.
 struct GroundErrors {
-    PictureSize picture;       ///< pixels
+    PictureSize picture;        ///< pixels
     std::uint32_t cell_px = 1;  ///< side of a cell
     std::uint32_t across = 0, down = 0;
     std::vector<double> px;  ///< row by row, the top row first; NaN where no ground was measured
