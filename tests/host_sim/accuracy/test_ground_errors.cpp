@@ -44,20 +44,26 @@ double mean_share(const GroundErrors& errors, double full_px) {
     return sum / count;
 }
 
-TEST(GroundErrors, FlatTerrainHasNone) {
-    const test_support::FlownFiles files;
-    PictureOptions options = options_over(files, 16);
+/// Terrain of one height everywhere.
+PictureOptions flat_options(const test_support::FlownFiles& files, double tau_px) {
+    PictureOptions options = options_over(files, tau_px);
     options.terrain = files.folder.file("flat.tdb");
     const Raster flat = test_support::make_raster(193, 193, [](std::uint32_t, std::uint32_t) { return 700.0f; });
     build_terrain(test_support::posts_of(flat), options.terrain, {});
-    Frame frame(options, kPose);
-    const MeasuredError error = frame.errors().summary();
-    EXPECT_GT(error.places, 50u);
-    EXPECT_LT(error.max_px, 2e-3) << "what the reference itself is known to";
+    return options;
+}
+
+TEST(GroundErrors, FlatTerrainHasNone) {
+    constexpr double kTau_px = 0.01, kReference_px = 2e-3;
+    const test_support::FlownFiles files;
+    Frame frame(flat_options(files, kTau_px), kPose);
+    const GroundErrors errors = frame.errors();
+    EXPECT_GT(errors.summary().places, 50u);
+    EXPECT_LE(errors.summary().max_px, kTau_px + kReference_px);
     RgbaPicture picture = upright(frame.session.pixels());
     const RgbaPicture before = picture;
-    draw_ground_errors(picture, frame.errors(), 1, ErrorMapStyle::dots);
-    const std::array<std::uint8_t, 3> none = error_color(0, 1);
+    draw_ground_errors(picture, errors, 100, ErrorMapStyle::dots);
+    const std::array<std::uint8_t, 3> none = error_color(0, 100);
     std::size_t changed = 0;
     for (std::size_t n = 0; n < picture.pixels.size(); n += 4)
         if (!std::equal(&picture.pixels[n], &picture.pixels[n] + 3, &before.pixels[n])) {
@@ -65,6 +71,19 @@ TEST(GroundErrors, FlatTerrainHasNone) {
             ASSERT_TRUE(std::equal(none.begin(), none.end(), &picture.pixels[n])) << "dark blue alone";
         }
     EXPECT_GT(changed, 50 * kCell_px);
+}
+
+/// Its few large triangles lie below the curved Earth: the error is the sag of a chord, at most that over the whole terrain.
+TEST(GroundErrors, CoarseFlatTerrainSagsBelowTheEarth) {
+    constexpr double kRadius_m = 6.36e6, kAcross_m = 22e3, kSag_m = kAcross_m * kAcross_m / 8 / kRadius_m;
+    const test_support::FlownFiles files;
+    Frame frame(flat_options(files, 16), kPose);
+    const double above_m = kPose.altitude_msl_m - 700 - kSag_m;
+    const double most_px = frame.session.display().planned().picture.camera.view.focal_px * kSag_m / above_m;
+    const MeasuredError error = frame.errors().summary();
+    EXPECT_LE(error.max_px, most_px);
+    EXPECT_LE(error.max_px, frame.result.record.terrain.worst_error_px);
+    EXPECT_GT(error.max_px, 0.02) << "control: it is found";
 }
 
 TEST(GroundErrors, StayBelowTheProvenBoundAndShowAForgedTau) {

@@ -21,14 +21,12 @@ RgbaPicture plain() {
 /// Boxes and single pixels of a few colors, some of them that of the picture below.
 RgbaPicture painted(std::uint32_t seed) {
     std::mt19937 random(seed);
+    const auto below = [&random](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
     RgbaPicture picture = plain();
     for (int box = 0; box < 40; ++box) {
-        const auto left = static_cast<std::uint32_t>(random() % kWidth), top = static_cast<std::uint32_t>(random() % kHeight);
-        const auto end = [&](std::uint32_t begin, std::uint32_t size) {
-            return std::min(size, begin + 1 + static_cast<std::uint32_t>(random() % 9));
-        };
-        const std::uint32_t right = end(left, kWidth), bottom = end(top, kHeight);
-        const auto shade = static_cast<std::uint8_t>(51 * (random() % 4));
+        const std::uint32_t left = below(kWidth), top = below(kHeight);
+        const std::uint32_t right = std::min(kWidth, left + 1 + below(9)), bottom = std::min(kHeight, top + 1 + below(9));
+        const auto shade = static_cast<std::uint8_t>(51 * below(4));
         for (std::uint32_t y = top; y < bottom; ++y)
             for (std::uint32_t x = left; x < right; ++x) picture.pixels[(std::size_t{y} * kWidth + x) * 4 + 1] = shade;
     }
