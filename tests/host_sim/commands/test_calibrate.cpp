@@ -47,7 +47,8 @@ TEST(Calibrate, WritesCostsThatThisDisplayTakesAndNoOther) {
     EXPECT_GT(levels.at[0].ms, 0) << "the design's own picture";
     EXPECT_EQ(levels.at[0].error_color, 0);
     std::size_t chosen = 0, reduced = 0;
-    for (const auto& candidate : run.json()["quality"]) {
+    const auto json = run.json();
+    for (const auto& candidate : json.at("quality")) {
         chosen += candidate["level"].is_null() ? 0 : 1;
         reduced += candidate["error_color"] > 0 ? 1 : 0;
     }
