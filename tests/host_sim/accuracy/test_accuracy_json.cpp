@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "tests/host_sim/accuracy/made_knob.hpp"
-#include "tests/support/programs/expect_user_error.hpp"
 #include "tests/support/flights/six_levels.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_accuracy_json {
 namespace {
