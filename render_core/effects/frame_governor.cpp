@@ -88,8 +88,8 @@ GovernorDecision FrameGovernor::change(std::size_t quality_level, GovernorWhy wh
 GovernorDecision FrameGovernor::tighten(const GovernorInput& input, const GovernorSettings& settings, double growth) {
     const bool still_fits = input.ms[now_.quality_level] <= input.deadline_ms;
     const std::size_t quality_level = richest_within(input, growth, settings.aim_at * input.deadline_ms);
-    if (quality_level == now_.quality_level)
-        return {quality_level, false, still_fits ? GovernorWhy::cheaper_for_now : GovernorWhy::cheapest_is_too_dear};
+    if (!(input.ms[quality_level] < input.ms[now_.quality_level]))
+        return {now_.quality_level, false, still_fits ? GovernorWhy::cheaper_for_now : GovernorWhy::cheapest_is_too_dear};
     if (!may_change(input.now, settings)) return {now_.quality_level, false, GovernorWhy::waits};
     const bool is_relapse = now_.has_relaxed && (input.now - now_.last_relaxed).ns < kRelapseDwells * settings.dwell.ns;
     const std::uint32_t more = now_.patience * 2;

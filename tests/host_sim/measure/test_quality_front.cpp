@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace tedavis::host_sim::test_quality_front {
@@ -43,7 +44,7 @@ TEST(QualityFront, ALevelSavesMoreThanTheNoise) {
 /// The cheaper of two that are cheap enough is not chosen where the other looks more like the design's picture.
 TEST(QualityFront, PrefersTheSmallerDifferenceOfColor) {
     const effects::QualityLevels levels = choose_levels(
-        {candidate(1, 1, 64, 1, 0), candidate(1, 0.5, 31, 1, 3), candidate(2, 1, 32, 2, 0.5), candidate(4, 0.2, 2, 4, 4)});
+        {candidate(1, 1, 64, 1, 0), candidate(1, 0.5, 31, 1, 3), candidate(2, 1, 31.5, 2, 0.5), candidate(4, 0.2, 2, 4, 4)});
     ASSERT_EQ(levels.count, 3u);
     EXPECT_EQ(levels.at[1].error_color, 0.5);
     EXPECT_EQ(levels.at[2].ms, 2);
