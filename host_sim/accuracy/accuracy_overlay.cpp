@@ -13,8 +13,8 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr float kTextSize_px = 13, kLine_px = 17;
-constexpr std::uint32_t kMargin_px = 6;
+constexpr float kTextSize_px = 11, kLine_px = 15;
+constexpr std::uint32_t kMargin_px = 5;
 constexpr std::array<std::uint8_t, 3> kInk = {255, 255, 255}, kPaper = {16, 16, 16};
 constexpr std::uint32_t kLegendHeight_px = 10, kLegendSteps = 32;
 
@@ -61,11 +61,11 @@ void draw_legend(RgbaPicture& picture, const Panel& room, double full_px) {
     draw_text(picture, end, left + width - draw::text_width_px(end, kTextSize_px), baseline, {kTextSize_px, kInk});
 }
 
-/// In the middle of the left side, which the display leaves to the ground.
+/// On the left, beside the legends.
 void draw_panel(RgbaPicture& picture, const std::vector<std::string>& lines, const double* full_px) {
     constexpr std::uint32_t kLegendRoom_px = kLegendHeight_px + 20, kMinWidth_px = 4 * kLegendSteps;
     const std::uint32_t text_width = std::max(static_cast<std::uint32_t>(std::ceil(widest_of(lines))), kMinWidth_px);
-    Panel panel{kMargin_px, picture.height / 2, text_width + 2 * kMargin_px,
+    Panel panel{kMargin_px, picture.height / 8, text_width + 2 * kMargin_px,
                 static_cast<std::uint32_t>(kLine_px * static_cast<float>(lines.size())) + kMargin_px};
     if (full_px != nullptr) panel.height += kLegendRoom_px;
     fill(picture, panel, kPaper);
@@ -76,6 +76,17 @@ void draw_panel(RgbaPicture& picture, const std::vector<std::string>& lines, con
         baseline += kLine_px;
     }
     if (full_px != nullptr) draw_legend(picture, {left, panel.top + panel.height - kLegendRoom_px, text_width, 0}, *full_px);
+}
+
+/// Takes over the colored pixels where nothing is drawn over the terrain, so that data and symbology stay as they are. The
+/// session shows its whole frame again afterwards.
+void color_bare_ground(RgbaPicture& picture, const RgbaPicture& colored, DisplaySession& session) {
+    session.draw_up_to(display::PictureLayer::terrain);
+    const RgbaPicture bare = upright(session.pixels());
+    session.draw_up_to(display::PictureLayer::symbology);
+    for (std::size_t n = 0; n < picture.pixels.size(); n += 4)
+        if (std::equal(&picture.pixels[n], &picture.pixels[n] + 3, &bare.pixels[n]))
+            std::copy_n(&colored.pixels[n], 3, &picture.pixels[n]);
 }
 
 }  // namespace
@@ -122,7 +133,11 @@ RgbaPicture AccuracyOverlay::over(DisplaySession& session, FrameResult& result) 
     if (style_.shown.error_map) {
         const GroundErrors errors = ground_errors(*ground_, session.display(), style_.cell_px);
         result.measured_error = errors.summary();
-        if (has_scale) draw_ground_errors(picture, errors, full_px, style_.map);
+        if (has_scale) {
+            RgbaPicture colored = picture;
+            draw_ground_errors(colored, errors, full_px, style_.map);
+            color_bare_ground(picture, colored, session);
+        }
         for (const std::string& line : map_lines(*result.measured_error)) lines.push_back(line);
     }
     if (!lines.empty()) draw_panel(picture, lines, has_scale ? &full_px : nullptr);
