@@ -1,6 +1,6 @@
 #include "host_sim/version.hpp"
 
-#include "tedavis_commit.hpp"
+#include "host_sim/commit.hpp"
 
 namespace tedavis::host_sim {
 
