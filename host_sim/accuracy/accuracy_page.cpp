@@ -19,7 +19,8 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr const char* kAccuracyStyle =
-    ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}";
+    ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}tbody th "
+    "a{white-space:normal}";
 
 template <class... Values>
 std::string figure_text(const char* format, Values... values) {

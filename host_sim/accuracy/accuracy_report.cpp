@@ -11,6 +11,13 @@
 namespace tedavis::host_sim {
 namespace {
 
+constexpr const char* kCompilerName =
+#if defined(__clang__)
+    "";  // its version says it
+#else
+    "GCC ";
+#endif
+
 std::string processor_name() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {
@@ -35,7 +42,7 @@ MeasuringConditions conditions_now(const std::string& command, const std::string
     now.commit = commit();
     now.renderer = renderer;
     now.program = program_identity();
-    now.compiler = __VERSION__;
+    now.compiler = std::string(kCompilerName) + __VERSION__;
     now.command = command;
     now.date = utc_now();
     now.processor = processor_name();
