@@ -35,7 +35,7 @@ std::string changed_device(const std::string& folder, const std::string& name, c
         const std::size_t begin = at + key.size();
         text.replace(begin, text.find('\n', begin) - begin, value.value);
     }
-    const std::string path = folder + "/" + name + ".toml";
+    std::string path = folder + "/" + name + ".toml";
     write_file_atomically(path, text);
     return path;
 }

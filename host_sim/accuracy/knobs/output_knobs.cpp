@@ -1,5 +1,6 @@
 #include "host_sim/accuracy/knobs/output_knobs.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 
@@ -105,7 +106,7 @@ public:
     void prepare(std::size_t, std::size_t sample) override { pictures().show(0, sample); }
     void run(std::size_t level, std::size_t sample) override {
         const double rate_hz = kRates_hz[level];
-        const int frames = static_cast<int>(kFlownPart_s * rate_hz + 0.5);
+        const auto frames = static_cast<int>(std::lround(kFlownPart_s * rate_hz));
         for (int n = 1; n <= frames; ++n) pictures().fly_to(0, pose_after(sample, n / rate_hz));
     }
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {

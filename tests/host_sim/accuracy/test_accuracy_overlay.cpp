@@ -29,7 +29,7 @@ FrameResult made_result() {
 /// The number behind the words of a line; -1 where there is no such line.
 double number_after(const std::vector<std::string>& lines, const std::string& words) {
     for (const std::string& line : lines)
-        if (line.rfind(words, 0) == 0) return std::atof(line.c_str() + words.size());
+        if (line.rfind(words, 0) == 0) return std::strtod(line.c_str() + words.size(), nullptr);
     return -1;
 }
 

@@ -1,6 +1,7 @@
 /// A made-up report that has every chapter.
 #pragma once
 
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 #include "tests/host_sim/accuracy/made_knob.hpp"
 #include "tests/support/flights/six_levels.hpp"
 

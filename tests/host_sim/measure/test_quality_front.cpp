@@ -8,8 +8,6 @@
 namespace tedavis::host_sim::test_quality_front {
 namespace {
 
-using effects::QualityLevel;
-
 QualityCandidate candidate(double tau, double detail, double ms, double error_px, double error_color, double spread_ms = 0) {
     return {{tau, detail, {}, ms, error_px, error_color}, spread_ms};
 }
