@@ -211,6 +211,7 @@ const std::vector<ReportElement>& elements() {
              const Json* worst = nullptr;
              for (const Json& moment : json.at("flights").at(0).at("moments"))
                  if (worst == nullptr || moment.at("measured_px") > worst->at("measured_px")) worst = &moment;
+             if (worst == nullptr) return Texts{"no moment was measured"};
              return Texts{printed("The greatest measured error, %.3g px, is at %.0f s", number(worst->at("measured_px")),
                                   number(worst->at("time_s"))),
                           "--pose " + text(worst->at("pose"))};
