@@ -1,7 +1,6 @@
 #include "host_sim/accuracy/accuracy_page.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "host_sim/accuracy/compare_accuracy.hpp"
 #include "host_sim/accuracy/effects_chapter.hpp"
@@ -13,6 +12,7 @@
 #include "host_sim/accuracy/work_precision_chart.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
 #include "host_sim/evaluation/report_look.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/reports/line_chart.hpp"
 
 namespace tedavis::host_sim {
@@ -22,16 +22,9 @@ constexpr const char* kAccuracyStyle =
     ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}tbody th "
     "a{white-space:normal}";
 
-template <class... Values>
-std::string figure_text(const char* format, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
+std::string significant(double value) { return printed("%.3g", value); }
 
-std::string significant(double value) { return figure_text("%.3g", value); }
-
-std::string bytes_text(double bytes) { return bytes == 0 ? "0" : figure_text("%.1f kB", bytes / 1000); }
+std::string bytes_text(double bytes) { return bytes == 0 ? "0" : printed("%.1f kB", bytes / 1000); }
 
 struct Head {
     const char *text, *css = "";
@@ -90,8 +83,8 @@ std::string next_table(const MeasuredKnob& knob) {
 
 std::string law_words(const char* what, const FittedLaw& law) {
     if (!law.holds) return std::string(what) + ": no law, since " + law.reason + ". ";
-    return figure_text("%s ~ amount^%.2f (R2 %.3f; every point within a factor of %.2f of it). ", what, law.exponent, law.r2,
-                       law.worst_residual);
+    return printed("%s ~ amount^%.2f (R2 %.3f; every point within a factor of %.2f of it). ", what, law.exponent, law.r2,
+                   law.worst_residual);
 }
 
 std::string work_words(const MeasuredKnob& knob) {
@@ -100,12 +93,11 @@ std::string work_words(const MeasuredKnob& knob) {
     std::string counts;
     for (const double count : work.counts) counts += (counts.empty() ? "" : ", ") + decimal(count, 0);
     return "<p>" +
-           escaped_html(
-               "The levels have, in the mean of a sample, " + counts + " " + work.thing + ". " +
-               law_words(work.thing.c_str(), work.law) + "Expected: " + work.law_expected +
-               (work.law_agrees ? "; the measurement agrees. " : "; the measurement differs. ") +
-               figure_text("A sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
-               work.thing + ".") +
+           escaped_html("The levels have, in the mean of a sample, " + counts + " " + work.thing + ". " +
+                        law_words(work.thing.c_str(), work.law) + "Expected: " + work.law_expected +
+                        (work.law_agrees ? "; the measurement agrees. " : "; the measurement differs. ") +
+                        printed("A sample takes %.3f ms, and %.3f ms for each thousand ", work.fixed_ms, work.ms_per_thousand) +
+                        work.thing + ".") +
            "</p>\n";
 }
 

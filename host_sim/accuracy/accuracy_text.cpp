@@ -1,7 +1,6 @@
 #include "host_sim/accuracy/accuracy_text.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 #include "host_sim/accuracy/compare_accuracy.hpp"
@@ -9,17 +8,11 @@
 #include "host_sim/accuracy/first_screen.hpp"
 #include "host_sim/accuracy/flight_errors_chapter.hpp"
 #include "host_sim/accuracy/governor_chapter.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
 namespace {
-
-template <class... Values>
-std::string printed(const char* format, Values... values) {
-    char text[240];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 std::string level_line(const MeasuredLevel& level) {
     const char* const remark = !level.is_offered         ? "  not offered"

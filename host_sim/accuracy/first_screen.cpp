@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "host_sim/accuracy/next_level.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/reports/line_chart.hpp"
 
 namespace tedavis::host_sim {
@@ -21,13 +21,6 @@ constexpr std::array<Budget, 5> kBudgets = {{{1000.0 / 120, "120 frames/s"},
                                              {1000.0 / 30, "30 frames/s"},
                                              {100, "10 frames/s"}}};
 constexpr std::size_t kFirstBudget = 2;
-
-template <class... Values>
-std::string screen_text(const char* format, Values... values) {
-    char text[320];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 const MeasuredKnob* frame_knob(const AccuracyReport& report) {
     for (const MeasuredKnob& knob : report.knobs)
@@ -48,21 +41,21 @@ const NextLevel* next_of(const std::vector<NextLevel>& steps, const MeasuredLeve
 
 std::string level_words(const MeasuredKnob& knob, const MeasuredLevel& level) {
     return level.name +
-           screen_text(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", level.sample_ms.median, level.sample_ms.p95,
-                       level.error.max) +
+           printed(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", level.sample_ms.median, level.sample_ms.p95,
+                   level.error.max) +
            knob.unit + " off";
 }
 
 std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
     const MeasuredLevel *best = best_frame_within(knob, budget.ms), *quickest = quickest_of(knob);
     if (best == nullptr)
-        return std::string("No settings keep to ") + budget.name + screen_text(" (%.1f ms). The quickest are ", budget.ms) +
+        return std::string("No settings keep to ") + budget.name + printed(" (%.1f ms). The quickest are ", budget.ms) +
                level_words(knob, *quickest) + ".";
-    std::string text = std::string("The best settings for ") + budget.name + screen_text(" (%.1f ms) are ", budget.ms) +
+    std::string text = std::string("The best settings for ") + budget.name + printed(" (%.1f ms) are ", budget.ms) +
                        level_words(knob, *best) + ".";
     if (const NextLevel* const next = next_of(steps, best))
         text += " The next level, " + next->to->name +
-                screen_text(", takes %.2f times as long and has %.2f times the error.", next->time_ratio, next->error_ratio);
+                printed(", takes %.2f times as long and has %.2f times the error.", next->time_ratio, next->error_ratio);
     else
         text += " No other settings are more accurate.";
     return text;
@@ -74,20 +67,19 @@ std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& s
     if (best == nullptr) return head + "<td colspan='7'>no settings keep to it</td></tr>";
     const NextLevel* const next = next_of(steps, best);
     return head + html_cell(best->name) + html_cell(best->options) + html_number(decimal(best->sample_ms.median, 2)) +
-           html_number(decimal(best->sample_ms.p95, 2)) + html_number(screen_text("%.3g", best->error.max)) +
+           html_number(decimal(best->sample_ms.p95, 2)) + html_number(printed("%.3g", best->error.max)) +
            html_cell(next == nullptr ? "" : next->to->name) +
-           html_cell(next == nullptr ? "" : screen_text("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) +
-           "</tr>";
+           html_cell(next == nullptr ? "" : printed("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) + "</tr>";
 }
 
 constexpr double kErrors_px[] = {0.5, 1, 2, 4, 8};
 
 std::string target_row(const MeasuredKnob& knob, double error_px) {
-    const std::string head = "<tr><th>" + screen_text("%g ", error_px) + escaped_html(knob.unit) + "</th>";
+    const std::string head = "<tr><th>" + printed("%g ", error_px) + escaped_html(knob.unit) + "</th>";
     const MeasuredLevel* const quickest = cheapest_for(knob, error_px);
     if (quickest == nullptr) return head + "<td colspan='5'>no settings keep to it</td></tr>";
     return head + html_cell(quickest->name) + html_cell(quickest->options) + html_number(decimal(quickest->sample_ms.median, 2)) +
-           html_number(decimal(quickest->sample_ms.p95, 2)) + html_number(screen_text("%.3g", quickest->error.max)) + "</tr>";
+           html_number(decimal(quickest->sample_ms.p95, 2)) + html_number(printed("%.3g", quickest->error.max)) + "</tr>";
 }
 
 std::string target_table(const MeasuredKnob& knob) {
@@ -122,7 +114,7 @@ std::string first_screen(const AccuracyReport& report) {
     return "<section id='first'><h2>What your frame time buys</h2>\n<p>" +
            escaped_html(sentence(*knob, steps, kBudgets[kFirstBudget])) + "</p>\n<div class='facts'>" +
            html_fact(decimal(shown.sample_ms.median, 1) + " ms", "a frame, median") +
-           html_fact(screen_text("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
+           html_fact(printed("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
            html_fact(decimal(quickest->sample_ms.median, 1) + " ms", "the quickest settings") + "</div>\n" +
            html_table(
                "<tr><th>a frame's time</th><th class='n'>ms</th><th>best settings</th><th>in replay</th><th class='n'>ms</th><th "

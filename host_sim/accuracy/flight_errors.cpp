@@ -59,13 +59,7 @@ public:
 private:
     static std::vector<FlownLevel> levels(const std::string& terrain, const std::vector<double>& tolerances_px) {
         std::vector<FlownLevel> levels;
-        for (const double tau_px : tolerances_px) {
-            FlownLevel level;
-            level.picture.terrain = terrain;
-            level.picture.size = kFlownSize;
-            level.picture.tau_px = tau_px;
-            levels.push_back(level);
-        }
+        for (const double tau_px : tolerances_px) levels.push_back(terrain_level(terrain, tau_px, kFlownSize));
         return levels;
     }
 
@@ -78,7 +72,9 @@ private:
 }  // namespace
 
 bool FlightErrors::holds() const {
-    return std::all_of(lines.begin(), lines.end(), [](const ToleranceLine& line) { return line.broken == 0; });
+    return std::all_of(lines.begin(), lines.end(), [](const ToleranceLine& line) { return line.broken == 0; }) &&
+           std::all_of(moments.begin(), moments.end(),
+                       [](const MeasuredMoment& moment) { return moment.measured_px <= moment.proven_px + kKnownTo_px; });
 }
 
 FlightErrors measure_flight_errors(const TracedGround& ground, const KnobFlight& flight, const FlightErrorsPlan& plan) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host_sim/accuracy/work_precision_chart.hpp"
 #include "host_sim/evaluation/html_parts.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/reports/line_chart.hpp"
 
 namespace tedavis::host_sim {
@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kChartWidth = 560, kChartHeight = 320, kLeftEdge = 64, kRightEdge = 130, kTopEdge = 14, kBottomEdge = 44;
 constexpr const char *kAskedColor = "#57606a", *kProvenColor = "#0b57a4", *kMeasuredColor = "#b26a00";
-
-template <class... Values>
-std::string chapter_text(const char* format, Values... values) {
-    char text[320];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 /// One of the three lines, and its mark at a point.
 struct ToleranceCurve {
@@ -44,9 +37,8 @@ public:
     }
 
     [[nodiscard]] std::string svg() const {
-        std::string text = chapter_text("<svg class='chart' viewBox='0 0 %g %g' role='img'>", kChartWidth, kChartHeight) +
-                           "<title>" + escaped_html("Terrain's error over the tolerance: " + flight_.flight) + "</title>" +
-                           grid();
+        std::string text = printed("<svg class='chart' viewBox='0 0 %g %g' role='img'>", kChartWidth, kChartHeight) + "<title>" +
+                           escaped_html("Terrain's error over the tolerance: " + flight_.flight) + "</title>" + grid();
         for (const ToleranceCurve& curve : kCurves) text += drawn_curve(curve);
         return text + "</svg>\n";
     }
@@ -61,22 +53,21 @@ private:
         std::string text;
         for (int power = across_.first; power <= across_.last; ++power) {
             const double at = x(std::pow(10.0, power));
-            text += chapter_text("<line class='grid' x1='%.1f' y1='%g' x2='%.1f' y2='%g'/>", at, kTopEdge, at,
-                                 kChartHeight - kBottomEdge) +
-                    chapter_text("<text x='%.1f' y='%g' text-anchor='middle'>1e%d</text>", at, kChartHeight - kBottomEdge + 16,
-                                 power);
+            text += printed("<line class='grid' x1='%.1f' y1='%g' x2='%.1f' y2='%g'/>", at, kTopEdge, at,
+                            kChartHeight - kBottomEdge) +
+                    printed("<text x='%.1f' y='%g' text-anchor='middle'>1e%d</text>", at, kChartHeight - kBottomEdge + 16, power);
         }
         for (int power = down_.first; power <= down_.last; ++power) {
             const double at = y(std::pow(10.0, power));
-            text += chapter_text("<line class='grid' x1='%g' y1='%.1f' x2='%g' y2='%.1f'/>", kLeftEdge, at,
-                                 kChartWidth - kRightEdge, at) +
-                    chapter_text("<text x='%g' y='%.1f' text-anchor='end'>1e%d</text>", kLeftEdge - 6, at + 4, power);
+            text +=
+                printed("<line class='grid' x1='%g' y1='%.1f' x2='%g' y2='%.1f'/>", kLeftEdge, at, kChartWidth - kRightEdge, at) +
+                printed("<text x='%g' y='%.1f' text-anchor='end'>1e%d</text>", kLeftEdge - 6, at + 4, power);
         }
         return text +
-               chapter_text("<text x='%g' y='%g' text-anchor='middle'>error asked for, px</text>", 0.45 * kChartWidth,
-                            kChartHeight - 8) +
-               chapter_text("<text transform='translate(14 %g) rotate(-90)' text-anchor='middle'>error, px</text>",
-                            0.5 * (kChartHeight - kBottomEdge));
+               printed("<text x='%g' y='%g' text-anchor='middle'>error asked for, px</text>", 0.45 * kChartWidth,
+                       kChartHeight - 8) +
+               printed("<text transform='translate(14 %g) rotate(-90)' text-anchor='middle'>error, px</text>",
+                       0.5 * (kChartHeight - kBottomEdge));
     }
 
     [[nodiscard]] std::string drawn_curve(const ToleranceCurve& curve) const {
@@ -84,14 +75,14 @@ private:
         double last_x = 0, last_y = 0;
         for (const ToleranceLine& line : flight_.lines) {
             const double at_x = x(line.asked_px), at_y = y(line.*curve.value);
-            points += chapter_text("%.1f,%.1f ", at_x, at_y);
-            marks += chapter_text("<path transform='translate(%.1f %.1f)' d='%s'/>", at_x, at_y, curve.mark);
+            points += printed("%.1f,%.1f ", at_x, at_y);
+            marks += printed("<path transform='translate(%.1f %.1f)' d='%s'/>", at_x, at_y, curve.mark);
             if (at_x >= last_x) last_x = at_x, last_y = at_y;
         }
-        return chapter_text("<g stroke='%s' fill='none' stroke-width='1.5'><polyline stroke-dasharray='%s' points='", curve.color,
-                            curve.dash) +
+        return printed("<g stroke='%s' fill='none' stroke-width='1.5'><polyline stroke-dasharray='%s' points='", curve.color,
+                       curve.dash) +
                points + "'/>" + marks + "</g>" +
-               chapter_text("<text x='%.1f' y='%.1f'>%s</text>", last_x + 10, last_y + label_shift(curve), curve.name);
+               printed("<text x='%.1f' y='%.1f'>%s</text>", last_x + 10, last_y + label_shift(curve), curve.name);
     }
 
     /// Labels of lines that end close together stand one below the other.
@@ -105,9 +96,9 @@ private:
 
 std::string tolerance_row(const ToleranceLine& line) {
     const double tight = line.proven_px > 0 ? line.measured_px / line.proven_px : 0;
-    return std::string(line.broken == 0 ? "<tr>" : "<tr class='dominated'>") + "<th>" + chapter_text("%g px", line.asked_px) +
-           "</th>" + html_number(chapter_text("%.3g", line.proven_px)) + html_number(chapter_text("%.3g", line.measured_px)) +
-           html_number(chapter_text("%.0f %%", 100 * tight)) + html_number(std::to_string(line.samples)) +
+    return std::string(line.broken == 0 ? "<tr>" : "<tr class='dominated'>") + "<th>" + printed("%g px", line.asked_px) +
+           "</th>" + html_number(printed("%.3g", line.proven_px)) + html_number(printed("%.3g", line.measured_px)) +
+           html_number(printed("%.0f %%", 100 * tight)) + html_number(std::to_string(line.samples)) +
            html_number(std::to_string(line.broken)) + "</tr>";
 }
 
@@ -139,8 +130,8 @@ std::string worst_moment(const FlightErrors& flight) {
     if (worst == flight.moments.end()) return "";
     return "<p>" +
            escaped_html(
-               chapter_text("The greatest measured error, %.3g px, is at %.0f s: tedavis shot --pose %s --tau %g -o worst.png",
-                            worst->measured_px, worst->time_s, worst->pose.c_str(), flight.asked_px)) +
+               printed("The greatest measured error, %.3g px, is at %.0f s: tedavis shot --pose %s --tau %g -o worst.png",
+                       worst->measured_px, worst->time_s, worst->pose.c_str(), flight.asked_px)) +
            "</p>\n";
 }
 
@@ -173,9 +164,9 @@ std::string flight_errors_text(const std::vector<FlightErrors>& flights) {
     for (const FlightErrors& flight : flights) {
         text += "\n\nerror of the terrain, " + flight.flight + ": asked for, proven, measured";
         for (const ToleranceLine& line : flight.lines)
-            text += chapter_text("\n  %6g px %8.3g px %8.3g px  %llu samples, %llu above the bound", line.asked_px,
-                                 line.proven_px, line.measured_px, static_cast<unsigned long long>(line.samples),
-                                 static_cast<unsigned long long>(line.broken));
+            text += printed("\n  %6g px %8.3g px %8.3g px  %llu samples, %llu above the bound", line.asked_px, line.proven_px,
+                            line.measured_px, static_cast<unsigned long long>(line.samples),
+                            static_cast<unsigned long long>(line.broken));
     }
     return text;
 }

@@ -1,7 +1,5 @@
 #include "host_sim/accuracy/knob_json.hpp"
 
-#include <array>
-#include <type_traits>
 #include <utility>
 
 namespace tedavis::host_sim {
@@ -98,19 +96,6 @@ MeasuredWork work_of(const Json& json) {
     work.fixed_ms = json.at("fixed_ms");
     work.ms_per_thousand = json.at("ms_per_thousand");
     return work;
-}
-
-/// The pictures' files by what they show.
-template <class Pictures>
-auto named_pictures(Pictures& pictures) {
-    using Picture = std::remove_reference_t<decltype((pictures.cheap))>;
-    return std::array<std::pair<const char*, Picture*>, 7>{{{"cheap", &pictures.cheap},
-                                                            {"exact", &pictures.exact},
-                                                            {"color_map", &pictures.color_map},
-                                                            {"perceived_map", &pictures.perceived_map},
-                                                            {"metric_map", &pictures.metric_map},
-                                                            {"cheap_crop", &pictures.cheap_crop},
-                                                            {"exact_crop", &pictures.exact_crop}}};
 }
 
 Json pictures_json(const std::optional<KnobPictures>& pictures) {

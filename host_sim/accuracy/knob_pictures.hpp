@@ -5,8 +5,11 @@
 /// in yellow: a scale that is read without colour vision as well, since it rises in lightness.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "host_sim/accuracy/knobs/knob.hpp"
@@ -41,6 +44,19 @@ struct KnobPictures {
     ReportPicture cheap, exact, color_map, perceived_map, metric_map;
     ReportPicture cheap_crop, exact_crop;  ///< around the place, enlarged
 };
+
+/// The pictures by what they show, for a KnobPictures that is constant or not.
+template <class Pictures>
+[[nodiscard]] auto named_pictures(Pictures& pictures) {
+    using Picture = std::remove_reference_t<decltype((pictures.cheap))>;
+    return std::array<std::pair<const char*, Picture*>, 7>{{{"cheap", &pictures.cheap},
+                                                            {"exact", &pictures.exact},
+                                                            {"color_map", &pictures.color_map},
+                                                            {"perceived_map", &pictures.perceived_map},
+                                                            {"metric_map", &pictures.metric_map},
+                                                            {"cheap_crop", &pictures.cheap_crop},
+                                                            {"exact_crop", &pictures.exact_crop}}};
+}
 
 /// Compares both pictures, which have the same size. Throws UserError where they have not.
 [[nodiscard]] KnobPictures compare_pictures(const std::string& knob, const RgbaView& cheap, const RgbaView& exact,

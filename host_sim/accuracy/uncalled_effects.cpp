@@ -123,6 +123,10 @@ bool EffectUse::keeps_promise() const {
     return skipped_work == 0 && (contribution != "color" || largest_difference <= kOneStep);
 }
 
+bool UncalledEffects::keep_promise() const {
+    return std::all_of(uses.begin(), uses.end(), [](const EffectUse& use) { return use.keeps_promise(); });
+}
+
 UncalledEffects measure_uncalled(const KnobFlight& flight, const PictureOptions& options, const UncalledPlan& plan) {
     UncalledEffects measured;
     measured.design = options.design;

@@ -42,6 +42,8 @@ struct UncalledEffects {
     std::string design, device;
     std::uint64_t frames = 0;     ///< poses for each effect
     std::vector<EffectUse> uses;  ///< of the effects that can be asked for, in the order of effects::Effect
+
+    [[nodiscard]] bool keep_promise() const;  ///< all of them
 };
 
 struct UncalledPlan {

@@ -1,8 +1,8 @@
 #include "host_sim/accuracy/work_precision_chart.hpp"
+#include "host_sim/printed_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host_sim/reports/line_chart.hpp"
 
@@ -12,13 +12,6 @@ namespace {
 constexpr double kWidth = 560, kHeight = 320, kLeft = 64, kRight = 12, kTop = 14, kBottom = 44;
 constexpr double kMark = 5, kLabelGap = 8;
 constexpr const char *kFrontColor = "#0b57a4", *kDominatedColor = "#b3261e";
-
-template <class... Values>
-std::string drawn(const char* format, Values... values) {
-    char text[320];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 class WorkPrecisionChart {
 public:
@@ -33,7 +26,7 @@ public:
     }
 
     [[nodiscard]] std::string svg() const {
-        std::string text = drawn("<svg class='chart' viewBox='0 0 %g %g' role='img'>", kWidth, kHeight);
+        std::string text = printed("<svg class='chart' viewBox='0 0 %g %g' role='img'>", kWidth, kHeight);
         text += "<title>" + escaped_html(knob_.title) + ": error over time</title>" + grid() + front();
         bool is_above = true;
         for (const MeasuredLevel& level : knob_.levels) {
@@ -51,18 +44,18 @@ private:
         std::string text;
         for (int power = times_.first; power <= times_.last; ++power) {
             const double at = x(std::pow(10.0, power));
-            text += drawn("<line class='grid' x1='%.1f' y1='%g' x2='%.1f' y2='%g'/>", at, kTop, at, kHeight - kBottom) +
-                    drawn("<text x='%.1f' y='%g' text-anchor='middle'>1e%d</text>", at, kHeight - kBottom + 16, power);
+            text += printed("<line class='grid' x1='%.1f' y1='%g' x2='%.1f' y2='%g'/>", at, kTop, at, kHeight - kBottom) +
+                    printed("<text x='%.1f' y='%g' text-anchor='middle'>1e%d</text>", at, kHeight - kBottom + 16, power);
         }
         for (int power = errors_.first; power <= errors_.last; ++power) {
             const double at = y(std::pow(10.0, power));
-            text += drawn("<line class='grid' x1='%g' y1='%.1f' x2='%g' y2='%.1f'/>", kLeft, at, kWidth - kRight, at) +
-                    drawn("<text x='%g' y='%.1f' text-anchor='end'>1e%d</text>", kLeft - 6, at + 4, power);
+            text += printed("<line class='grid' x1='%g' y1='%.1f' x2='%g' y2='%.1f'/>", kLeft, at, kWidth - kRight, at) +
+                    printed("<text x='%g' y='%.1f' text-anchor='end'>1e%d</text>", kLeft - 6, at + 4, power);
         }
         return text +
-               drawn("<text x='%g' y='%g' text-anchor='middle'>ms, median of the rounds</text>", 0.5 * (kLeft + kWidth),
-                     kHeight - 8) +
-               drawn("<text transform='translate(14 %g) rotate(-90)' text-anchor='middle'>", 0.5 * (kHeight - kBottom)) +
+               printed("<text x='%g' y='%g' text-anchor='middle'>ms, median of the rounds</text>", 0.5 * (kLeft + kWidth),
+                       kHeight - 8) +
+               printed("<text transform='translate(14 %g) rotate(-90)' text-anchor='middle'>", 0.5 * (kHeight - kBottom)) +
                escaped_html("error, " + knob_.unit) + "</text>";
     }
 
@@ -73,7 +66,8 @@ private:
         std::sort(levels.begin(), levels.end(),
                   [](const MeasuredLevel* a, const MeasuredLevel* b) { return a->ms.median < b->ms.median; });
         std::string points;
-        for (const MeasuredLevel* const level : levels) points += drawn("%.1f,%.1f ", x(level->ms.median), y(level->error.mean));
+        for (const MeasuredLevel* const level : levels)
+            points += printed("%.1f,%.1f ", x(level->ms.median), y(level->error.mean));
         return "<polyline fill='none' stroke='" + std::string(kFrontColor) + "' stroke-width='1.5' points='" + points + "'/>";
     }
 
@@ -81,26 +75,26 @@ private:
         const double at_x = x(level.ms.median), at_y = y(level.error.mean);
         const char* const color = level.is_dominated ? kDominatedColor : kFrontColor;
         std::string text = "<g stroke='" + std::string(color) + "' fill='" + color + "'>";
-        text += drawn("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", x(level.ms.p5), at_y, x(level.ms.p95), at_y);
-        text +=
-            drawn("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke-dasharray='2 2'/>", at_x, at_y, at_x, y(level.error.max));
+        text += printed("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", x(level.ms.p5), at_y, x(level.ms.p95), at_y);
+        text += printed("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke-dasharray='2 2'/>", at_x, at_y, at_x,
+                        y(level.error.max));
         if (!level.is_offered)
-            text += drawn("<circle cx='%.1f' cy='%.1f' r='%g' fill='none' stroke-width='2'/>", at_x, at_y, kMark);
+            text += printed("<circle cx='%.1f' cy='%.1f' r='%g' fill='none' stroke-width='2'/>", at_x, at_y, kMark);
         else if (level.is_dominated)
-            text += drawn("<path d='M%.1f %.1fl%g %gm0 %gl%g %g' stroke-width='2'/>", at_x - kMark, at_y - kMark, 2 * kMark,
-                          2 * kMark, -2 * kMark, -2 * kMark, 2 * kMark);
+            text += printed("<path d='M%.1f %.1fl%g %gm0 %gl%g %g' stroke-width='2'/>", at_x - kMark, at_y - kMark, 2 * kMark,
+                            2 * kMark, -2 * kMark, -2 * kMark, 2 * kMark);
         else if (level.error.max <= 0)
-            text += drawn("<rect x='%.1f' y='%.1f' width='%g' height='%g'/>", at_x - kMark, at_y - kMark, 2 * kMark, 2 * kMark);
+            text += printed("<rect x='%.1f' y='%.1f' width='%g' height='%g'/>", at_x - kMark, at_y - kMark, 2 * kMark, 2 * kMark);
         else
-            text += drawn("<circle cx='%.1f' cy='%.1f' r='%g'/>", at_x, at_y, kMark);
+            text += printed("<circle cx='%.1f' cy='%.1f' r='%g'/>", at_x, at_y, kMark);
         return text + "</g>";
     }
 
     [[nodiscard]] std::string label(const MeasuredLevel& level, bool is_above) const {
         const double at_x = x(level.ms.median), at_y = y(level.error.mean);
         const bool is_right = at_x > 0.7 * kWidth;
-        return drawn("<text x='%.1f' y='%.1f' text-anchor='%s'>", at_x + (is_right ? -kLabelGap : kLabelGap),
-                     at_y + (is_above ? -kLabelGap : 2 * kLabelGap), is_right ? "end" : "start") +
+        return printed("<text x='%.1f' y='%.1f' text-anchor='%s'>", at_x + (is_right ? -kLabelGap : kLabelGap),
+                       at_y + (is_above ? -kLabelGap : 2 * kLabelGap), is_right ? "end" : "start") +
                escaped_html(level.name) + "</text>";
     }
 

@@ -54,10 +54,7 @@ template <class Report, class Use>
 void for_each_picture(Report& report, const Use& use) {
     for (auto& knob : report.knobs)
         if (knob.pictures)
-            for (auto* const picture :
-                 {&knob.pictures->cheap, &knob.pictures->exact, &knob.pictures->color_map, &knob.pictures->perceived_map,
-                  &knob.pictures->metric_map, &knob.pictures->cheap_crop, &knob.pictures->exact_crop})
-                use(*picture);
+            for (const auto& [what, picture] : named_pictures(*knob.pictures)) use(*picture);
 }
 
 /// What an earlier run has left in the folder, with its conditions; without one a report of nothing.
@@ -232,8 +229,12 @@ std::vector<std::pair<std::string, AccuracyReport>> earlier_reports(const std::v
     return reports;
 }
 
-/// Returns 1 if the negative control was not caught or a comparison is worse, 0 otherwise.
+/// Returns 1 if an error lies above its proven bound, a skipped effect can be seen or did work, the negative control was not
+/// caught, or a comparison is worse; 0 otherwise.
 int verdict_on(const AccuracyReport& report) {
+    const auto holds = [](const FlightErrors& flight) { return flight.holds(); };
+    if (!std::all_of(report.flights.begin(), report.flights.end(), holds)) return 1;
+    if (report.uncalled && !report.uncalled->keep_promise()) return 1;
     const bool is_worse_now = std::any_of(report.comparisons.begin(), report.comparisons.end(), is_worse);
     return (report.control && !report.control->is_caught) || is_worse_now ? 1 : 0;
 }

@@ -6,6 +6,7 @@
 #include "host_sim/accuracy/knobs/flown_pictures.hpp"
 #include "host_sim/accuracy/knobs/knob.hpp"
 #include "host_sim/accuracy/knobs/knob_flight.hpp"
+#include "host_sim/accuracy/knobs/seen_ground.hpp"
 
 namespace tedavis::host_sim {
 
@@ -14,6 +15,12 @@ inline constexpr PictureSize kFlownSize = {640, 360};
 
 /// How many poses a knob is measured at.
 [[nodiscard]] inline std::size_t flown_poses(bool is_quick) { return is_quick ? 4 : 24; }
+
+/// The pixel of a picture of kFlownSize in which a place of a SeenPose is.
+[[nodiscard]] inline KnobPixel seen_pixel(const SeenPlace& place) {
+    constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
+    return {place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
+}
 
 class FlownKnob : public Knob {
 public:

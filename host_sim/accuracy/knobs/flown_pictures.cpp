@@ -54,6 +54,14 @@ std::optional<std::string> shot_options(const FlownLevel& level) {
     return options + text;
 }
 
+FlownLevel terrain_level(const std::string& terrain, double tau_px, const PictureSize& size) {
+    FlownLevel level;
+    level.picture.terrain = terrain;
+    level.picture.size = size;
+    level.picture.tau_px = tau_px;
+    return level;
+}
+
 /// A level's display, and what it knew at its start.
 struct FlownPictures::Shown {
     DisplaySession session;

@@ -36,6 +36,9 @@ struct FlownLevel {
     std::function<void(design::DesignSettings&)> change = {};
 };
 
+/// The terrain with an error of at most `tau_px` on the screen, as the design has the rest.
+[[nodiscard]] FlownLevel terrain_level(const std::string& terrain, double tau_px, const PictureSize& size);
+
 class FlownPictures {
 public:
     /// Throws UserError where a display cannot be started.

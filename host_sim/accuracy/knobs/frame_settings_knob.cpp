@@ -61,13 +61,7 @@ KnobFacts frame_settings_facts() {
 
 std::vector<FlownLevel> flown_settings(const std::string& terrain) {
     std::vector<FlownLevel> levels;
-    for (const FrameSetting& setting : frame_settings()) {
-        FlownLevel level;
-        level.picture.terrain = terrain;
-        level.picture.size = setting.size();
-        level.picture.tau_px = setting.tau_px;
-        levels.push_back(level);
-    }
+    for (const FrameSetting& setting : frame_settings()) levels.push_back(terrain_level(terrain, setting.tau_px, setting.size()));
     return levels;
 }
 
@@ -90,9 +84,7 @@ public:
             }
     }
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
-        const SeenPlace& place = measured_[sample][error];
-        constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
-        return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
+        return seen_pixel(measured_[sample][error]);
     }
     [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override {
         return scaled_picture(pictures().picture(level, sample), kFlownSize);

@@ -120,9 +120,7 @@ public:
             }
     }
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
-        const SeenPlace& place = seen_[sample].places[error / kMoments];
-        constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
-        return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
+        return seen_pixel(seen_[sample].places[error / kMoments]);
     }
 
 private:

@@ -38,13 +38,7 @@ KnobFacts terrain_tau_facts() {
 
 std::vector<FlownLevel> terrain_tau_levels(const std::string& terrain) {
     std::vector<FlownLevel> levels;
-    for (const double tau_px : kTaus_px) {
-        FlownLevel level;
-        level.picture.terrain = terrain;
-        level.picture.size = kFlownSize;
-        level.picture.tau_px = tau_px;
-        levels.push_back(level);
-    }
+    for (const double tau_px : kTaus_px) levels.push_back(terrain_level(terrain, tau_px, kFlownSize));
     return levels;
 }
 
@@ -68,9 +62,7 @@ public:
             }
     }
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
-        const SeenPlace& place = measured_[sample][error];
-        constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
-        return KnobPixel{place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
+        return seen_pixel(measured_[sample][error]);
     }
     [[nodiscard]] double work(std::size_t level) const override { return triangles_[level] / static_cast<double>(samples()); }
 

@@ -34,6 +34,9 @@ TEST(FlightErrorsChapter, ShowsTheThreeLinesAndHowTightTheBoundIs) {
 TEST(FlightErrorsChapter, MarksABrokenBound) {
     FlightErrors flight = made_flight();
     EXPECT_TRUE(flight.holds());
+    flight.moments[0].measured_px = flight.moments[0].proven_px + 0.1;
+    EXPECT_FALSE(flight.holds()) << "along the flight";
+    flight = made_flight();
     flight.lines[1].broken = 3;
     EXPECT_FALSE(flight.holds());
     EXPECT_THAT(flight_errors_chapter({flight}), HasSubstr("<tr class='dominated'><th>1 px</th>"));

@@ -55,6 +55,8 @@ TEST(EffectUse, BreaksItsPromiseByWorkOrByAVisibleColor) {
     EXPECT_TRUE(use.keeps_promise()) << "positions may move by half a pixel, which may change a color by more";
     use.skipped_work = 1;
     EXPECT_FALSE(use.keeps_promise());
+    EXPECT_FALSE((UncalledEffects{"default", "es3-mid", 1, {EffectUse{}, use}}).keep_promise());
+    EXPECT_TRUE((UncalledEffects{"default", "es3-mid", 1, {EffectUse{}}}).keep_promise()) << "control";
 }
 
 }  // namespace

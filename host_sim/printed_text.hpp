@@ -1,0 +1,19 @@
+/// Text by a format of printf, for a line of a report.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace tedavis::host_sim {
+
+/// Of what is longer than kMaxPrinted bytes, the rest is left out.
+inline constexpr int kMaxPrinted = 511;
+
+template <class... Values>
+[[nodiscard]] std::string printed(const char* format, Values... values) {
+    char text[kMaxPrinted + 1];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+}  // namespace tedavis::host_sim
