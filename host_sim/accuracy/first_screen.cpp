@@ -28,10 +28,10 @@ const MeasuredKnob* frame_knob(const AccuracyReport& report) {
     return nullptr;
 }
 
-const MeasuredLevel* quickest_of(const MeasuredKnob& knob) {
-    const auto quickest = std::min_element(knob.levels.begin(), knob.levels.end(),
-                                           [](const auto& a, const auto& b) { return a.sample_ms.median < b.sample_ms.median; });
-    return quickest == knob.levels.end() ? nullptr : &*quickest;
+/// The knob has a level.
+const MeasuredLevel& quickest_of(const MeasuredKnob& knob) {
+    return *std::min_element(knob.levels.begin(), knob.levels.end(),
+                             [](const auto& a, const auto& b) { return a.sample_ms.median < b.sample_ms.median; });
 }
 
 const NextLevel* next_of(const std::vector<NextLevel>& steps, const MeasuredLevel* level) {
@@ -47,10 +47,10 @@ std::string level_words(const MeasuredKnob& knob, const MeasuredLevel& level) {
 }
 
 std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
-    const MeasuredLevel *best = best_frame_within(knob, budget.ms), *quickest = quickest_of(knob);
+    const MeasuredLevel* const best = best_frame_within(knob, budget.ms);
     if (best == nullptr)
         return std::string("No settings keep to ") + budget.name + printed(" (%.1f ms). The quickest are ", budget.ms) +
-               level_words(knob, *quickest) + ".";
+               level_words(knob, quickest_of(knob)) + ".";
     std::string text = std::string("The best settings for ") + budget.name + printed(" (%.1f ms) are ", budget.ms) +
                        level_words(knob, *best) + ".";
     if (const NextLevel* const next = next_of(steps, best))
@@ -107,15 +107,16 @@ std::string first_screen(const AccuracyReport& report) {
                                                              ", the combinations of a picture's settings; add --knob " +
                                                              kFrameSettings + ".</p>\n");
     const std::vector<NextLevel> steps = next_levels(*knob);
-    const MeasuredLevel *best = best_frame_within(*knob, kBudgets[kFirstBudget].ms), *quickest = quickest_of(*knob);
-    const MeasuredLevel& shown = best != nullptr ? *best : *quickest;
+    const MeasuredLevel* const best = best_frame_within(*knob, kBudgets[kFirstBudget].ms);
+    const MeasuredLevel& quickest = quickest_of(*knob);
+    const MeasuredLevel& shown = best != nullptr ? *best : quickest;
     std::string rows;
     for (const Budget& budget : kBudgets) rows += budget_row(*knob, steps, budget);
     return "<section id='first'><h2>What your frame time buys</h2>\n<p>" +
            escaped_html(sentence(*knob, steps, kBudgets[kFirstBudget])) + "</p>\n<div class='facts'>" +
            html_fact(decimal(shown.sample_ms.median, 1) + " ms", "a frame, median") +
            html_fact(printed("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
-           html_fact(decimal(quickest->sample_ms.median, 1) + " ms", "the quickest settings") + "</div>\n" +
+           html_fact(decimal(quickest.sample_ms.median, 1) + " ms", "the quickest settings") + "</div>\n" +
            html_table(
                "<tr><th>a frame's time</th><th class='n'>ms</th><th>best settings</th><th>in replay</th><th class='n'>ms</th><th "
                "class='n'>95 % "
