@@ -60,6 +60,7 @@ GroundScan::GroundScan(const View& view, const glm::dvec3& down, double margin_m
     : focal_px_(view.focal_px),
       near_m_(view.near_m),
       down_(seen(view, down)),
+      across_(std::hypot(down_.x, down_.y)),
       off_axis_(std::hypot(view.half_width_tangent(), view.half_height_tangent())),
       error_m_(error_m + kRounding_m),
       aside_m_(margin_m + error_m_),
@@ -75,7 +76,7 @@ double GroundScan::px_per_m(const ViewBox& box) const {
     }
     const glm::dvec3 nearest = glm::max(glm::max(box.low, -box.high), glm::dvec3(0)), corner = glm::max(-box.low, box.high);
     const double turned = glm::length(corner) / earth::kMinCurvatureRadius_m;
-    const double across = std::hypot(down_.x, down_.y) + turned, along = std::abs(down_.z) + turned;
+    const double across = across_ + turned, along = std::abs(down_.z) + turned;
     // Drawn points lie in the picture, which is as wide as it is deep, and true ones straight above or below them.
     double drawn_m = (glm::length(nearest) - aside_m_) / from_axis(off_axis_);
     for (int axis = 0; axis < 2; ++axis) drawn_m = std::max(drawn_m, (nearest[axis] - aside_m_) / side_[axis].tangent);
@@ -108,6 +109,24 @@ double GroundScan::px_per_m(const glm::dvec3& a, const glm::dvec3& b, const glm:
     for (int n = 0; n < part.count; ++n)
         for (int m = 0; m <= n; ++m) largest = std::max(largest, 0.5 * (length[n] * nearness[m] + length[m] * nearness[n]));
     return focal_px_ * largest;
+}
+
+/// What is left of a triangle in the view is no nearer than its nearest corner, and as deep as the view must be to contain it. So
+/// its tangents are those of the view at this depth at most, and every product below is at most that of the greatest length and
+/// the greatest nearness.
+bool GroundScan::is_at_most(double px_per_m, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+    constexpr double kRounding = 1e-9;
+    const glm::dvec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
+    double depth_m = low.z, farthest_m2 = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        depth_m = std::max(depth_m, (std::max(low[axis], -high[axis]) - side_[axis].margin_m) / side_[axis].tangent);
+    depth_m *= 1 - kRounding;
+    if (!(depth_m > kMinDepth * aside_m_)) return false;
+    for (const glm::dvec3* corner : {&a, &b, &c}) farthest_m2 = std::max(farthest_m2, glm::dot(*corner, *corner));
+    const double turned = std::sqrt(farthest_m2) / earth::kMinCurvatureRadius_m + aside_m_ / (depth_m - aside_m_);
+    const double x = side_[0].tangent + side_[0].margin_m / depth_m, y = side_[1].tangent + side_[1].margin_m / depth_m;
+    const double length = across_ + std::sqrt(x * x + y * y) * std::abs(down_.z) + turned * (1 + off_axis_);
+    return focal_px_ * length * (1 + kRounding) <= px_per_m * (depth_m - error_m_);
 }
 
 }  // namespace tedavis::terrain

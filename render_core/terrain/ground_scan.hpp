@@ -27,6 +27,8 @@ public:
     /// Returns a tighter bound for a flat triangle, whose corners are as seen() returns them; infinite for one whose depth is
     /// only a few margins.
     [[nodiscard]] double px_per_m(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
+    /// Whether the bound for such a triangle is certainly no more than `px_per_m`; much cheaper than the bound itself.
+    [[nodiscard]] bool is_at_most(double px_per_m, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
 private:
     struct Side {
@@ -35,6 +37,7 @@ private:
 
     const double focal_px_, near_m_;
     const glm::dvec3 down_;  ///< right, down and ahead
+    const double across_;    ///< length of `down_` across the view's axis
     const double off_axis_, error_m_, aside_m_;
     const Side side_[2];
 };

@@ -87,14 +87,30 @@ ViewBox box_of(const ChunkPosts& posts, const Block& block) {
     return box;
 }
 
-double px_per_m_of_cells(const ChunkPosts& posts, const Block& block, const GroundScan& scan) {
-    double px_per_m = 0;
+/// The places of a block's posts, row by row.
+struct BlockPlaces {
+    BlockPlaces(const ChunkPosts& posts, const Block& block) {
+        for (std::uint32_t b = block.b0; b <= block.b1; ++b)
+            for (std::uint32_t a = block.a0; a <= block.a1; ++a) place[b - block.b0][a - block.a0] = posts.place(a, b);
+    }
+
+    glm::dvec3 place[kBlockCells + 1][kBlockCells + 1];
+};
+
+/// The greatest bound of the block's triangles, or `least` if this is more.
+double px_per_m_of_cells(const ChunkPosts& posts, const Block& block, const GroundScan& scan, double least) {
+    const BlockPlaces places(posts, block);
+    double px_per_m = least;
+    const auto include = [&](const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
+        if (!scan.is_at_most(px_per_m, p, q, r)) px_per_m = std::max(px_per_m, scan.px_per_m(p, q, r));
+    };
     for (std::uint32_t b = block.b0; b < block.b1; ++b)
         for (std::uint32_t a = block.a0; a < block.a1; ++a) {
             if (!has_ground(posts, a, b)) continue;
-            const glm::dvec3 nw = posts.place(a, b), ne = posts.place(a + 1, b), sw = posts.place(a, b + 1),
-                             se = posts.place(a + 1, b + 1);
-            px_per_m = std::max({px_per_m, scan.px_per_m(nw, sw, ne), scan.px_per_m(se, ne, sw)});
+            const glm::dvec3* const north = places.place[b - block.b0] + (a - block.a0);
+            const glm::dvec3* const south = places.place[b - block.b0 + 1] + (a - block.a0);
+            include(north[0], south[0], north[1]);
+            include(south[1], north[1], south[0]);
         }
     return px_per_m;
 }
@@ -175,8 +191,8 @@ private:
         double px_per_m = most_;
         const std::uint32_t count = find_greater(*blocks, scan, px_per_m);
         for (std::uint32_t n = 0; n < count && greater_[n].px_per_m > px_per_m; ++n) {
-            const double of_cells = px_per_m_of_cells(posts, block_of(posts, greater_[n].block), scan);
-            px_per_m = std::max(px_per_m, std::min(greater_[n].px_per_m, of_cells));
+            const double of_cells = px_per_m_of_cells(posts, block_of(posts, greater_[n].block), scan, px_per_m);
+            px_per_m = std::min(greater_[n].px_per_m, of_cells);
         }
         return px_per_m;
     }

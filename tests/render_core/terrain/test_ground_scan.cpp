@@ -106,6 +106,24 @@ TEST_F(GroundScanOfTriangles, NothingInThemMovesFurtherThanTheyAndTheirBoxesSay)
     EXPECT_GT(unlike, 100) << "triangles say more than their boxes";
 }
 
+TEST_F(GroundScanOfTriangles, AreAtMostOnlyWhatTheirBoundIsAtMost) {
+    int said = 0, greater = 0;
+    for (int n = 0; n < 20000; ++n) {
+        const View view = view_of(uniform(-60, 20), n % 3 == 0 ? uniform(-180, 180) : 0);
+        const Triangle triangle = triangle_round(view);
+        const GroundScan scan(view, down_at(view.eye), kMargin_m, kError_m);
+        glm::dvec3 corner[3];
+        for (int c = 0; c < 3; ++c) corner[c] = seen(view, triangle.corner[c] - view.eye);
+        const double bound = scan.px_per_m(corner[0], corner[1], corner[2]);
+        if (!(bound > 0) || std::isinf(bound)) continue;
+        EXPECT_FALSE(scan.is_at_most(bound * (1 - 1e-12), corner[0], corner[1], corner[2])) << n;
+        ++greater;
+        said += scan.is_at_most(3 * bound, corner[0], corner[1], corner[2]) ? 1 : 0;
+    }
+    EXPECT_GT(greater, 4000);
+    EXPECT_GT(said, greater / 2) << "most are known without the bound";
+}
+
 TEST_F(GroundScanOfTriangles, WhatCannotBeDrawnMovesNothing) {
     const View view = view_of(-20, 0);
     const GroundScan scan(view, down_at(view.eye), kMargin_m, kError_m);
