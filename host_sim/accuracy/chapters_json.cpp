@@ -10,38 +10,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json use_json(const EffectUse& use) {
-    Json reasons = Json::array();
-    for (const UncalledReason& reason : use.reasons) reasons.push_back({{"why", reason.text}, {"frames", reason.frames}});
-    return {{"name", use.name},
-            {"contribution", use.contribution},
-            {"asked", use.asked},
-            {"run", use.run},
-            {"replaced", use.replaced},
-            {"skipped", use.skipped},
-            {"reasons", std::move(reasons)},
-            {"skipped_work", use.skipped_work},
-            {"bound", use.bound},
-            {"saved_ms", use.saved.ms},
-            {"saved_spread_ms", use.saved.spread_ms},
-            {"largest_difference", use.largest_difference},
-            {"worst_pose", use.worst_pose}};
+    Json json = effect_count_json(use);
+    json["contribution"] = use.contribution;
+    json["saved_ms"] = use.saved.ms;
+    json["saved_spread_ms"] = use.saved.spread_ms;
+    json["largest_difference"] = use.largest_difference;
+    json["worst_pose"] = use.worst_pose;
+    return json;
 }
 
 EffectUse use_of(const Json& json) {
-    EffectUse use;
-    use.name = json.at("name");
-    use.contribution = json.at("contribution");
-    use.asked = json.at("asked");
-    use.run = json.at("run");
-    use.replaced = json.at("replaced");
-    use.skipped = json.at("skipped");
-    for (const Json& reason : json.at("reasons")) use.reasons.push_back({reason.at("why"), reason.at("frames")});
-    use.skipped_work = json.at("skipped_work");
-    use.bound = json.at("bound");
-    use.saved = {json.at("saved_ms"), json.at("saved_spread_ms")};
-    use.largest_difference = json.at("largest_difference");
-    use.worst_pose = json.at("worst_pose");
-    return use;
+    return {effect_count_from(json),
+            json.at("contribution"),
+            {json.at("saved_ms"), json.at("saved_spread_ms")},
+            json.at("largest_difference"),
+            json.at("worst_pose")};
 }
 
 Json quality_json(const effects::QualityLevel& level, std::uint64_t frames) {

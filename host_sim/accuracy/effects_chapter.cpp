@@ -13,7 +13,7 @@ std::uint64_t without(const EffectUse& use) { return use.skipped + use.replaced;
 
 std::string reasons_of(const EffectUse& use) {
     std::string text;
-    for (const UncalledReason& reason : use.reasons)
+    for (const EffectReason& reason : use.reasons)
         text += (text.empty() ? "" : "; ") + reason.text + " (" + std::to_string(reason.frames) + ")";
     return text;
 }

@@ -26,15 +26,6 @@ std::uint32_t largest_channel_difference(const RgbaView& a, const RgbaView& b) {
     return static_cast<std::uint32_t>(largest);
 }
 
-void count_reason(std::string_view reason, std::vector<UncalledReason>& reasons) {
-    for (UncalledReason& known : reasons)
-        if (known.text == reason) {
-            ++known.frames;
-            return;
-        }
-    reasons.push_back({std::string(reason), 1});
-}
-
 /// One effect over all poses.
 class EffectFlight {
 public:
@@ -69,15 +60,8 @@ private:
     }
 
     void count(const EffectRecord& record, std::size_t pose, std::size_t rounds) {
-        ++use_.asked;
-        if (record.state == EffectState::run) {
-            ++use_.run;
-            return;
-        }
-        ++(record.state == EffectState::replaced ? use_.replaced : use_.skipped);
-        count_reason(record.reason.view(), use_.reasons);
-        use_.skipped_work += record.draws + record.passes + record.bytes;
-        use_.bound = std::max(use_.bound, record.bound);
+        use_.add(record);
+        if (record.state == EffectState::run) return;
         for (std::size_t round = 0; round < rounds; ++round) {
             forced_ms_.push_back(drawn_ms(kForced, pose));
             called_ms_.push_back(drawn_ms(kCalled, pose));

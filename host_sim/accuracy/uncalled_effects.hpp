@@ -14,23 +14,14 @@
 #include "host_sim/accuracy/knobs/knob_flight.hpp"
 #include "host_sim/measure/paired_cost.hpp"
 #include "host_sim/options/picture_options.hpp"
+#include "host_sim/reports/effect_tally.hpp"
 #include "render_core/effects/effect_table.hpp"
 
 namespace tedavis::host_sim {
 
-struct UncalledReason {
-    std::string text;  ///< as the frame's record gives it
-    std::uint64_t frames = 0;
-};
-
-struct EffectUse {
-    std::string name;
-    std::string contribution;                                     ///< "content", "color" or "geometry"
-    std::uint64_t asked = 0, run = 0, replaced = 0, skipped = 0;  ///< frames
-    std::vector<UncalledReason> reasons;                          ///< of the frames without it
-    std::uint64_t skipped_work = 0;  ///< draws, passes and bytes to the GPU that frames without it did for it: 0
-    double bound = 0;                ///< the greatest of the frames without it: a share of full scale, or pixels for geometry
-    PairedCost saved;                ///< of a frame without it; 0 where the noise is greater
+struct EffectUse : EffectCount {
+    std::string contribution;              ///< "content", "color" or "geometry"
+    PairedCost saved;                      ///< of a frame without it; 0 where the noise is greater
     std::uint32_t largest_difference = 0;  ///< of a colour channel, of 255, over the frames that skipped it
     std::string worst_pose;                ///< where it is, as `--pose` of `tedavis shot` takes it; empty: nowhere
 

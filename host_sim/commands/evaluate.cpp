@@ -18,6 +18,7 @@
 #include "host_sim/new_folder.hpp"
 #include "host_sim/reports/drawn_sheet.hpp"
 #include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/run_findings.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
@@ -129,6 +130,16 @@ FlightReport evaluated_flights(const EvaluateOptions& options, const FixationFil
     return report;
 }
 
+/// What is drawn over a picture counts as clutter and draws the eye.
+void warn_of_overlay(const FlightRun& run, Console& console) {
+    const auto drawn_over = [](const FlightFrame& frame) { return frame.has_accuracy_overlay; };
+    const auto count = static_cast<std::uint64_t>(std::count_if(run.frames.begin(), run.frames.end(), drawn_over));
+    if (count == 0) return;
+    console.note("warning: " + run.folder + ": " + part_of(count, run.frames.size()) +
+                 " pictures have the accuracy drawn over them, which is measured too; replay the run without --show-accuracy and"
+                 " --error-map");
+}
+
 int evaluate_runs(const EvaluateOptions& options, const FixationFile* gaze, const EvaluationWork& work) {
     if (options.inputs.size() > 2)
         throw UserError(options.inputs[2] + ": a third run; name one, or two over the same flight that are to be compared");
@@ -139,6 +150,7 @@ int evaluate_runs(const EvaluateOptions& options, const FixationFile* gaze, cons
     std::string text;
     bool is_interrupted = false;
     for (const EvaluatedFlight& flight : report.flights) {
+        warn_of_overlay(flight.run, work.console);
         text += flight_text(flight) + "\n";
         is_interrupted = is_interrupted || flight.interrupted;
     }

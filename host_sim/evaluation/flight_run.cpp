@@ -79,6 +79,7 @@ FlightFrame flight_frame(const Json& record, const RunRecords& records, const st
     frame.layers = layer_names(record);
     if (record.contains("presentation") && record["presentation"].is_object())
         frame.design = text_of(record["presentation"], "design");
+    frame.has_accuracy_overlay = record.contains("accuracy_overlay") && record["accuracy_overlay"] == true;
     frame.has_scene = record_number(record, "scene_revision") > 0;
     frame.obstacles = frame_obstacles(record);
     frame.picture = frame_picture_path(folder, frame.frame);

@@ -38,10 +38,11 @@ struct FlightFrame {
     /// The aspect with the greatest weight, where one is greater than the others: "terrain", "data", "uncertainty".
     std::string prioritized;
     MainWeights weights;
-    std::vector<std::string> layers;  ///< names by the values of the layer mask beside the picture; empty: there is none
-    std::string picture;              ///< path
-    std::string design;               ///< name of the design with which it was drawn
-    bool has_scene = false;           ///< the run has spatial data
+    std::vector<std::string> layers;    ///< names by the values of the layer mask beside the picture; empty: there is none
+    std::string picture;                ///< path
+    std::string design;                 ///< name of the design with which it was drawn
+    bool has_scene = false;             ///< the run has spatial data
+    bool has_accuracy_overlay = false;  ///< its picture has the accuracy drawn over it
     /// Obstacles near the predicted track; nothing where the run did not record them.
     std::optional<std::vector<FrameObstacle>> obstacles;
 };

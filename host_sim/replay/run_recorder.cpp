@@ -98,6 +98,7 @@ void RunRecorder::keep() {
     deadline_.add(result_);
     const double above = input_.state[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
     tally_.add(result_.record, above);
+    effects_.add(result_.record);
     if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0))) story_.add_picture(result_, shown());
     if (options_.frame_output() == FrameOutput::png)
         write_png(frame_picture_path(options_.output, result_.record.frame), shown());
@@ -146,6 +147,8 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.height = session_.height();
     s.costs = options_.picture.costs;
     s.deadline = deadline_.summary();
+    s.effects = effects_.counts();
+    s.has_accuracy_overlay = overlay_ != nullptr;
     s.gl = session_.gl_description();
     const LogFacts& log = player_.facts();
     s.can = {log.counters.frames,  log.counters.decoded, log.counters.alien, log.counters.errors,

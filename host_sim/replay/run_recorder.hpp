@@ -11,6 +11,7 @@
 #include "host_sim/options/replay_options.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "host_sim/reports/effect_tally.hpp"
 #include "host_sim/reports/flight_tally.hpp"
 #include "host_sim/reports/frame_record_writer.hpp"
 #include "host_sim/reports/run_story.hpp"
@@ -65,6 +66,7 @@ private:
     DeadlineTally deadline_;
     std::vector<std::string> notes_;
     FlightTally tally_;
+    EffectTally effects_;
     GeoExtent scene_extent_;              ///< read before the run: afterwards the file may be another one
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew
 };

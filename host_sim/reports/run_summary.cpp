@@ -93,6 +93,9 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
                    {"broken_lines", summary.can.broken_lines},
                    {"other_lines", summary.can.other_lines},
                    {"traffic", traffic_json(summary.can.traffic)}};
+    json["effects"] = Json::array();
+    for (const EffectCount& effect : summary.effects) json["effects"].push_back(effect_count_json(effect));
+    if (summary.has_accuracy_overlay) json["accuracy_overlay"] = true;
     json["interrupted"] = summary.interrupted;
     json["warnings"] = findings_json(summary.warnings);
     json["notes"] = summary.notes;

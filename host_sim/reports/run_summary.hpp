@@ -7,6 +7,7 @@
 
 #include "bus/state/traffic_table.hpp"
 #include "host_sim/reports/deadline_tally.hpp"
+#include "host_sim/reports/effect_tally.hpp"
 #include "host_sim/reports/run_findings.hpp"
 #include "render_core/base/memory_budget.hpp"
 
@@ -33,6 +34,8 @@ struct RunSummary {
     std::string costs;  ///< file of measured costs, or empty
     std::string gl;     ///< surface and the driver's own name
     CanCounts can;
+    std::vector<EffectCount> effects;   ///< that frames of the run asked for
+    bool has_accuracy_overlay = false;  ///< its pictures show how accurate they are
     bool interrupted = false;
     std::vector<std::string> notes;  ///< what the reader should know: broken lines, synthetic data
     Findings warnings;

@@ -14,6 +14,7 @@ constexpr std::string_view kStereoDeviceNames[] = {"side_by_side", "anaglyph", "
 void read_depth_of_field(base::ConfigSection section, DepthOfField& field) {
     if (!section.present()) return;
     field.blur_px = section.number("blur_px", 0.5, kMaxBlur_px, 4);
+    field.taps = static_cast<std::uint32_t>(section.integer("taps", kMinBlurTaps, kMaxBlurTaps, field.taps));
     field.focus_near_m = section.number("focus_near_m", 0, 1e6, field.focus_near_m);
     field.focus_far_m = section.number("focus_far_m", 1, 1e6, field.focus_far_m);
     if (field.focus_near_m >= field.focus_far_m) fault_of(section, "focus_far_m", "must be farther than focus_near_m");

@@ -8,6 +8,7 @@
 ///     night_color = "#584c40"
 ///     [effects.depth_of_field]
 ///     blur_px = 5                 # radius of the blur of what is infinitely far
+///     taps = 16                   # places that the blur of a pixel reads: more of them are smoother and slower
 ///     focus_near_m = 2000         # sharp from here
 ///     focus_far_m = 15000         # to here, from the eye
 ///     focus_role = "storm_cell"   # instead: as far as the shown layers of this role reach
@@ -45,10 +46,12 @@
 namespace tedavis::design {
 
 inline constexpr double kMaxBlur_px = 8;
+inline constexpr std::int64_t kMinBlurTaps = 4, kMaxBlurTaps = 64;
 inline constexpr double kLongestFade_s = 2;  ///< a longer fade would show outdated content
 
 struct DepthOfField {
-    double blur_px = 0;  ///< 0: everything is sharp
+    double blur_px = 0;       ///< 0: everything is sharp
+    std::uint32_t taps = 16;  ///< places that the blur of a pixel reads
     double focus_near_m = 0, focus_far_m = 10'000;
     scene::LayerRole focus_role = scene::LayerRole::count;  ///< not `count`: the focus is on data of this role
     bool on_terrain = true, on_data = true;

@@ -1,13 +1,16 @@
 /// Depth of field, as planned of a frame (view_effects_pass.hpp). Plain data.
 #pragma once
 
+#include <cstdint>
+
 namespace tedavis::draw {
 
 /// The range of distances from the eye point that is sharp.
 struct FocusRange {
     bool is_known = false;
     double near_m = 0, far_m = 0;
-    double blur_px = 0;  ///< radius infinitely far
+    double blur_px = 0;       ///< radius infinitely far
+    std::uint32_t taps = 16;  ///< places that the blur of a pixel reads
 };
 
 }  // namespace tedavis::draw

@@ -10,6 +10,7 @@
 namespace tedavis::host_sim {
 
 [[nodiscard]] std::unique_ptr<Knob> make_shadow_map_knob(const KnobGround& ground);
+[[nodiscard]] std::unique_ptr<Knob> make_blur_taps_knob(const KnobGround& ground);
 [[nodiscard]] std::unique_ptr<Knob> make_shaft_steps_knob(const KnobGround& ground);
 [[nodiscard]] std::unique_ptr<Knob> make_focus_levels_knob(const KnobGround& ground);
 [[nodiscard]] std::unique_ptr<Knob> make_map_pages_knob(const KnobGround& ground);

@@ -17,7 +17,7 @@ double air_bound(const design::AirSettings& air, double farthest_m) noexcept {
 
 draw::FocusRange focus_of(const design::DepthOfField& field, const ElementPlanner& elements, const glm::dvec3& eye) {
     if (field.blur_px <= 0) return {};
-    draw::FocusRange focus{true, field.focus_near_m, field.focus_far_m, field.blur_px};
+    draw::FocusRange focus{true, field.focus_near_m, field.focus_far_m, field.blur_px, field.taps};
     if (field.focus_role == scene::LayerRole::count) return focus;
     terrain::DepthSpan reach;
     focus.is_known = elements.distances_m(field.focus_role, eye, reach);

@@ -12,7 +12,7 @@
 namespace tedavis::draw {
 namespace {
 
-enum EffectUniform : std::size_t { kEffectScene, kEffectSceneSize, kEffectFocus, kEffectShafts, kEffectUniforms };
+enum EffectUniform : std::size_t { kEffectScene, kEffectSceneSize, kEffectFocus, kEffectTaps, kEffectShafts, kEffectUniforms };
 
 }  // namespace
 
@@ -21,7 +21,7 @@ double distance_code(double distance_m) noexcept {
 }
 
 base::Error ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts) {
-    static constexpr const char* kNames[kEffectUniforms] = {"scene", "scene_size", "focus", "shafts"};
+    static constexpr const char* kNames[kEffectUniforms] = {"scene", "scene_size", "focus", "taps", "shafts"};
     base::FixedString<kMaxShaderText> fragment(blurs ? "#define BLUR 1\n" : "");
     if (smooths) fragment.append("#define SMOOTH 1\n");
     if (shafts) fragment.append("#define SHAFTS 1\n");
@@ -68,6 +68,7 @@ void ViewEffectsPass::finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewE
     gl->Uniform2f(program.uniform(kEffectSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
     gl->Uniform3f(program.uniform(kEffectFocus), static_cast<float>(input.focus.near_m), static_cast<float>(input.focus.far_m),
                   static_cast<float>(input.focus.blur_px));
+    gl->Uniform1i(program.uniform(kEffectTaps), static_cast<GLint>(input.focus.taps));
     gl->Uniform1i(program.uniform(kEffectShafts), static_cast<GLint>(LightShafts::kUnit));
     if (input.shafts != nullptr) input.shafts->bind(gl, LightShafts::kUnit);
     grid_.draw(gl);

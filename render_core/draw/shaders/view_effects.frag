@@ -3,6 +3,7 @@ uniform sampler2D scene;       // alpha codes the logarithm of the distance as i
 uniform vec2 scene_size;       // texels
 #ifdef BLUR
 uniform vec3 focus;            // what is sharp begins and ends, m; radius of the blur infinitely far, pixels
+uniform int taps;              // places that a pixel's blur reads
 #endif
 
 #ifdef SHAFTS
@@ -23,14 +24,14 @@ float blur_of(float code) {
     return focus.z * (code > 254.5 / 255.0 ? 1.0 : max(far, near));
 }
 
-// Sixteen places on a spiral of equal areas. What lies farther than this pixel blurs into it only as far as itself is blurred:
+// Places on a spiral of equal areas. What lies farther than this pixel blurs into it only as far as itself is blurred:
 // else edges of what is sharp would glow. Alpha: how much of it is other pixels'.
 vec4 blurred(ivec2 at, vec4 here) {
     float own = blur_of(here.a);
     vec4 sum = vec4(here.rgb, 1.0);
     vec2 way = vec2(1.0, 0.0);
-    for (int n = 0; n < 16; ++n) {
-        float radius = sqrt((float(n) + 0.5) / 16.0) * focus.z;
+    for (int n = 0; n < taps; ++n) {
+        float radius = sqrt((float(n) + 0.5) / float(taps)) * focus.z;
         vec4 tap = scene_at(at + ivec2(floor(way * radius + 0.5)));
         float other = blur_of(tap.a);
         float weight = clamp((tap.a > here.a ? min(other, own) : other) - radius + 0.5, 0.0, 1.0);

@@ -38,7 +38,7 @@ TEST(UncalledEffects, CountEveryFrameOnceAndKeepTheirPromise) {
         EXPECT_EQ(use.run + use.replaced + use.skipped, use.asked) << use.name;
         EXPECT_TRUE(use.keeps_promise()) << use.name;
         std::uint64_t explained = 0;
-        for (const UncalledReason& reason : use.reasons) explained += reason.frames;
+        for (const EffectReason& reason : use.reasons) explained += reason.frames;
         EXPECT_EQ(explained, use.replaced + use.skipped) << use.name;
     }
     EXPECT_EQ(use_named(all, "antialiasing").run, 2u) << "control: it is always called for";

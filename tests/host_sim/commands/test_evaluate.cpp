@@ -13,6 +13,7 @@ namespace {
 
 using test_support::CommandRun;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class EvaluateCommand : public ::testing::Test {
 protected:
@@ -81,6 +82,16 @@ TEST_F(EvaluateCommand, EdgesAreThoseOfTheThresholdsThatWereAskedFor) {
     EXPECT_EQ(canny(), (std::array<double, 3>{2, 6, 15}));
     canny_ = perception::CannySettings{0, 1, 2};
     EXPECT_EQ(canny(), (std::array<double, 3>{0, 1, 2})) << "the command's comes first";
+}
+
+TEST_F(EvaluateCommand, WarnsOfPicturesWithTheAccuracyDrawnOverThem) {
+    test_support::write_striped_run(place_, "run", 3, {});
+    EXPECT_THAT(evaluate({place_.file("run")}).notes, Not(HasSubstr("warning"))) << "control";
+    test_support::write_run(
+        place_, "marked", [](FrameResult& result) { result.has_accuracy_overlay = result.record.frame > 0; }, 3);
+    for (std::uint64_t n = 0; n < 3; ++n)
+        test_support::write_picture(place_, "marked", n, test_support::striped_picture(80, 60, 5));
+    EXPECT_THAT(evaluate({place_.file("marked")}).notes, HasSubstr("2 of 3 pictures have the accuracy drawn over them"));
 }
 
 TEST_F(EvaluateCommand, MasksOfLayersAreNoPictures) {

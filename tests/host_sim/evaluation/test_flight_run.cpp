@@ -43,6 +43,16 @@ TEST(FlightRun, FramesOfARunThatGoesBackwardsAreInTheOrderOfTime) {
     EXPECT_TRUE(run.frames.back().prioritized.empty()) << "equal weights";
 }
 
+TEST(FlightRun, PicturesWithTheAccuracyDrawnOverThemAreKnown) {
+    const test_support::TemporaryFolder place;
+    test_support::write_run(
+        place, "run", [](FrameResult& result) { result.has_accuracy_overlay = result.record.frame == 1; }, 2);
+    for (std::uint64_t n = 0; n < 2; ++n) test_support::write_picture(place, "run", n, test_support::striped_picture(4, 4, 2));
+    const FlightRun run = read_flight_run(place.file("run"));
+    EXPECT_FALSE(run.frames[0].has_accuracy_overlay);
+    EXPECT_TRUE(run.frames[1].has_accuracy_overlay);
+}
+
 TEST(FlightRun, SaysHowPicturesAreMade) {
     const test_support::TemporaryFolder place;
     test_support::write_run(place, "run", [](FrameResult&) {});

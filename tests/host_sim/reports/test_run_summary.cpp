@@ -31,6 +31,11 @@ RunSummary full_summary() {
     s.width = 640;
     s.height = 480;
     s.can = {1000, 900, 80, 15, 5, 2, 3, {21, 22, 23, 24, 25, 26}};
+    EffectCount haze;
+    haze.name = "haze";
+    haze.asked = haze.skipped = 4;
+    haze.reasons = {{"too thin to be seen", 4}};
+    s.effects = {haze};
     s.interrupted = true;
     s.notes = {"line 7 is broken"};
     s.warnings = {{"terrain.outside", "all 17 frames lie outside", 17}};
@@ -63,7 +68,8 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                             "governor",
                             "gl",
                             "version",
-                            "can"})
+                            "can",
+                            "effects"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["frames"], 17);
     EXPECT_EQ(json["fps_median"], 31.5);
@@ -82,6 +88,10 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
     EXPECT_EQ(json["governor"]["frames"], 0);
     EXPECT_TRUE(json["governor"]["least_s_between_changes"].is_null());
     EXPECT_EQ(json["governor"]["frames_at_quality_level"].size(), effects::kQualityLevelCount);
+    EXPECT_EQ(json["effects"].size(), 1u);
+    EXPECT_EQ(json["effects"][0]["skipped"], 4);
+    EXPECT_EQ(json["effects"][0]["reasons"][0], Json({{"why", "too thin to be seen"}, {"frames", 4}}));
+    EXPECT_FALSE(json.contains("accuracy_overlay")) << "only a run with it states it";
     EXPECT_EQ(json["interrupted"], true);
     EXPECT_EQ(json["notes"], Json({"line 7 is broken"}));
     EXPECT_EQ(json["warnings"].size(), 1u);

@@ -38,6 +38,13 @@ TEST_F(EffectKnobs, MoreStepsThroughTheAirAreNearerToVeryMany) {
     EXPECT_GT(means.front(), 10 * knob->facts().reference.error_bound()) << "control: there are shafts in the pictures";
 }
 
+TEST_F(EffectKnobs, MorePlacesOfABlurAreNearerToVeryMany) {
+    const auto knob = make_blur_taps_knob(shipped_.quick());
+    const std::vector<double> means = falling_means(*knob);
+    EXPECT_LT(means.back(), 0.4 * means.front());
+    EXPECT_GT(means.front(), 10 * knob->facts().reference.error_bound()) << "control: the pictures are blurred";
+}
+
 TEST_F(EffectKnobs, MoreStepsOfAContextAreNearerToNone) {
     const auto knob = make_focus_levels_knob(shipped_.quick());
     EXPECT_GT(falling_means(*knob).front(), 0.2) << "control: the context is in the pictures";

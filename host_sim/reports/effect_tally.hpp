@@ -1,0 +1,45 @@
+/// Counts how often the frames of a flight asked for each effect, and what they did with it: drew it, drew another in its place,
+/// or left it out, and why.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "render_core/display/planner/frame_record.hpp"
+
+namespace tedavis::host_sim {
+
+struct EffectReason {
+    std::string text;  ///< as the frame's record gives it
+    std::uint64_t frames = 0;
+};
+
+struct EffectCount {
+    std::string name;
+    std::uint64_t asked = 0, run = 0, replaced = 0, skipped = 0;  ///< frames
+    std::vector<EffectReason> reasons;                            ///< of the frames without it
+    std::uint64_t skipped_work = 0;  ///< draws, passes and bytes to the GPU that frames without it did for it: 0
+    double bound = 0;                ///< the greatest of the frames without it: a share of full scale, or pixels for geometry
+
+    /// A frame that asked for it.
+    void add(const display::EffectRecord& record);
+};
+
+class EffectTally {
+public:
+    void add(const display::FrameRecord& record);
+    /// Of the effects that a frame asked for, in the order in which they were first asked for.
+    [[nodiscard]] const std::vector<EffectCount>& counts() const { return counts_; }
+
+private:
+    std::vector<EffectCount> counts_;
+};
+
+/// {`name`, `asked`, `run`, `replaced`, `skipped`, `reasons` [{`why`, `frames`}], `skipped_work`, `bound`}.
+[[nodiscard]] nlohmann::ordered_json effect_count_json(const EffectCount& count);
+/// Throws as nlohmann does where a key is missing.
+[[nodiscard]] EffectCount effect_count_from(const nlohmann::ordered_json& json);
+
+}  // namespace tedavis::host_sim
