@@ -114,10 +114,10 @@ private:
     }
 
     void begin_report(std::size_t number, base::Time time) {
-        for (const ReceivedAircraft& heard : flight_.traffic(time)) {
-            if (heard.number != number || number >= codes_.size()) continue;
-            const bus::TrafficSender sender{first_traffic_, node_, heard.number, codes_[number]};
-            const std::size_t count = encode_traffic(heard.report, sender, time, {report_.data(), report_.size()});
+        for (const ReceivedAircraft& received : flight_.traffic(time)) {
+            if (received.number != number || number >= codes_.size()) continue;
+            const bus::TrafficSender sender{first_traffic_, node_, received.number, codes_[number]};
+            const std::size_t count = encode_traffic(received.report, sender, time, {report_.data(), report_.size()});
             if (count == 0) continue;  // outside of what can be said
             ++codes_[number];
             next_part_ = 0;

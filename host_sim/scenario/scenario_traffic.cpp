@@ -66,8 +66,8 @@ TrafficSettings read_traffic(ConfigSection& section) {
     aircraft.turn_radps = base::radians(section.number("turn_dps", -30, 30, 0));
     aircraft.position_deviation_m = section.number("position_deviation_m", 0, 20000, 0);
     aircraft.height_deviation_m = section.number("height_deviation_m", 0, 2000, 0);
-    aircraft.heard_from_s = section.number("heard_from_s", 0, kLongestFlight_s, 0);
-    aircraft.heard_until_s = section.number("heard_until_s", 0, kLongestFlight_s, kLongestFlight_s);
+    aircraft.received_from_s = section.number("received_from_s", 0, kLongestFlight_s, 0);
+    aircraft.received_until_s = section.number("received_until_s", 0, kLongestFlight_s, kLongestFlight_s);
     return aircraft;
 }
 
@@ -84,12 +84,12 @@ ScenarioTraffic::ScenarioTraffic(const std::vector<TrafficSettings>& settings, b
 }
 
 std::vector<ReceivedAircraft> ScenarioTraffic::at(base::Time time) const {
-    std::vector<ReceivedAircraft> heard;
+    std::vector<ReceivedAircraft> received;
     const double second = (time - start_).to_seconds();
     for (std::size_t n = 0; n < aircraft_.size(); ++n)
-        if (second >= aircraft_[n].heard_from_s && second <= aircraft_[n].heard_until_s)
-            heard.push_back({static_cast<std::uint8_t>(n), report_of(aircraft_[n], time)});
-    return heard;
+        if (second >= aircraft_[n].received_from_s && second <= aircraft_[n].received_until_s)
+            received.push_back({static_cast<std::uint8_t>(n), report_of(aircraft_[n], time)});
+    return received;
 }
 
 flight::TrafficReport ScenarioTraffic::report_of(const TrafficSettings& aircraft, base::Time time) const {

@@ -9,7 +9,7 @@
 ///     track_deg, speed_mps, climb_mps
 ///     turn_dps = 0                   right positive
 ///     position_deviation_m, height_deviation_m        standard deviations that it states; 0: it states none
-///     heard_from_s = 0, heard_until_s = 400
+///     received_from_s = 0, received_until_s = 400
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct TrafficSettings {
     double at_s = 0;
     double track_rad = 0, speed_mps = 0, climb_mps = 0, turn_radps = 0;
     double position_deviation_m = 0, height_deviation_m = 0;
-    double heard_from_s = 0, heard_until_s = 0;
+    double received_from_s = 0, received_until_s = 0;
 };
 
 [[nodiscard]] TrafficSettings read_traffic(base::ConfigSection& section);
@@ -39,7 +39,7 @@ public:
     /// `geoid` must outlive it.
     ScenarioTraffic(const std::vector<TrafficSettings>& settings, base::Time start, std::uint64_t seed, const GeoidEgm96& geoid);
 
-    /// What is heard at a time; numbers are places in the settings.
+    /// What is received at a time; numbers are places in the settings.
     [[nodiscard]] std::vector<ReceivedAircraft> at(base::Time time) const;
 
 private:

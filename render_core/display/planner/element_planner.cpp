@@ -193,10 +193,10 @@ draw::FocusCounts ElementPlanner::count_in_focus(const ElementFrame& frame, std:
 
 /// The layer is there from the first frame on in which there is a receiver.
 void ElementPlanner::receive_traffic(const ElementFrame& frame) {
-    const bool hears = frame.own.aircraft != nullptr && frame.own.aircraft->traffic.is_received;
-    has_changed_ = has_changed_ || hears != hears_traffic_;
-    hears_traffic_ = hears;
-    if (hears) traffic_.take(frame.own.aircraft->traffic, frame.time.utc - frame.own.now);
+    const bool receives = frame.own.aircraft != nullptr && frame.own.aircraft->traffic.is_received;
+    has_changed_ = has_changed_ || receives != receives_traffic_;
+    receives_traffic_ = receives;
+    if (receives) traffic_.take(frame.own.aircraft->traffic, frame.time.utc - frame.own.now);
 }
 
 void ElementPlanner::rest() {
@@ -219,7 +219,7 @@ void ElementPlanner::begin_reports() {
 
 void ElementPlanner::begin_scene_reports(const design::DataElement& element) {
     const std::size_t before = reports_.size();
-    if (hears_traffic_ && is_meant(element, traffic_.layer())) begin_report(element, &traffic_.layer());
+    if (receives_traffic_ && is_meant(element, traffic_.layer())) begin_report(element, &traffic_.layer());
     if (scene_ != nullptr)
         for (const scene::Layer& layer : scene_->layers())
             if (is_meant(element, layer)) {
@@ -272,7 +272,7 @@ void ElementPlanner::begin_report(const design::DataElement& element, const scen
 
 draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFrame& frame) const {
     const scene::Layer& layer = *reports_[report].layer;
-    // What is heard is as old as the source's own time says, whether UTC is known or not.
+    // What is received is as old as the source's own time says, whether UTC is known or not.
     const bool is_heard = &layer == &traffic_.layer();
     return {*reports_[report].element,
             static_cast<std::uint8_t>(report),

@@ -85,7 +85,7 @@ public:
     [[nodiscard]] bool is_started() const { return is_started_; }
 
     /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
-    /// hears of are a layer beside the scene's. A role of which there is no layer asks for nothing. `design`: its number among
+    /// receives are a layer beside the scene's. A role of which there is no layer asks for nothing. `design`: its number among
     /// those that the display turns between.
     void set(const scene::Scene* scene, const design::DataElementList& elements,
              const design::LabelSettings& labels = design::LabelSettings(), std::size_t design = 0);
@@ -158,7 +158,7 @@ private:
     draw::IsosurfaceSolids isosurfaces_;
     OwnFlight own_;
     TrafficLayer traffic_;
-    bool hears_traffic_ = false;
+    bool receives_traffic_ = false;
     const scene::Scene* scene_ = nullptr;
     const design::DataElementList* elements_ = nullptr;
     ElementReports reports_;

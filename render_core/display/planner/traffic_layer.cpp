@@ -39,7 +39,7 @@ TrafficPlace place_before(const TrafficReport& report, double seconds) {
 }  // namespace
 
 TrafficLayer::TrafficLayer() {
-    name_layer(entry_, "heard_traffic", "Traffic");
+    name_layer(entry_, "received_traffic", "Traffic");
     entry_.shape = scene::LayerShape::lines;
     entry_.role = scene::LayerRole::traffic;
     constexpr std::string_view kNames[kAttributes] = {"position_accuracy", "height_accuracy"};

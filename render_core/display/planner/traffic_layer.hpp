@@ -1,9 +1,9 @@
-/// Other aircraft that the own one hears of (flight/traffic.hpp) as spatial data: a layer "heard_traffic" of the role traffic, so
-/// that the techniques for that role show it beside the scene's.
+/// Other aircraft that the own one receives (flight/traffic.hpp) as spatial data: a layer "received_traffic" of the role traffic,
+/// so that the techniques for that role show it beside the scene's.
 ///
 ///   start(arena) · take(traffic, ahead) each frame · layer(): stays at its place
 ///
-/// An aircraft is a line: the way that it has come, and its last report as two points kBefore apart, whose difference is the
+/// An aircraft is a line: the path that it has flown, and its last report as two points kBefore apart, whose difference is the
 /// stated velocity. Heights are over the ellipsoid. Its points have the attributes "position_accuracy" and "height_accuracy" (m,
 /// 95 %), missing where the report states none. Its name is its callsign, else its address in hexadecimal.
 ///

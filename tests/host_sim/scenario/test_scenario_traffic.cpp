@@ -26,8 +26,8 @@ TrafficSettings straight() {
     aircraft.speed_mps = 60;
     aircraft.climb_mps = -2;
     aircraft.position_deviation_m = 35;
-    aircraft.heard_from_s = 20;
-    aircraft.heard_until_s = 200;
+    aircraft.received_from_s = 20;
+    aircraft.received_until_s = 200;
     return aircraft;
 }
 
@@ -91,8 +91,8 @@ TEST_F(ScenarioTrafficTest, ATurnIsACircleAlongItsTrack) {
 
 TEST_F(ScenarioTrafficTest, IsHeardInItsTimeUnderItsNumber) {
     TrafficSettings later = straight();
-    later.heard_from_s = 50;
-    later.heard_until_s = 60;
+    later.received_from_s = 50;
+    later.received_until_s = 60;
     const ScenarioTraffic traffic({straight(), later}, kStart, 1, geoid_);
     EXPECT_EQ(traffic.at(at(19)).size(), 0u);
     EXPECT_EQ(traffic.at(at(20)).size(), 1u);

@@ -167,7 +167,7 @@ TEST_F(ElementPlannerTest, HeardTrafficIsShownWithAndWithoutASceneOrADate) {
     report.place.height_m = 2600;
     ASSERT_TRUE(aircraft.traffic.reports.try_push_back(report));
     ask_for("", DataTechnique::billboard).role = scene::LayerRole::traffic;
-    ask_for("heard_traffic", DataTechnique::tube).size_m = 100;
+    ask_for("received_traffic", DataTechnique::tube).size_m = 100;
     for (const bool has_scene : {true, false}) {
         elements_.set(has_scene ? &scene_.scene() : nullptr, asked_);
         const auto plan_at = [&](double age_s) {

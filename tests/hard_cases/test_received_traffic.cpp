@@ -19,7 +19,7 @@
 #include "tests/support/terrain/synthetic_raster.hpp"
 #include "tests/support/terrain/terrain_image.hpp"
 
-namespace tedavis::host_sim::test_heard_traffic {
+namespace tedavis::host_sim::test_received_traffic {
 namespace {
 
 using base::radians;
@@ -250,4 +250,4 @@ TEST(HeardTraffic, IsTheSameWhateverWasPlayedBefore) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim::test_heard_traffic
+}  // namespace tedavis::host_sim::test_received_traffic
