@@ -30,7 +30,7 @@ struct EffectUse {
     std::vector<UncalledReason> reasons;                          ///< of the frames without it
     std::uint64_t skipped_work = 0;  ///< draws, passes and bytes to the GPU that frames without it did for it: 0
     double bound = 0;                ///< the greatest of the frames without it: a share of full scale, or pixels for geometry
-    PairedCost saved;                ///< of a frame without it; 0 where the noise is greater
+    effects::PairedCost saved;       ///< of a frame without it; 0 where the noise is greater
     std::uint32_t largest_difference = 0;  ///< of a colour channel, of 255, over the frames that skipped it
     std::string worst_pose;                ///< where it is, as `--pose` of `tedavis shot` takes it; empty: nowhere
 
