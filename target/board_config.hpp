@@ -11,7 +11,7 @@
 ///     [scene]                    absent: no spatial data
 ///     database = "area.sdb"      may be missing at first; a newer revision at its place is taken over in flight
 ///     [costs]                    absent: none are known, and the device's deadline_ms is not held
-///     file = "es2-small.costs.toml"   that `tedavis calibrate` wrote on this board
+///     file = "es2-small.costs.toml"   that --calibrate wrote on this board
 ///     [programs]                 absent: none; a device without a compiler then does not start
 ///     folder = "sc2.programs"    that `tedavis shaders` wrote on this board's driver
 ///     [can]

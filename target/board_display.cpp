@@ -17,7 +17,7 @@ base::Error message_of(const platform::HostFault& fault, const BoardSettings& se
 
 }  // namespace
 
-platform::HostFault start_board_display(const BoardSettings& settings, platform::DisplayHost& host) {
+platform::DisplayHostSettings board_host_settings(const BoardSettings& settings) {
     platform::DisplayHostSettings of_host;
     of_host.display.device = settings.device;
     of_host.display.design = settings.design;
@@ -31,8 +31,17 @@ platform::HostFault start_board_display(const BoardSettings& settings, platform:
     of_host.arrival = terrain::ArrivalMode::live;
     of_host.programs = settings.programs.view();
     of_host.residency = settings.residency;
+    return of_host;
+}
+
+platform::HostFault start_board_host(const BoardSettings& settings, const platform::DisplayHostSettings& of_host,
+                                     platform::DisplayHost& host) {
     const platform::HostFault fault = host.start(of_host);
     return {fault.part, message_of(fault, settings)};
+}
+
+platform::HostFault start_board_display(const BoardSettings& settings, platform::DisplayHost& host) {
+    return start_board_host(settings, board_host_settings(settings), host);
 }
 
 base::Error hold_board_deadline(const BoardSettings& settings, platform::DisplayHost& host) {

@@ -9,6 +9,11 @@
 
 namespace tedavis::target {
 
+/// What a host is started with as the board file asks for it. The board's settings must outlive it.
+[[nodiscard]] platform::DisplayHostSettings board_host_settings(const BoardSettings& settings);
+/// Starts a host with these settings, or changed ones. The error names the part of the board file.
+[[nodiscard]] platform::HostFault start_board_host(const BoardSettings& settings, const platform::DisplayHostSettings& of_host,
+                                                   platform::DisplayHost& host);
 /// Starts a host with what the board file asks for. The error names the part of the board file.
 [[nodiscard]] platform::HostFault start_board_display(const BoardSettings& settings, platform::DisplayHost& host);
 

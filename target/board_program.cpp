@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bus/socketcan/raw_can_socket.hpp"
+#include "target/calibrate_board.hpp"
 #include "target/command_line.hpp"
 #include "target/display_application.hpp"
 #include "target/run_report.hpp"
@@ -12,7 +13,7 @@
 namespace tedavis::target {
 namespace {
 
-constexpr int kDone = 0, kFailed = 1, kWrongInput = 2;
+constexpr int kDone = 0, kFailed = 1, kWrongInput = 2, kStopped = 130;
 
 int refuse(const base::Error& error) {
     EventLog().write({error.message.view()});
@@ -50,6 +51,17 @@ int test_machine(const CommandLine& line, std::FILE* out) {
     return report.holds() ? kDone : kFailed;
 }
 
+int calibrate(const CommandLine& line, std::FILE* out) {
+    const auto settings = load_board_settings(line.config);
+    if (!settings.ok()) return refuse(settings.error());
+    const StopSignal stop;
+    const CalibrateRequest request{line.output, line.rounds, line.json};
+    const base::Error error = calibrate_board(settings.value(), request, {machine_clocks(), EventLog()}, stop, out);
+    if (!error) return kDone;
+    const int code = refuse(error);
+    return stop.requested() ? kStopped : code;
+}
+
 }  // namespace
 
 int run_board_program(int count, const char* const* arguments, std::FILE* out) {
@@ -59,6 +71,7 @@ int run_board_program(int count, const char* const* arguments, std::FILE* out) {
         case Request::help: std::fputs(command_line_help(), out); return kDone;
         case Request::version: print_version(line.value().json, out); return kDone;
         case Request::self_test: return test_machine(line.value(), out);
+        case Request::calibrate: return calibrate(line.value(), out);
         case Request::run: break;
     }
     return run_display(line.value(), out);

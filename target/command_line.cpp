@@ -3,6 +3,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "platform/runtime/bench_frames.hpp"
+
 namespace tedavis::target {
 namespace {
 
@@ -21,9 +23,7 @@ public:
 
     base::Result<CommandLine, base::Error> parse() {
         while (at_ < count_ && !answered_ && !error_) take(texts_[at_++]);
-        if (!error_ && line_.request == Request::run && line_.config == nullptr)
-            refuse({"--config: is missing; name the board file"});
-        if (!error_ && line_.request != Request::run && line_.frames != 0) refuse({"--frames: belongs to a run; leave it out"});
+        if (!error_) refuse_what_does_not_fit();
         if (error_) return base::fail(error_);
         return line_;
     }
@@ -32,6 +32,15 @@ private:
     void refuse(std::initializer_list<std::string_view> parts) {
         error_ = base::make_error(parts);
         error_.message.append(kSeeHelp);
+    }
+
+    void refuse_what_does_not_fit() {
+        const bool is_run = line_.request == Request::run, is_calibration = line_.request == Request::calibrate;
+        if ((is_run || is_calibration) && line_.config == nullptr) return refuse({"--config: is missing; name the board file"});
+        if (!is_run && line_.frames != 0) return refuse({"--frames: belongs to a run; leave it out"});
+        if (is_calibration && line_.output == nullptr) return refuse({"-o: is missing; name the file of costs to write"});
+        if (!is_calibration && line_.output != nullptr) return refuse({"-o: belongs to --calibrate; leave it out"});
+        if (!is_calibration && has_rounds_) return refuse({"--rounds: belongs to --calibrate; leave it out"});
     }
 
     const char* value_of(std::string_view option) {
@@ -53,6 +62,12 @@ private:
             line_.json = true;
         } else if (argument == "--self-test") {
             line_.request = Request::self_test;
+        } else if (argument == "--calibrate") {
+            line_.request = Request::calibrate;
+        } else if (argument == "-o") {
+            line_.output = value_of(argument);
+        } else if (argument == "--rounds") {
+            take_rounds(argument);
         } else if (argument == "--config") {
             line_.config = value_of(argument);
         } else if (argument == "--frames") {
@@ -69,10 +84,21 @@ private:
         if (line_.frames == 0) refuse({"--frames '", value, "': must be a whole number from 1 on"});
     }
 
+    void take_rounds(std::string_view option) {
+        using platform::BenchFrames;
+        const char* value = value_of(option);
+        if (value == nullptr) return;
+        has_rounds_ = true;
+        const std::uint64_t rounds = parse_count(value);
+        line_.rounds = static_cast<std::uint32_t>(rounds);
+        if (rounds < BenchFrames::kMinRounds || rounds > BenchFrames::kMaxRounds)
+            refuse({"--rounds '", value, "': must be a whole number from 3 to 1000"});
+    }
+
     int count_;
     const char* const* texts_;
     int at_ = 0;
-    bool answered_ = false;
+    bool answered_ = false, has_rounds_ = false;
     CommandLine line_;
     base::Error error_;
 };
@@ -89,13 +115,20 @@ const char* command_line_help() noexcept {
            "  tedavis-display --config BOARD.toml [--frames N] [--json]   run until SIGINT or SIGTERM\n"
            "  tedavis-display --self-test [--config BOARD.toml] [--json]  what must hold on this machine, and of a board's "
            "set-up\n"
+           "  tedavis-display --calibrate -o C.toml --config BOARD.toml [--rounds N] [--json]\n"
+           "                               measures here what the board's display costs, for [costs] in the board file\n"
            "  tedavis-display --help | --version\n"
            "\n"
            "  --config F   the board file; with --self-test, it is started on a trial, and every file that it names is read\n"
            "  --frames N   stop after N frames\n"
+           "  --calibrate  measures over the middle of the board's terrain, with its device, surface, size and designs, and its\n"
+           "               spatial data if there are any, without bus and panel; stop a display that runs here before\n"
+           "  -o F         the costs to write (.toml), which tedavis reads too; after a fault or Ctrl-C nothing is written\n"
+           "  --rounds N   frames with and without each effect, 3 to 1000 (15); a third as many of each quality level\n"
            "  --json       results as JSON lines on stdout\n"
            "\n"
-           "Exit codes: 0 done, 1 a check did not hold or the display was lost, 2 wrong usage or input.\n";
+           "Exit codes: 0 done, 1 a check did not hold or the display was lost, 2 wrong usage or input, "
+           "130 a calibration was stopped.\n";
 }
 
 }  // namespace tedavis::target

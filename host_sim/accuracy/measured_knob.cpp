@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "host_sim/measure/paired_cost.hpp"
+#include "render_core/effects/paired_cost.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -31,7 +31,7 @@ bool agrees(const FittedLaw& found, const ExpectedLaw& law) {
 void judge_work(const KnobFacts& facts, MeasuredKnob& knob) {
     MeasuredWork& work = *knob.work;
     std::vector<LawPoint> counts;
-    std::vector<CostPoint> costs;
+    std::vector<effects::CostPoint> costs;
     for (std::size_t n = 0; n < knob.levels.size(); ++n) {
         counts.push_back({knob.levels[n].amount, work.counts[n]});
         costs.push_back({work.counts[n], knob.levels[n].ms.median / static_cast<double>(knob.samples)});
@@ -39,7 +39,7 @@ void judge_work(const KnobFacts& facts, MeasuredKnob& knob) {
     work.law = fit_law(counts);
     work.law_expected = expected_text(work.thing, facts.work->law);
     work.law_agrees = agrees(work.law, facts.work->law);
-    const CostSlope slope = cost_slope(costs);
+    const effects::CostSlope slope = effects::cost_slope({costs.data(), costs.size()});
     work.fixed_ms = slope.offset;
     work.ms_per_thousand = 1000 * slope.slope;
 }

@@ -13,24 +13,6 @@
 namespace tedavis::host_sim {
 namespace {
 
-effects::DeviceSettings load_device(const std::string& name) {
-    const std::string path = resolve_config(name, "devices");
-    auto device = effects::read_device_settings(read_file(path), path);
-    if (!device.ok()) throw UserError(std::string(device.error().message.view()));
-    return device.value();
-}
-
-/// Memory, programs and their limits come from the device file.
-std::string message_of(const platform::HostFault& fault, const PictureOptions& options) {
-    using platform::HostPart;
-    std::string message(fault.error.message.view());
-    if (fault.part == HostPart::context)
-        return "the drawing surface cannot be made current; try another --gl, or another screen for --window";
-    if (fault.part == HostPart::memory || fault.part == HostPart::display)
-        return resolve_config(options.device, "devices") + ": " + message;
-    return message;
-}
-
 /// `maker` must stay until the display is started.
 platform::SurfaceSource surface_of(const SurfaceMaker& maker) {
     const auto make = [](const void* self, const platform::SurfaceSettings& settings) {
@@ -43,6 +25,36 @@ platform::SurfaceSource headless_surface(GlChoice gl) { return {gl == GlChoice::
 
 }  // namespace
 
+effects::DeviceSettings load_device(const PictureOptions& options) {
+    const std::string path = resolve_config(options.device, "devices");
+    auto device = effects::read_device_settings(read_file(path), path);
+    if (!device.ok()) throw UserError(std::string(device.error().message.view()));
+    device.value().forbidden.add(options.forbidden);
+    return device.value();
+}
+
+platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device) {
+    platform::DisplayHostSettings settings;
+    settings.display.device = device;
+    settings.display.width_px = options.size ? options.size->width : device.width_px;
+    settings.display.height_px = options.size ? options.size->height : device.height_px;
+    settings.surface = headless_surface(options.gl);
+    settings.terrain.path = options.terrain.c_str();
+    settings.scene.path = options.scene.c_str();
+    return settings;
+}
+
+/// Memory, programs and their limits come from the device file.
+std::string host_fault_text(const platform::HostFault& fault, const PictureOptions& options) {
+    using platform::HostPart;
+    std::string message(fault.error.message.view());
+    if (fault.part == HostPart::context)
+        return "the drawing surface cannot be made current; try another --gl, or another screen for --window";
+    if (fault.part == HostPart::memory || fault.part == HostPart::display)
+        return resolve_config(options.device, "devices") + ": " + message;
+    return message;
+}
+
 DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight)
     : DisplaySession(options, generated_flight, headless_surface(options.gl)) {}
 
@@ -50,19 +62,17 @@ DisplaySession::DisplaySession(const PictureOptions& options, bool generated_fli
     : DisplaySession(options, generated_flight, surface_of(make_surface)) {}
 
 DisplaySession::DisplaySession(const PictureOptions& options, bool generated_flight, const platform::SurfaceSource& surface)
-    : device_(load_device(options.device)) {
+    : device_(load_device(options)) {
     MadePrograms programs;
     const bool has_compiler = gl::has_compiler(device_.capability);
     if (!has_compiler) programs = make_programs(options);
     open(options, generated_flight, surface, has_compiler ? nullptr : &programs);
 }
 
-bool DisplaySession::has_compiler(const PictureOptions& options) {
-    return gl::has_compiler(load_device(options.device).capability);
-}
+bool DisplaySession::has_compiler(const PictureOptions& options) { return gl::has_compiler(load_device(options).capability); }
 
 MadePrograms DisplaySession::make_programs(const PictureOptions& options) {
-    effects::DeviceSettings device = load_device(options.device);
+    effects::DeviceSettings device = load_device(options);
     device.capability = gl::with_compiler(device.capability);
     MadePrograms programs;
     DisplaySession maker(device);
@@ -72,26 +82,20 @@ MadePrograms DisplaySession::make_programs(const PictureOptions& options) {
 
 void DisplaySession::open(const PictureOptions& options, bool generated_flight, const platform::SurfaceSource& surface,
                           MadePrograms* programs) {
-    device_.forbidden.add(options.forbidden);
     terrain_name_ = options.terrain;
     const std::unique_ptr<LoadedDesigns> designs = load_designs(options);
-    platform::DisplayHostSettings settings;
-    settings.display.device = device_;
+    platform::DisplayHostSettings settings = host_settings(options, device_);
     settings.display.design = designs->design;
     settings.display.phases = &designs->phases;
-    settings.display.width_px = options.size ? options.size->width : device_.width_px;
-    settings.display.height_px = options.size ? options.size->height : device_.height_px;
     settings.display.generated_flight = generated_flight;
     settings.display.programs = programs;
     settings.surface = surface;
-    settings.terrain.path = options.terrain.c_str();
-    settings.scene.path = options.scene.c_str();
     start(settings, options);
     pixels_.resize(std::size_t{width()} * height() * 4);
 }
 
 void DisplaySession::start(const platform::DisplayHostSettings& settings, const PictureOptions& options) {
-    if (const platform::HostFault fault = host_.start(settings)) throw UserError(message_of(fault, options));
+    if (const platform::HostFault fault = host_.start(settings)) throw UserError(host_fault_text(fault, options));
     display().planner().force_effects(options.force_effects);
     const std::string costs = options.costs.empty() ? std::string() : read_file(options.costs);
     const base::Error error = host_.hold_deadline(options.deadline_ms.value_or(0), {options.costs, costs});

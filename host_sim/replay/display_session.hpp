@@ -15,6 +15,13 @@ namespace tedavis::host_sim {
 
 using SurfaceMaker = std::function<base::Result<std::unique_ptr<base::Surface>, base::Error>(const platform::SurfaceSettings&)>;
 
+/// The device of the options, without the effects that they forbid. Throws UserError.
+[[nodiscard]] effects::DeviceSettings load_device(const PictureOptions& options);
+/// What a display without a screen is started with, but for designs and programs. The options must outlive it.
+[[nodiscard]] platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device);
+/// The sentence for the user where a display could not be started.
+[[nodiscard]] std::string host_fault_text(const platform::HostFault& fault, const PictureOptions& options);
+
 class DisplaySession {
 public:
     /// Throws UserError with the sentence of whatever cannot be opened. Draws without a screen, as `options.gl` says.

@@ -41,7 +41,7 @@ struct LedgerFate {
 struct LedgerPrice {
     std::string effect;  ///< empty: all together, as the run's device showed it
     std::vector<LedgerFate> fates;
-    PairedCost saved;              ///< of a frame; may be 0 where noise is greater
+    effects::PairedCost saved;     ///< of a frame; may be 0 where noise is greater
     PictureDifference difference;  ///< mean of means and edges over the samples, largest of all
     std::uint64_t worst_frame = 0;
     RgbaPicture intended, shown;  ///< of that frame

@@ -10,26 +10,17 @@ constexpr double kFreezing_k = 273.15;
 using base::radians;
 using flight::Signal;
 
+flight::StatedPose stated_pose(const AircraftPose& pose) {
+    return {radians(pose.latitude_deg), radians(pose.longitude_deg), pose.altitude_msl_m,
+            radians(pose.heading_deg),  radians(pose.pitch_deg),     radians(pose.roll_deg)};
+}
+
 flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display& display) {
-    flight::AircraftState state;
-    state.is_posed = true;
-    flight::OwnShipEstimate& own = state.own_ship;
-    own.position.latitude_rad = radians(pose.latitude_deg);
-    own.position.longitude_rad = earth::wrap_longitude(radians(pose.longitude_deg));
+    const flight::StatedPose stated = stated_pose(pose);
     GeoidBelow geoid(display.planner().terrain_database());
-    own.position.height =
-        earth::to_ellipsoid({pose.altitude_msl_m}, geoid.at(own.position.latitude_rad, own.position.longitude_rad));
-    own.at = pose.time;
-    own.state = base::SignalState::valid;
-    own.height_is_geometric = true;
+    const earth::GeoidUndulation undulation = geoid.at(stated.latitude_rad, earth::wrap_longitude(stated.longitude_rad));
+    flight::AircraftState state = flight::posed_state(stated, undulation, pose.time);
     const auto set = [&](Signal signal, double value) { state[signal] = {value, pose.time}; };
-    set(Signal::latitude, own.position.latitude_rad);
-    set(Signal::longitude, own.position.longitude_rad);
-    set(Signal::ellipsoid_height, own.position.height.m);
-    set(Signal::true_altitude, pose.altitude_msl_m);
-    set(Signal::true_heading, earth::wrap_heading(radians(pose.heading_deg)));
-    set(Signal::pitch, radians(pose.pitch_deg));
-    set(Signal::roll, radians(pose.roll_deg));
     if (pose.flown.seconds > 0) {
         set(Signal::wind_speed, pose.flown.wind_mps);
         set(Signal::wind_direction, radians(pose.flown.wind_from_deg));
@@ -37,7 +28,7 @@ flight::AircraftState posed_aircraft(const AircraftPose& pose, display::Display&
         set(Signal::horizontal_accuracy, pose.flown.accuracy_m);
         set(Signal::vertical_accuracy, pose.flown.accuracy_m);
     }
-    state[Signal::height_above_terrain] = display.planner().height_above_terrain(own, pose.time);
+    state[Signal::height_above_terrain] = display.planner().height_above_terrain(state.own_ship, pose.time);
     return state;
 }
 

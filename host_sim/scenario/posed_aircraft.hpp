@@ -3,6 +3,7 @@
 
 #include "host_sim/scenario/flown_history.hpp"
 #include "render_core/display/display.hpp"
+#include "render_core/flight/posed_state.hpp"
 
 namespace tedavis::host_sim {
 
@@ -16,6 +17,9 @@ struct AircraftPose {
     base::Time time = kPosedTime;
     FlownHistory flown{};  ///< the flight before the pose
 };
+
+/// Returns the pose in SI units, without time and history.
+[[nodiscard]] flight::StatedPose stated_pose(const AircraftPose& pose);
 
 /// Returns the state of the posed aircraft; all signals are fresh at the pose's time. With a history it also has wind,
 /// temperature and accuracies. The geoid and the height above the ground come from the display's terrain; throws UserError where

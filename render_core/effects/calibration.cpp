@@ -4,11 +4,12 @@ namespace tedavis::effects {
 namespace {
 
 constexpr double kMaxMs = 1e6, kMaxErrorPx = 1e6, kMaxErrorColor = 1000;
-constexpr std::string_view kAnew = "; measure this display with `tedavis calibrate`";
+constexpr std::string_view kAnew =
+    "; measure this display with `tedavis calibrate`, on a board with `tedavis-display --calibrate`";
 
 void read_line(base::ConfigSection costs, std::string_view name, CostLine& line) {
     if (!costs.has(name)) {
-        base::FixedString<127> message("the cost of '");
+        base::FixedString<255> message("the cost of '");
         message.append(name);
         message.append("' is missing");
         message.append(kAnew);
@@ -83,7 +84,7 @@ void read_subject(base::ConfigSection& root, CalibrationSubject& subject) {
 
 /// "these costs were measured for 'a', not for 'b'; measure ..."
 void refuse(base::ConfigSection& root, std::string_view key, std::string_view of, std::string_view display) {
-    base::FixedString<383> message("these costs were measured for '");
+    base::FixedString<511> message("these costs were measured for '");
     message.append(of);
     message.append("', not for '");
     message.append(display);

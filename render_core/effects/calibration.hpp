@@ -1,4 +1,5 @@
-/// The costs and the quality levels of one device on one machine: a calibration file that `tedavis calibrate` writes.
+/// The costs and the quality levels of one device on one machine: a calibration file that `tedavis calibrate` writes, and
+/// `tedavis-display --calibrate` on a board (calibration_text.hpp).
 ///
 ///     device = "es3-mid"              name in the device file
 ///     renderer = "llvmpipe (...)"     as the driver calls itself
@@ -14,7 +15,7 @@
 ///     detail_factor = 0.5
 ///     given_up = ["antialiasing"]     names of effects that may be given up
 ///     ms = 21.4
-///     error_px = 2.31
+///     error_px = 2.31                 the proven bound of the drawn terrain's error
 ///     error_color = 0.84
 ///
 /// Memory  reading allocates (start-up only); the result is plain data. Failure  one sentence with file and line.

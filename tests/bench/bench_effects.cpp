@@ -11,7 +11,7 @@
 
 #include "host_sim/commands/own_ground.hpp"
 #include "host_sim/measure/paired_cost.hpp"
-#include "host_sim/replay/cost_bench.hpp"
+#include "host_sim/replay/desk_bench.hpp"
 #include "host_sim/temporary_folder.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "render_core/base/utc_time.hpp"
@@ -84,18 +84,19 @@ double bare_pass_ms(int taps, Tap tap) {
     return host_sim::paired_cost(with, without).ms;
 }
 
-host_sim::MeasuredCosts measured(const std::string& folder, host_sim::Console& console) {
-    host_sim::BenchPlace place;
-    place.picture.device = "desktop";
-    place.picture.size = host_sim::PictureSize{kWidth, kHeight};
-    host_sim::use_own_ground(place.picture, folder, console);
-    place.pose = {36.64, -84.36, 2100, 140, -14, 0};
-    static_cast<void>(base::parse_utc("2026-06-01T14:02:00Z", place.pose.time));
-    host_sim::CostBench bench(place, kRounds);
-    return bench.measure([](std::size_t done, std::size_t total) { std::fprintf(stderr, "\r%zu of %zu", done, total); });
+effects::MeasuredCosts measured(const std::string& folder, host_sim::Console& console) {
+    host_sim::PictureOptions picture;
+    picture.device = "desktop";
+    picture.size = host_sim::PictureSize{kWidth, kHeight};
+    host_sim::use_own_ground(picture, folder, console);
+    host_sim::AircraftPose pose{36.64, -84.36, 2100, 140, -14, 0};
+    static_cast<void>(base::parse_utc("2026-06-01T14:02:00Z", pose.time));
+    host_sim::DeskBench bench(
+        picture, {[](std::size_t done, std::size_t total) { std::fprintf(stderr, "\r%zu of %zu", done, total); }, {}});
+    return bench.measure(pose, kRounds);
 }
 
-const PixelEffect* pixel_effect(const std::string& name) {
+const PixelEffect* pixel_effect(std::string_view name) {
     for (const PixelEffect& known : kPixelEffects)
         if (effects::row_of(known.effect).name == name) return &known;
     return nullptr;
@@ -113,14 +114,15 @@ int main(int argc, char** argv) {
     std::ostringstream results, notes;
     host_sim::Console console(results, notes, false, false);
     std::vector<BenchResult> lines;
-    for (const host_sim::MeasuredCost& cost : measured(folder.path(), console).costs) {
+    const effects::MeasuredCosts costs = measured(folder.path(), console);
+    for (const effects::MeasuredCost& cost : costs.costs) {
         if (!cost.note.empty()) continue;
-        const PixelEffect* const known = pixel_effect(cost.name);
+        const PixelEffect* const known = pixel_effect(cost.name.view());
         const double bare_ms = known == nullptr ? 0 : bare_pass_ms(known->taps, known->tap);
         const bool has_target = known != nullptr && known->most_passes < kNoTarget;
         const double target_ms = has_target ? known->most_passes * bare_ms : 0;
-        lines.push_back({cost.name, cost.ms, "ms", target_ms, !has_target || cost.ms <= target_ms, bare_ms});
-        lines.push_back({cost.name + ": half of its spread", cost.spread_ms, "ms", 0, true, 0});
+        lines.push_back({std::string(cost.name.view()), cost.ms, "ms", target_ms, !has_target || cost.ms <= target_ms, bare_ms});
+        lines.push_back({std::string(cost.name.view()) + ": half of its spread", cost.spread_ms, "ms", 0, true, 0});
     }
     std::fprintf(stderr, "\n");
     return bench::report(lines, json);

@@ -73,6 +73,13 @@ protected:
                                                "'can9'\n[memory]\ntouch = false\n" +
                                                tables);
     }
+    /// The same board with a design that names none for phases: fewer pictures are measured.
+    std::string without_phases(const std::string& board) {
+        std::string text = host_sim::read_file(board);
+        const std::string design = "designs/default.toml";
+        text.replace(text.find(design), design.size(), "designs/cruise.toml");
+        return folder_.write("board.toml", text);
+    }
     Ran self_test(const std::string& board) { return run({"--self-test", "--config", board.c_str()}); }
     Ran flown(const std::string& board) { return run({"--config", board.c_str(), "--frames", "2"}); }
     void expect_found(const std::string& board, const std::string& line) {
@@ -121,6 +128,28 @@ TEST_F(OwnBoard, ItsSceneAndCostsAreTested) {
     expect_found(board("[costs]\nfile = 'board.costs.toml'\n"),
                  "FAILED  board_costs              " + folder_.file("board.costs.toml"));
     EXPECT_EQ(flown(board("[costs]\nfile = 'board.costs.toml'\n")).code, 2) << "a wrong file of settings";
+}
+
+/// What the board measured, it flies by.
+TEST_F(OwnBoard, ItsCostsAreMeasuredOnIt) {
+    const std::string small = "[surface]\nwidth_px = 64\nheight_px = 48\n", costs = folder_.file("board.costs.toml");
+    const std::string with_costs = "[costs]\nfile = 'board.costs.toml'\n";
+    const std::string path = without_phases(board(small + with_costs));
+    EXPECT_EQ(flown(path).code, 2) << "they are not there yet";
+    const auto calibrated = [&](const std::string& board) {
+        return run({"--calibrate", "-o", costs.c_str(), "--rounds", "3", "--config", board.c_str()});
+    };
+    const Ran ran = calibrated(path);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_THAT(ran.out, StartsWith(costs + ": what everything costs on es2-small, "));
+    EXPECT_THAT(self_test(path).out, HasSubstr("ok      board_costs              measured on this board"));
+    EXPECT_EQ(flown(path).code, 0);
+    expect_found(without_phases(board("[surface]\nwidth_px = 80\nheight_px = 48\n" + with_costs)), "FAILED  board_costs");
+    std::filesystem::remove(folder_.file("area.tdb"));
+    const Ran without = calibrated(path);
+    EXPECT_EQ(without.code, 2);
+    EXPECT_THAT(without.err, HasSubstr("area.tdb: cannot be read"));
+    EXPECT_EQ(without.out, "");
 }
 
 TEST_F(OwnBoard, ADeviceThatIsTooSmallIsRefusedByBoth) {

@@ -33,6 +33,23 @@ TEST(CommandLine, SelfTestNeedsNoFile) {
     EXPECT_STREQ(parse({"--self-test", "--config", "b"}).value().config, "b");
 }
 
+TEST(CommandLine, ACalibrationNamesBoardAndFile) {
+    const auto line = parse({"--calibrate", "-o", "c.toml", "--config", "b"});
+    ASSERT_TRUE(line.ok());
+    EXPECT_EQ(line.value().request, Request::calibrate);
+    EXPECT_STREQ(line.value().output, "c.toml");
+    EXPECT_EQ(line.value().rounds, 15u);
+    EXPECT_EQ(parse({"--calibrate", "-o", "c", "--config", "b", "--rounds", "3"}).value().rounds, 3u);
+    const std::string help = "; see tedavis-display --help";
+    EXPECT_EQ(refusal({"--calibrate", "-o", "c"}), "--config: is missing; name the board file" + help);
+    EXPECT_EQ(refusal({"--calibrate", "--config", "b"}), "-o: is missing; name the file of costs to write" + help);
+    EXPECT_EQ(refusal({"--config", "b", "-o", "c"}), "-o: belongs to --calibrate; leave it out" + help);
+    EXPECT_EQ(refusal({"--config", "b", "--rounds", "5"}), "--rounds: belongs to --calibrate; leave it out" + help);
+    for (const char* count : {"2", "1001", "x"})
+        EXPECT_EQ(refusal({"--calibrate", "--rounds", count}),
+                  "--rounds '" + std::string(count) + "': must be a whole number from 3 to 1000" + help);
+}
+
 TEST(CommandLine, QuestionsAreAnsweredWhateverFollows) {
     EXPECT_EQ(parse({"--help", "--nonsense"}).value().request, Request::help);
     EXPECT_EQ(parse({"-h"}).value().request, Request::help);
@@ -52,7 +69,8 @@ TEST(CommandLine, WrongUsageIsOneSentence) {
 
 TEST(CommandLine, TheHelpNamesEveryOption) {
     const std::string help = command_line_help();
-    for (const char* option : {"--config", "--self-test", "--frames", "--json", "--help", "--version"})
+    for (const char* option :
+         {"--config", "--self-test", "--frames", "--calibrate", "-o", "--rounds", "--json", "--help", "--version"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
 }
 

@@ -2,45 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace tedavis::host_sim::test_paired_cost {
 namespace {
 
-TEST(PairedCost, IsTheMedianOfDifferencesWhateverTheMachineDrifts) {
-    std::vector<double> with_ms, without_ms;
-    for (int n = 0; n < 21; ++n) {
-        const double drift = 10 + n * n * 0.3;
-        without_ms.push_back(drift);
-        with_ms.push_back(drift + 2.5 + (n % 3 - 1) * 0.1);
-    }
-    with_ms[4] += 400;  // somebody else took the processor
-    const PairedCost cost = paired_cost(with_ms, without_ms);
-    EXPECT_NEAR(cost.ms, 2.5, 0.11);
-    EXPECT_LT(cost.spread_ms, 0.3);
-    EXPECT_GT(std::abs(median_of(with_ms) - without_ms.front()), 20) << "control: unpaired it would drown";
-}
-
-TEST(PairedCost, IsNeverBelowNothing) {
-    EXPECT_EQ(paired_cost({1, 2, 3}, {5, 5, 5}).ms, 0);
+TEST(PairedCostOfLists, IsThatOfTheCore) {
+    const std::vector<double> with_ms{5, 9, 7, 40}, without_ms{3, 5, 6};
+    std::vector<double> room(4);
+    const effects::PairedCost of_core =
+        effects::paired_cost({with_ms.data(), with_ms.size()}, {without_ms.data(), without_ms.size()}, room);
+    EXPECT_EQ(paired_cost(with_ms, without_ms).ms, of_core.ms);
+    EXPECT_EQ(paired_cost(with_ms, without_ms).spread_ms, of_core.spread_ms);
+    EXPECT_EQ(of_core.ms, 2);
     EXPECT_EQ(paired_cost({}, {}).ms, 0);
-    EXPECT_EQ(paired_cost({7}, {4}).ms, 3);
-}
-
-TEST(PairedCost, MedianOfEvenAndOddCounts) {
-    EXPECT_EQ(median_of({}), 0);
-    EXPECT_EQ(median_of({3, 1, 2}), 2);
-    EXPECT_EQ(median_of({4, 1, 2, 3}), 2.5);
-}
-
-TEST(CostSlope, FindsWhatAThingCosts) {
-    const CostSlope line = cost_slope({{1000, 7}, {2000, 9}, {5000, 15}});
-    EXPECT_NEAR(line.slope, 0.002, 1e-12);
-    EXPECT_NEAR(line.offset, 5, 1e-9);
-    EXPECT_EQ(cost_slope({{1000, 9}, {2000, 7}}).slope, 0) << "more of it is never cheaper";
-    EXPECT_EQ(cost_slope({{1000, 9}, {2000, 7}}).offset, 8);
-    EXPECT_EQ(cost_slope({{5, 4}, {5, 6}}).offset, 5);
-    EXPECT_EQ(cost_slope({}).offset, 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "host_sim/replay/cost_bench.hpp"
+#include "host_sim/replay/desk_bench.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,13 @@
 #include "render_core/effects/design_effects.hpp"
 #include "render_core/effects/quality_level.hpp"
 
-namespace tedavis::host_sim::test_cost_bench {
+namespace tedavis::host_sim::test_desk_bench {
 namespace {
 
 using effects::Effect;
 
 /// Whoever adds an effect says which shipped design calls for it, and how a design is drawn without it.
-TEST(CostBench, EveryEffectThatCostsHasADesignThatCallsForIt) {
+TEST(DeskBench, EveryEffectThatCostsHasADesignThatCallsForIt) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         const auto effect = static_cast<Effect>(n);
         const std::string name = design_calling_for(effect);
@@ -38,4 +38,4 @@ TEST(CostBench, EveryEffectThatCostsHasADesignThatCallsForIt) {
 }
 
 }  // namespace
-}  // namespace tedavis::host_sim::test_cost_bench
+}  // namespace tedavis::host_sim::test_desk_bench

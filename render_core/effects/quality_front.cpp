@@ -1,29 +1,26 @@
-#include "host_sim/measure/quality_front.hpp"
+#include "render_core/effects/quality_front.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-namespace tedavis::host_sim {
+namespace tedavis::effects {
 namespace {
-
-using effects::QualityLevel;
 
 bool looks_alike(const QualityLevel& level, const QualityLevel& other) {
     return level.error_color == other.error_color && level.error_px == other.error_px;
 }
 
 /// Whether the candidate may follow the levels chosen so far.
-bool may_follow(const effects::QualityLevels& levels, const QualityCandidate& candidate) {
+bool may_follow(const QualityLevels& levels, const QualityCandidate& candidate) {
     if (!(candidate.level.ms + candidate.spread_ms < levels.at[levels.count - 1].ms)) return false;
-    effects::QualityLevels longer = levels;
+    QualityLevels longer = levels;
     longer.at[longer.count] = candidate.level;
     return fault_of(longer, longer.count).empty();
 }
 
 /// The best candidate within a time; where there is none, the cheapest one; null: none may follow.
-const QualityCandidate* next_level(const std::vector<QualityCandidate>& front, const effects::QualityLevels& levels,
-                                   double within_ms) {
+const QualityCandidate* next_level(const QualityCandidates& front, const QualityLevels& levels, double within_ms) {
     const QualityCandidate *best = nullptr, *cheapest = nullptr;
     const auto loss = [](const QualityLevel& level) { return std::make_tuple(level.error_color, level.error_px, level.ms); };
     for (const QualityCandidate& candidate : front) {
@@ -35,32 +32,37 @@ const QualityCandidate* next_level(const std::vector<QualityCandidate>& front, c
     return best != nullptr ? best : cheapest;
 }
 
+/// By falling time; those of the same time stay in their order.
+void sort_but_the_first(QualityCandidates& front) {
+    for (std::size_t n = 2; n < front.size(); ++n)
+        for (std::size_t at = n; at > 1 && front[at].level.ms > front[at - 1].level.ms; --at) std::swap(front[at], front[at - 1]);
+}
+
 }  // namespace
 
-std::vector<QualityCandidate> pareto_front(const std::vector<QualityCandidate>& candidates) {
-    if (candidates.empty()) return {};
+QualityCandidates pareto_front(const QualityCandidates& candidates) {
+    QualityCandidates front;
+    if (candidates.empty()) return front;
     const auto is_left_out = [&](const QualityCandidate& candidate) {
         const auto is_richer = [&](const QualityCandidate& other) { return &other < &candidate; };
         return std::any_of(candidates.begin(), candidates.end(), [&](const QualityCandidate& other) {
             return (is_richer(other) && looks_alike(candidate.level, other.level)) || dominates(other.level, candidate.level);
         });
     };
-    std::vector<QualityCandidate> front{candidates.front()};
-    for (const QualityCandidate& candidate : candidates)
-        if (&candidate != &candidates.front() && !is_left_out(candidate)) front.push_back(candidate);
-    std::stable_sort(front.begin() + 1, front.end(),
-                     [](const QualityCandidate& one, const QualityCandidate& other) { return one.level.ms > other.level.ms; });
+    for (std::size_t n = 0; n < candidates.size(); ++n)
+        if (n == 0 || !is_left_out(candidates[n])) static_cast<void>(front.try_push_back(candidates[n]));
+    sort_but_the_first(front);
     return front;
 }
 
-effects::QualityLevels choose_levels(const std::vector<QualityCandidate>& candidates) {
-    const std::vector<QualityCandidate> front = pareto_front(candidates);
-    effects::QualityLevels levels;
+QualityLevels choose_levels(const QualityCandidates& candidates) {
+    const QualityCandidates front = pareto_front(candidates);
+    QualityLevels levels;
     if (front.empty()) return levels;
-    levels.at[0] = front.front().level;
-    const double own_ms = front.front().level.ms, cheapest_ms = front.back().level.ms;
-    constexpr auto kSteps = static_cast<double>(effects::kQualityLevelCount - 1);
-    for (std::size_t n = 1; n < effects::kQualityLevelCount; ++n) {
+    levels.at[0] = front[0].level;
+    const double own_ms = front[0].level.ms, cheapest_ms = front.back().level.ms;
+    constexpr auto kSteps = static_cast<double>(kQualityLevelCount - 1);
+    for (std::size_t n = 1; n < kQualityLevelCount; ++n) {
         const double within_ms = own_ms * std::pow(cheapest_ms / own_ms, static_cast<double>(n) / kSteps);
         const QualityCandidate* const next = next_level(front, levels, within_ms);
         if (next == nullptr) break;
@@ -70,4 +72,4 @@ effects::QualityLevels choose_levels(const std::vector<QualityCandidate>& candid
     return levels;
 }
 
-}  // namespace tedavis::host_sim
+}  // namespace tedavis::effects

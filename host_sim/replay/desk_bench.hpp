@@ -1,0 +1,58 @@
+/// The desk's displays for the bench that measures costs (platform/runtime/cost_bench.hpp): effects that the user's design does
+/// not ask for are measured in shipped designs that do.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host_sim/options/picture_options.hpp"
+#include "host_sim/scenario/posed_aircraft.hpp"
+#include "platform/runtime/cost_bench.hpp"
+
+namespace tedavis::host_sim {
+
+/// A shipped design that calls for an effect, by itself or with effects::with_effect; empty for what costs nothing or is measured
+/// otherwise.
+[[nodiscard]] std::string design_calling_for(effects::Effect effect);
+
+class DeskBench final : public platform::BenchDisplays {
+public:
+    struct Events {
+        std::function<void(std::size_t done, std::size_t total)> progress;
+        std::function<bool()> is_stopped;
+    };
+    /// Throws UserError where the device or a design cannot be read. The displays need a terrain.
+    DeskBench(const PictureOptions& picture, Events events);
+
+    /// Of the device, design, terrain and programs. Throws UserError where a display cannot be used; `place` has the time that
+    /// data are shown at. Date, design and terrain are the caller's to say.
+    [[nodiscard]] effects::MeasuredCosts measure(const AircraftPose& place, std::uint32_t rounds);
+
+    void own_picture(platform::BenchPicture& picture) const override;
+    [[nodiscard]] platform::BenchNote picture_with(effects::Effect effect, platform::BenchPicture& picture) const override;
+    [[nodiscard]] platform::BenchNote picture_with(effects::Overhead overhead, platform::BenchPicture& picture) const override;
+    /// The user's design with all effects of color and geometry that may be given up, as far as they can be added to it, and
+    /// designs for what it may lack: glyphs of fields, blur round a focus, a view of saliency.
+    [[nodiscard]] std::size_t quality_pictures() const override;
+    void quality_picture(std::size_t n, platform::BenchPicture& picture) const override;
+    [[nodiscard]] base::Error open(const platform::BenchPicture& picture, std::unique_ptr<platform::DisplayHost>& host) override;
+    [[nodiscard]] bool draw(platform::DisplayHost& host) override;
+    [[nodiscard]] base::Time now() const override;
+    [[nodiscard]] bool is_stopped() const override { return events_.is_stopped && events_.is_stopped(); }
+    void progress(std::size_t done, std::size_t total) override;
+
+private:
+    void load(const std::string& design);
+    void set(const std::string& design, platform::BenchPicture& picture) const;
+    [[nodiscard]] platform::DisplayHostSettings settings_of(const platform::BenchPicture& picture) const;
+
+    PictureOptions picture_;
+    Events events_;
+    effects::DeviceSettings device_;
+    std::map<std::string, design::DesignSettings> designs_;
+    std::vector<std::uint8_t> pixels_;  ///< read back, as in a replay
+};
+
+}  // namespace tedavis::host_sim
