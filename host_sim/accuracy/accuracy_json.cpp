@@ -18,6 +18,9 @@ Json conditions_json(const MeasuringConditions& conditions) {
             {"processor", conditions.processor}, {"processors", conditions.processors},
             {"load", conditions.load},           {"terrain", conditions.terrain},
             {"program", conditions.program},     {"terrain_identity", conditions.terrain_identity},
+            {"flight", conditions.flight},       {"flight_identity", conditions.flight_identity},
+            {"size", conditions.size},           {"device", conditions.device},
+            {"design", conditions.design},       {"display_identity", conditions.display_identity},
             {"quick", conditions.is_quick}};
 }
 
@@ -35,6 +38,12 @@ MeasuringConditions conditions_of(const Json& json) {
     conditions.terrain = json.at("terrain");
     conditions.program = json.at("program");
     conditions.terrain_identity = json.at("terrain_identity");
+    conditions.flight = json.at("flight");
+    conditions.flight_identity = json.at("flight_identity");
+    conditions.size = json.at("size");
+    conditions.device = json.at("device");
+    conditions.design = json.at("design");
+    conditions.display_identity = json.at("display_identity");
     conditions.is_quick = json.at("quick");
     return conditions;
 }

@@ -210,7 +210,8 @@ std::string page_header(const AccuracyReport& report) {
         (on.is_quick ? "; quick run" : "") + std::string(report.interrupted ? "; interrupted, the rest is missing" : "");
     return "<header><h1>What accuracy costs in time</h1><p>" +
            escaped_html(on.processor + ", " + std::to_string(on.processors) + " processors, load " + decimal(on.load, 1) +
-                        " at the start; " + on.renderer + "; " + on.terrain + extent) +
+                        " at the start; " + on.renderer + "; " + on.terrain + "; " + on.flight + "; pictures of the flight " +
+                        on.size + ", device " + on.device + ", design " + on.design + extent) +
            ".</p><p class='soft'>" +
            escaped_html("Measured " + on.date + " with tedavis " + on.version + " (commit " + on.commit + "), built by " +
                         on.compiler + ", with fixed seeds for all random inputs: " + on.command) +

@@ -35,9 +35,9 @@ double load_of_a_minute() {
 
 }  // namespace
 
-MeasuringConditions conditions_now(const std::string& command, const std::string& renderer, const MeasuredTerrain& terrain,
-                                   bool is_quick) {
+MeasuringConditions conditions_now(const std::string& command, const std::string& renderer, const MeasuredInputs& inputs) {
     MeasuringConditions now;
+    static_cast<MeasuredInputs&>(now) = inputs;
     now.version = version();
     now.commit = commit();
     now.renderer = renderer;
@@ -48,15 +48,17 @@ MeasuringConditions conditions_now(const std::string& command, const std::string
     now.processor = processor_name();
     now.processors = std::thread::hardware_concurrency();
     now.load = load_of_a_minute();
-    now.terrain = terrain.name;
-    now.terrain_identity = terrain.identity;
-    now.is_quick = is_quick;
     return now;
+}
+
+bool have_same_inputs(const MeasuredInputs& a, const MeasuredInputs& b) {
+    return a.terrain_identity == b.terrain_identity && a.flight_identity == b.flight_identity &&
+           a.display_identity == b.display_identity && a.is_quick == b.is_quick;
 }
 
 bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b) {
     return a.program == b.program && a.processor == b.processor && a.processors == b.processors && a.renderer == b.renderer &&
-           a.terrain_identity == b.terrain_identity && a.is_quick == b.is_quick;
+           have_same_inputs(a, b);
 }
 
 }  // namespace tedavis::host_sim

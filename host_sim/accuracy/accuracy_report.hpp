@@ -14,19 +14,23 @@
 
 namespace tedavis::host_sim {
 
-struct MeasuredTerrain {
-    std::string name;
-    std::uint64_t identity = 0;  ///< terrain_identity()
+/// What is measured: names as the user gave them, and numbers that tell contents apart.
+struct MeasuredInputs {
+    std::string terrain;
+    std::uint64_t terrain_identity = 0;         ///< terrain_identity()
+    std::string flight = "the shipped flight";  ///< that the knobs fly
+    std::uint64_t flight_identity = 0;          ///< RecordedPoses::identity; 0: the shipped flight
+    std::string size, device, design;           ///< of the displays that it is flown with
+    std::uint64_t display_identity = 0;         ///< of these three, by the texts of the files
+    bool is_quick = false;
 };
 
-struct MeasuringConditions {
+struct MeasuringConditions : MeasuredInputs {
     std::string version, commit, compiler, command, date;  ///< date: of the first knob, UTC
     std::string processor, renderer;                       ///< renderer: of GL, as its driver calls itself
     unsigned processors = 0;
-    double load = 0;  ///< of the machine when the run began, mean of a minute; 0: unknown
-    std::string terrain;
-    std::uint64_t program = 0, terrain_identity = 0;  ///< of the file that ran, and of the heights (replay/index_key.hpp)
-    bool is_quick = false;
+    double load = 0;            ///< of the machine when the run began, mean of a minute; 0: unknown
+    std::uint64_t program = 0;  ///< of the file that ran (replay/index_key.hpp)
 };
 
 /// A level of this report beside the same level of an earlier one.
@@ -59,9 +63,12 @@ struct AccuracyReport {
 
 /// Of this machine and program.
 [[nodiscard]] MeasuringConditions conditions_now(const std::string& command, const std::string& renderer,
-                                                 const MeasuredTerrain& terrain, bool is_quick);
+                                                 const MeasuredInputs& inputs);
 
-/// True where figures of both may stand in one report: same program, machine, heights and extent.
+/// True where both measured the same: heights, flight, displays and extent.
+[[nodiscard]] bool have_same_inputs(const MeasuredInputs& a, const MeasuredInputs& b);
+
+/// True where figures of both may stand in one report: same program, machine and inputs.
 [[nodiscard]] bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b);
 
 }  // namespace tedavis::host_sim

@@ -71,7 +71,7 @@ std::string choice_text(const MeasuredKnob& knob, const MeasuredLevel* level) {
 std::string accuracy_text(const AccuracyReport& report) {
     const MeasuringConditions& on = report.conditions;
     std::string text = "tedavis " + on.version + (on.is_quick ? ", quick" : "") + ", " + on.processor + " x " +
-                       std::to_string(on.processors) + printed(", load %.1f", on.load) + ", " + on.terrain;
+                       std::to_string(on.processors) + printed(", load %.1f", on.load) + ", " + on.terrain + ", " + on.flight;
     for (const MeasuredKnob& knob : report.knobs) text += knob_text(knob);
     for (const std::string& name : report.not_measured) text += "\n\n" + name + ": not measured";
     text += flight_errors_text(report.flights);

@@ -61,31 +61,38 @@ nlohmann::ordered_json flight_json(const FlightErrors& flight) {
                            {"measured_px", moment.measured_px},
                            {"ms", moment.ms},
                            {"samples", moment.samples},
-                           {"pose", moment.pose}});
+                           {"pose", moment.pose},
+                           {"phase", moment.phase}});
     for (const ToleranceLine& line : flight.lines)
         lines.push_back({{"asked_px", line.asked_px},
                          {"proven_px", line.proven_px},
                          {"measured_px", line.measured_px},
                          {"samples", line.samples},
-                         {"broken", line.broken}});
-    return {{"flight", flight.flight},
-            {"terrain", flight.terrain},
-            {"asked_px", flight.asked_px},
-            {"moments", std::move(moments)},
-            {"lines", std::move(lines)}};
+                         {"broken", line.broken},
+                         {"tightness", {{"median", line.tightness.median}, {"max", line.tightness.max}}}});
+    return {{"flight", flight.flight},       {"terrain", flight.terrain},   {"identity", flight.identity},
+            {"drawn", flight.drawn},         {"asked_px", flight.asked_px}, {"known_to_px", flight.known_to_px},
+            {"moments", std::move(moments)}, {"lines", std::move(lines)}};
 }
 
 FlightErrors flight_from(const nlohmann::ordered_json& json) {
     FlightErrors flight;
     flight.flight = json.at("flight");
     flight.terrain = json.at("terrain");
+    flight.identity = json.at("identity");
+    flight.drawn = json.at("drawn");
     flight.asked_px = json.at("asked_px");
+    flight.known_to_px = json.at("known_to_px");
     for (const Json& moment : json.at("moments"))
         flight.moments.push_back({moment.at("time_s"), moment.at("proven_px"), moment.at("measured_px"), moment.at("ms"),
-                                  moment.at("samples"), moment.at("pose")});
+                                  moment.at("samples"), moment.at("pose"), moment.at("phase")});
     for (const Json& line : json.at("lines"))
-        flight.lines.push_back(
-            {line.at("asked_px"), line.at("proven_px"), line.at("measured_px"), line.at("samples"), line.at("broken")});
+        flight.lines.push_back({line.at("asked_px"),
+                                line.at("proven_px"),
+                                line.at("measured_px"),
+                                line.at("samples"),
+                                line.at("broken"),
+                                {line.at("tightness").at("median"), line.at("tightness").at("max")}});
     return flight;
 }
 

@@ -75,10 +75,12 @@ std::string comparison_row(const std::vector<ComparedReport>& comparisons, const
 ComparedReport compare_accuracy(const AccuracyReport& report, const AccuracyReport& earlier, const std::string& file,
                                 const ComparisonLimits& limits) {
     const MeasuringConditions &now = report.conditions, &then = earlier.conditions;
-    if (now.terrain_identity != then.terrain_identity || now.is_quick != then.is_quick)
-        throw UserError(
-            "--compare " + file + ": was measured over other heights or another extent (--quick or not), so its errors are " +
-            "not of the same inputs; measure over " + then.terrain + (then.is_quick ? " with --quick" : " without --quick"));
+    if (!have_same_inputs(now, then))
+        throw UserError("--compare " + file +
+                        ": was measured over other heights, another flight, displays or extent (--quick or not), so its errors "
+                        "are not of the same inputs; measure over " +
+                        then.terrain + " and " + then.flight + ", " + then.size + " pixels, device " + then.device + ", design " +
+                        then.design + (then.is_quick ? ", with --quick" : ", without --quick"));
     ComparedReport compared;
     compared.file = file;
     compared.processor = then.processor;

@@ -15,8 +15,8 @@ struct ComparisonLimits {
 };
 
 /// Compares the report with one that was read from `file`, level by level. Times are judged only where both were measured on the
-/// same processor, and only beyond the noise of both. Throws UserError if the heights or the extent differ, since then errors are
-/// not of the same inputs.
+/// same processor, and only beyond the noise of both. Throws UserError if the heights, the flight, the displays or the extent
+/// differ, since then errors are not of the same inputs.
 [[nodiscard]] ComparedReport compare_accuracy(const AccuracyReport& report, const AccuracyReport& earlier,
                                               const std::string& file, const ComparisonLimits& limits);
 

@@ -28,7 +28,7 @@ GovernorChoice governor_choice(const std::string& costs, const PictureOptions& p
     choice.costs = costs;
     choice.device = calibration.subject.device.view();
     choice.renderer = calibration.subject.renderer.view();
-    choice.flight = flight.is_moved() ? "the default flight, moved to this terrain" : "the default flight";
+    choice.flight = flight.name();
     choice.levels = calibration.quality;
     PictureOptions options = picture;
     options.device = choice.device;
@@ -39,8 +39,9 @@ GovernorChoice governor_choice(const std::string& costs, const PictureOptions& p
     choice.deadline_ms = plan.deadline_ms.value_or(1000 / session.device().frame_rate_hz);
     display.memory().budget.hold(choice.deadline_ms, calibration.costs, calibration.quality);
     const auto total = static_cast<std::size_t>(flight.duration_s() * plan.rate_hz);
+    const std::vector<AircraftPose> poses = flight.poses(total);
     for (std::size_t n = 0; n < total; ++n) {
-        const AircraftPose pose = flight.pose_at(static_cast<double>(n) / plan.rate_hz);
+        const AircraftPose& pose = poses[n];
         const flight::AircraftState state = posed_aircraft(pose, display);
         display::preroll(display, {state, {}, pose.time});
         if (display.memory().must_be_drawn()) session.draw();

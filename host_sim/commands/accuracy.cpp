@@ -18,6 +18,7 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
+#include "host_sim/options/replay_options.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/index_key.hpp"
 #include "host_sim/user_error.hpp"
@@ -32,16 +33,33 @@ constexpr const char* kPageName = "/report.html";
 constexpr const char* kPictureFolder = "/pictures/";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
 constexpr std::size_t kMoments = 120, kLinePoses = 60, kQuickEffectPoses = 3;
+constexpr std::uint32_t kPlacesAcross = 128;  ///< of a frame, so that a flight has more than a million samples
+constexpr const char* kOwnCommand = "tedavis accuracy ";
+constexpr std::uint32_t kSmallestSide_px = 64;
 constexpr double kGovernorRate_hz = 10, kQuickGovernorRate_hz = 2;  ///< frames of the flight
 constexpr double kKnob_s = 120, kQuickKnob_s = 8;                   ///< for the rounds of a knob
 
 double clock_ms() { return static_cast<double>(platform::monotonic_now().ns) * 1e-6; }
 
+/// What is measured, and by which displays.
+std::string input_options(const AccuracyOptions& options) {
+    std::string text;
+    for (const std::string& terrain : options.terrains) text += " --terrain " + terrain;
+    for (const std::string& flight : options.flights) text += " --flight " + flight;
+    for (const std::string& switches : options.switches) text += " --switches " + switches;
+    const FlownDisplay usual, &display = options.display;
+    if (size_text(display.size) != size_text(usual.size))
+        text += " --size " + std::to_string(display.size.width) + "x" + std::to_string(display.size.height);
+    if (display.device != usual.device) text += " --device " + display.device;
+    if (display.design != usual.design) text += " --design " + display.design;
+    return text;
+}
+
 /// That makes such a report again.
 std::string command_of(const AccuracyOptions& options) {
     std::string command = "tedavis accuracy -o " + options.output;
     if (options.is_quick) command += " --quick";
-    if (!options.terrain.empty()) command += " --terrain " + options.terrain;
+    command += input_options(options);
     for (const std::string& knob : options.knobs) command += " --knob " + knob;
     if (!options.costs.empty()) command += " --costs " + options.costs;
     if (options.is_control_only) command += " --negative-control";
@@ -66,9 +84,10 @@ AccuracyReport begun_report(const std::string& folder, const MeasuringConditions
     earlier.interrupted = false;
     if (earlier.knobs.empty()) earlier.conditions = now;
     if (!are_of_one_kind(earlier.conditions, now))
-        throw UserError(path +
-                        ": was measured with another program, machine, terrain or extent, which cannot stand in one report; "
-                        "name another folder with -o");
+        throw UserError(
+            path +
+            ": was measured with another program, machine, terrain, flight, display or extent, which cannot stand in one "
+            "report; name another folder with -o");
     return earlier;
 }
 
@@ -102,6 +121,17 @@ void put(const MeasuredKnob& measured, AccuracyReport& report) {
     report.knobs = std::move(ordered);
 }
 
+/// The heights and the recorded flight of a --flight, or of a run without one.
+struct MeasuredFlight {
+    std::unique_ptr<TracedGround> ground;
+    std::optional<RecordedPoses> recorded;  ///< nothing: the shipped flight
+    std::string terrain;                    ///< as the user named it
+
+    [[nodiscard]] KnobGround knob_ground(const AccuracyOptions& options) const {
+        return {*ground, options.is_quick, recorded ? &*recorded : nullptr, options.display};
+    }
+};
+
 class AccuracyRun {
 public:
     AccuracyRun(const AccuracyOptions& options, Console& console) : options_(options), console_(console) {}
@@ -124,14 +154,15 @@ public:
     }
 
     /// The chapters beside the knobs, each once. False where the user has stopped it.
-    bool measure_chapters(const TracedGround& ground, AccuracyReport& report) {
+    bool measure_chapters(const std::vector<MeasuredFlight>& flights, AccuracyReport& report) {
         const InterruptGuard interrupt;
+        const KnobGround ground = flights.front().knob_ground(options_);
         try {
-            KnobFlight flight(ground);
-            if (report.flights.empty()) report.flights.push_back(flight_errors(ground, flight, interrupt));
-            write_report(report, options_.output);
-            if (!report.uncalled) report.uncalled = uncalled(ground, flight, interrupt);
-            if (!report.control) report.control = measure_control(*make_ray_control({ground, options_.is_quick}));
+            if (ground.recorded != nullptr)
+                add_flight_errors({ground.ground, ground.is_quick, nullptr, ground.display}, interrupt, report);
+            for (const MeasuredFlight& flight : flights) add_flight_errors(flight.knob_ground(options_), interrupt, report);
+            if (!report.uncalled) report.uncalled = uncalled(ground, interrupt);
+            if (!report.control) report.control = measure_control(*make_ray_control(ground));
         } catch (const Interrupted&) {
             report.interrupted = true;
         }
@@ -140,11 +171,12 @@ public:
     }
 
     /// By the costs that the user gave, with the frames of the flight. False where the user has stopped it.
-    bool measure_governor(const TracedGround& ground, AccuracyReport& report) {
+    bool measure_governor(const KnobGround& ground, AccuracyReport& report) {
         const InterruptGuard interrupt;
         KnobFlight flight(ground);
         PictureOptions picture;
-        picture.terrain = ground.path();
+        picture.terrain = ground.ground.path();
+        picture.design = ground.display.design;
         picture.scene = flight.scene();
         GovernorChoicePlan plan{options_.budget_ms, options_.is_quick ? kQuickGovernorRate_hz : kGovernorRate_hz, {}};
         plan.progress = progress_of("frames of the governor", interrupt);
@@ -165,18 +197,22 @@ private:
         };
     }
 
-    FlightErrors flight_errors(const TracedGround& ground, const KnobFlight& flight, const InterruptGuard& interrupt) {
+    /// Of a flight that the report does not have yet.
+    void add_flight_errors(const KnobGround& ground, const InterruptGuard& interrupt, AccuracyReport& report) {
+        const std::uint64_t identity = ground.recorded == nullptr ? 0 : ground.recorded->identity;
+        for (const FlightErrors& known : report.flights)
+            if (known.identity == identity && known.terrain == ground.ground.path()) return;
         FlightErrorsPlan plan;
-        if (!options_.is_quick) plan = {kMoments, kLinePoses, {}};
+        if (!options_.is_quick) plan = {kMoments, kLinePoses, kPlacesAcross, {}};
         plan.progress = progress_of("error along the flight", interrupt);
-        return measure_flight_errors(ground, flight, plan);
+        report.flights.push_back(measure_flight_errors(ground, plan));
+        write_report(report, options_.output);
     }
 
-    UncalledEffects uncalled(const TracedGround& ground, KnobFlight& flight, const InterruptGuard& interrupt) {
-        PictureOptions picture;
-        picture.terrain = ground.path();
+    UncalledEffects uncalled(const KnobGround& ground, const InterruptGuard& interrupt) {
+        KnobFlight flight(ground);
+        PictureOptions picture = flown_level(ground.ground.path(), ground.display).picture;
         picture.scene = flight.scene();
-        picture.size = kFlownSize;
         UncalledPlan plan;
         if (options_.is_quick) plan.poses = kQuickEffectPoses;
         plan.progress = progress_of("effects", interrupt);
@@ -194,7 +230,15 @@ private:
             console_.progress("knobs", number * total + done, count * total);
             if (interrupt.requested()) throw Interrupted("interrupted");
         };
-        return measure_knob(*knob, plan);
+        MeasuredKnob found = measure_knob(*knob, plan);
+        for (MeasuredLevel& level : found.levels) complete_command(level.worst_command);
+        if (found.pictures) complete_command(found.pictures->place.command);
+        return found;
+    }
+
+    /// A command of this program's own also needs what was measured.
+    void complete_command(std::string& command) const {
+        if (command.rfind(kOwnCommand, 0) == 0) command += (options_.is_quick ? " --quick" : "") + input_options(options_);
     }
 
     const AccuracyOptions& options_;
@@ -215,11 +259,65 @@ void list_unmeasured(const std::vector<RegisteredKnob>& knobs, AccuracyReport& r
         if (knob_of(report, knob.name) == nullptr) report.not_measured.push_back(knob.name);
 }
 
-/// Of the GL that draws the knobs' pictures.
-std::string renderer() {
-    PictureOptions smallest;
-    smallest.size = PictureSize{64, 64};
-    return DisplaySession(smallest, true).gl_description();
+/// Of the GL that draws the knobs' pictures. Throws UserError where the device or the design cannot be drawn with.
+std::string renderer(const FlownDisplay& display) {
+    PictureOptions picture = flown_level("", display).picture;
+    picture.gl = offered_gl();
+    return DisplaySession(picture, true).gl_description();
+}
+
+void require_pairs(const AccuracyOptions& options) {
+    const std::size_t flights = std::max<std::size_t>(1, options.flights.size()), terrains = options.terrains.size();
+    if (terrains > 1 && terrains != flights)
+        throw UserError("--terrain: was given " + std::to_string(terrains) + " times for " + std::to_string(flights) +
+                        (flights == 1 ? " flight" : " flights") + "; give it once, or once for each --flight");
+    if (options.switches.size() > options.flights.size())
+        throw UserError("--switches " + options.switches.back() +
+                        ": has no --flight that it belongs to; give as many as flights");
+}
+
+void require_room_for_levels(const FlownDisplay& display) {
+    if (std::min(display.size.width, display.size.height) < kSmallestSide_px)
+        throw UserError("--size " + std::to_string(display.size.width) + "x" + std::to_string(display.size.height) +
+                        ": a quarter of it is too small a picture; give 64x64 or more");
+    static_cast<void>(seen_grid(display));
+}
+
+/// With the heights of each terrain once in memory for each flight. The first is the one that knobs fly.
+std::vector<MeasuredFlight> read_flights(const AccuracyOptions& options, base::Workers& workers, Console& console) {
+    std::vector<MeasuredFlight> flights;
+    for (std::size_t n = 0; n < std::max<std::size_t>(1, options.flights.size()); ++n) {
+        const std::vector<std::string>& terrains = options.terrains;
+        const std::string terrain = terrains.empty() ? "" : terrains.size() == 1 ? terrains.front() : terrains[n];
+        MeasuredFlight flight;
+        flight.terrain = terrain.empty() ? "the shipped terrain" : terrain;
+        const std::string database = database_of({terrain, ""}, options.output, console);
+        if (!options.flights.empty()) {
+            const ReplayOptions usual;
+            const std::string switches = n < options.switches.size() ? options.switches[n] : "";
+            flight.recorded =
+                read_recorded_poses({options.flights[n], usual.picture.bus, switches, usual.switch_config}, database, console);
+        }
+        flight.ground = std::make_unique<TracedGround>(database, workers);
+        flights.push_back(std::move(flight));
+    }
+    return flights;
+}
+
+MeasuredInputs inputs_of(const AccuracyOptions& options, const MeasuredFlight& flight) {
+    MeasuredInputs inputs;
+    inputs.terrain = flight.terrain;
+    inputs.terrain_identity = terrain_identity(&flight.ground->database());
+    if (flight.recorded) {
+        inputs.flight = flight.recorded->log;
+        inputs.flight_identity = flight.recorded->identity;
+    }
+    inputs.size = size_text(options.display.size);
+    inputs.device = options.display.device;
+    inputs.design = options.display.design;
+    inputs.display_identity = identity_of(options.display);
+    inputs.is_quick = options.is_quick;
+    return inputs;
 }
 
 /// Before anything is measured, so that a wrong name costs no time.
@@ -259,22 +357,24 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     if (!options.target_error.empty()) static_cast<void>(target_from(options.target_error));
     const auto earlier = earlier_reports(options.compare);
     if (!options.costs.empty()) static_cast<void>(read_costs(options.costs));
-    const std::string name = options.terrain.empty() ? "the shipped terrain" : options.terrain;
+    require_pairs(options);
+    require_room_for_levels(options.display);
+    const std::string drawn_by = renderer(options.display);
     NewFolder folder(options.output);
     const std::unique_ptr<base::Workers> workers = trace_workers(0);
-    const TracedGround ground(database_of({options.terrain, ""}, options.output, console), *workers);
-    const MeasuredTerrain terrain = {name, terrain_identity(&ground.database())};
-    const MeasuringConditions now = conditions_now(command_of(options), renderer(), terrain, options.is_quick);
+    const std::vector<MeasuredFlight> flights = read_flights(options, *workers, console);
+    const KnobGround ground = flights.front().knob_ground(options);
+    const MeasuringConditions now = conditions_now(command_of(options), drawn_by, inputs_of(options, flights.front()));
     AccuracyReport report = begun_report(options.output, now);
     const ComparisonLimits limits = {options.slower_percent / 100, options.less_accurate_percent / 100};
     for (const auto& [file, old] : earlier) static_cast<void>(compare_accuracy(report, old, file, limits));  // of one kind?
     AccuracyRun run(options, console);
-    bool is_whole = run.measure(knobs, {ground, options.is_quick}, report);
+    bool is_whole = run.measure(knobs, ground, report);
     list_unmeasured(knobs, report);
     if (options.is_control_only)
-        report.control = measure_control(*make_ray_control({ground, options.is_quick}));
+        report.control = measure_control(*make_ray_control(ground));
     else if (is_whole && options.knobs.empty())
-        is_whole = run.measure_chapters(ground, report);
+        is_whole = run.measure_chapters(flights, report);
     if (is_whole && !options.costs.empty()) is_whole = run.measure_governor(ground, report);
     report.comparisons.clear();
     for (const auto& [file, old] : earlier) report.comparisons.push_back(compare_accuracy(report, old, file, limits));

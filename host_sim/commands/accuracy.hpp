@@ -5,13 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/knobs/flown_display.hpp"
 #include "host_sim/commands/trace.hpp"
 
 namespace tedavis::host_sim {
 
 struct AccuracyOptions {
-    std::string output;                ///< folder
-    std::string terrain;               ///< .tdb; empty: built from the shipped raster
+    std::string output;  ///< folder
+    /// .tdb; empty: built from the shipped raster. One for all flights, or one for each.
+    std::vector<std::string> terrains;
+    std::vector<std::string> flights;   ///< CAN logs; the knobs fly the first one; empty: the shipped flight
+    std::vector<std::string> switches;  ///< switch logs, of the flights in their order; the last flights may have none
+    FlownDisplay display;
     bool is_quick = false;             ///< fewer samples and rounds
     std::vector<std::string> knobs;    ///< empty: all
     std::string costs;                 ///< a calibration file: adds what the governor may choose by it; empty: nothing

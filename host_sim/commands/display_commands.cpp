@@ -173,6 +173,31 @@ void add_trace(CLI::App& app, CommandLine& line) {
     command->add_option("-o", o.output, "the picture to write (.png); X.json beside it says what it took")->required();
 }
 
+/// What is measured, and the displays that it is drawn with.
+void add_accuracy_inputs(CLI::App& command, AccuracyOptions& o) {
+    command
+        .add_option("--terrain", o.terrains,
+                    "terrain database (.tdb); may be given once for each --flight; default: built from the shipped raster")
+        ->allow_extra_args(false);
+    command
+        .add_option("--flight", o.flights,
+                    "candump log, whose poses are measured instead of those of the shipped flight; may be repeated: settings are "
+                    "measured over the first one, and the terrain's error over all of them and the shipped flight")
+        ->allow_extra_args(false);
+    command.add_option("--switches", o.switches, "switch log of the first --flight; may be repeated for the next ones")
+        ->allow_extra_args(false);
+    command
+        .add_option_function<std::string>(
+            "--size", [&o](const std::string& text) { o.display.size = size_from(text); },
+            "WIDTHxHEIGHT of the largest picture that the settings of a frame, the terrain's error, quality, size and rate are "
+            "measured with")
+        ->default_str("640x360");
+    command.add_option("--device", o.display.device, "device file or shipped name that these pictures are drawn with")
+        ->capture_default_str();
+    command.add_option("--design", o.display.design, "design file or shipped name that these pictures are drawn with")
+        ->capture_default_str();
+}
+
 /// What makes the exit code 1.
 void add_accuracy_verdicts(CLI::App& command, AccuracyOptions& o) {
     command.add_flag("--negative-control", o.is_control_only,
@@ -200,7 +225,7 @@ void add_accuracy(CLI::App& app, CommandLine& line) {
         ->required();
     command->add_flag("--quick", o.is_quick, "fewer samples and rounds");
     command->add_option("--knob", o.knobs, "only this setting; may be repeated; default: all")->allow_extra_args(false);
-    command->add_option("--terrain", o.terrain, "terrain database (.tdb); default: built from the shipped raster");
+    add_accuracy_inputs(*command, o);
     command->add_option("--costs", o.costs,
                         "also says what the governor may choose by this file, which calibrate wrote, and what it chooses along "
                         "the flight; its deadline is --budget-ms, or else the time of a frame at the device's rate");

@@ -15,7 +15,8 @@ struct AircraftPose {
     double latitude_deg = 0, longitude_deg = 0, altitude_msl_m = 0;
     double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
     base::Time time = kPosedTime;
-    FlownHistory flown{};  ///< the flight before the pose
+    FlownHistory flown{};         ///< the flight before the pose
+    flight::FlightPhase phase{};  ///< that a flight has there; unknown: none is stated
 };
 
 /// Returns the pose in SI units, without time and history.

@@ -1,11 +1,13 @@
-/// A knob whose pictures of the default flight are compared with those of a reference by CIEDE2000.
+/// A knob whose pictures of a flight are compared with those of a reference by CIEDE2000.
 #pragma once
 
 #include "host_sim/accuracy/knobs/flown_knob.hpp"
 
 namespace tedavis::host_sim {
 
-inline constexpr const char* kPixelMetric = "difference of a pixel's colour, 640 x 360 pixels";
+[[nodiscard]] inline std::string pixel_metric(const PictureSize& size) {
+    return "difference of a pixel's colour, " + size_text(size) + " pixels";
+}
 inline constexpr const char* kTileMetric = "difference of a pixel's colour, mean over a tile of 40 x 40 of 640 x 360 pixels";
 inline constexpr const char* kPictureMetric = "difference of a pixel's colour, mean over a picture of 640 x 360 pixels";
 inline constexpr const char* kColorUnit = "CIEDE2000";

@@ -110,8 +110,7 @@ std::vector<KnobPixel> cracks_among(const std::vector<KnobPixel>& pixels, const 
 }
 
 std::unique_ptr<Knob> make_crack_knob(const KnobGround& ground) {
-    return std::make_unique<CrackKnob>(ground.ground,
-                                       KnobFlight(ground.ground).poses(ground.is_quick ? kQuickCrackPoses : kCrackPoses));
+    return std::make_unique<CrackKnob>(ground.ground, KnobFlight(ground).poses(ground.is_quick ? kQuickCrackPoses : kCrackPoses));
 }
 
 }  // namespace tedavis::host_sim

@@ -99,7 +99,7 @@ KnobFacts focus_levels_facts() {
     return {"focus_levels",
             "Steps from a focus to its context",
             "levels of [focus.context] of a design, 1 to 16; 0 is without steps",
-            kPixelMetric,
+            pixel_metric(kFlownSize),
             kColorUnit,
             {"a context without steps", 0.2, "its colours are rounded to 1/255, half of which is less than this for dark ground"},
             "none: the even course is what steps approximate",
@@ -131,6 +131,7 @@ ColorPlan shadow_map_plan(const KnobGround& ground, const std::string& scene, co
         const std::uint32_t size_px = n < std::size(kShadowSizes_px) ? kShadowSizes_px[n] : kFineShadow_px;
         const std::uint64_t more = kShadowMaps * kShadowTexelBytes * size_px * size_px;
         FlownLevel level = drawn_level(ground, scene, "effects/soft_shadows");
+        level.has_own_device = true;
         level.picture.device = changed_device(folder, "shadows_" + std::to_string(size_px), "es3-mid",
                                               {{"", "max_texture_px", "16384"},
                                                {"", "shadow_map_px", std::to_string(size_px)},
@@ -192,6 +193,7 @@ ColorPlan map_pages_plan(const KnobGround& ground, const std::string& folder) {
     plan.reference = std::size(kMapPages) - 1;
     for (const std::uint32_t pages : kMapPages) {
         FlownLevel level = drawn_level(ground, "", "styles/ambient_occlusion");
+        level.has_own_device = true;
         level.picture.device =
             changed_device(folder, "pages_" + std::to_string(pages), "es3-mid", {{"", "attribute_pages", std::to_string(pages)}});
         plan.drawn.push_back(level);
@@ -202,7 +204,7 @@ ColorPlan map_pages_plan(const KnobGround& ground, const std::string& folder) {
 }  // namespace
 
 std::unique_ptr<Knob> make_shadow_map_knob(const KnobGround& ground) {
-    KnobFlight flight(ground.ground);
+    KnobFlight flight(ground);
     const TemporaryFolder folder;
     std::vector<std::uint64_t> bytes;
     for (const std::uint64_t size_px : kShadowSizes_px) bytes.push_back(kShadowMaps * kShadowTexelBytes * size_px * size_px);
@@ -211,7 +213,7 @@ std::unique_ptr<Knob> make_shadow_map_knob(const KnobGround& ground) {
 }
 
 std::unique_ptr<Knob> make_shaft_steps_knob(const KnobGround& ground) {
-    KnobFlight flight(ground.ground);
+    KnobFlight flight(ground);
     return std::make_unique<EffectKnob>(shaft_steps_facts(), shaft_steps_plan(ground, flight.scene()),
                                         flight.poses(ground.is_quick ? kQuickSmallPoses : kSmallPoses));
 }
@@ -223,7 +225,7 @@ std::unique_ptr<Knob> make_blur_taps_knob(const KnobGround& ground) {
 
 std::unique_ptr<Knob> make_focus_levels_knob(const KnobGround& ground) {
     return std::make_unique<EffectKnob>(focus_levels_facts(), focus_levels_plan(ground),
-                                        KnobFlight(ground.ground).poses(flown_poses(ground.is_quick)));
+                                        KnobFlight(ground).poses(flown_poses(ground.is_quick)));
 }
 
 std::unique_ptr<Knob> make_map_pages_knob(const KnobGround& ground) {
@@ -231,7 +233,7 @@ std::unique_ptr<Knob> make_map_pages_knob(const KnobGround& ground) {
     std::vector<std::uint64_t> bytes;
     for (const std::uint64_t pages : kMapPages) bytes.push_back(pages * sizeof(terrain::AttributePage));
     return std::make_unique<EffectKnob>(map_pages_facts(), map_pages_plan(ground, folder.path()),
-                                        KnobFlight(ground.ground).poses(flown_poses(ground.is_quick)), std::move(bytes));
+                                        KnobFlight(ground).poses(flown_poses(ground.is_quick)), std::move(bytes));
 }
 
 }  // namespace tedavis::host_sim

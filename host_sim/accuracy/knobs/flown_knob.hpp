@@ -1,4 +1,4 @@
-/// A knob that draws poses of the default flight: a sample is a pose, and its work one further frame there.
+/// A knob that draws poses of a flight: a sample is a pose, and its work one further frame there.
 #pragma once
 
 #include <utility>
@@ -10,16 +10,12 @@
 
 namespace tedavis::host_sim {
 
-/// Small, so that a quick run has time for several poses.
-inline constexpr PictureSize kFlownSize = {640, 360};
-
 /// How many poses a knob is measured at.
 [[nodiscard]] inline std::size_t flown_poses(bool is_quick) { return is_quick ? 4 : 24; }
 
-/// The pixel of a picture of kFlownSize in which a place of a SeenPose is.
-[[nodiscard]] inline KnobPixel seen_pixel(const SeenPlace& place) {
-    constexpr std::uint32_t kStep = kFlownSize.width / SeenPose::kAcross;
-    return {place.x * kStep + kStep / 2, place.y * kStep + kStep / 2};
+/// The pixel of a picture in which a place of the grid is.
+[[nodiscard]] inline KnobPixel seen_pixel(const SeenPlace& place, const SeenGrid& grid, const PictureSize& size) {
+    return {(2 * place.x + 1) * size.width / (2 * grid.across), (2 * place.y + 1) * size.height / (2 * grid.down)};
 }
 
 class FlownKnob : public Knob {

@@ -9,17 +9,15 @@
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "platform/clock/monotonic_clock.hpp"
-#include "platform/surface_factory.hpp"
 #include "render_core/display/preroll.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::uint32_t kTriedSurface_px = 16;
-
-GlChoice offered_gl() {
-    const bool has_osmesa = platform::make_surface("osmesa", {kTriedSurface_px, kTriedSurface_px}).ok();
-    return has_osmesa ? GlChoice::osmesa : GlChoice::egl;
+/// As `--phase` of `tedavis shot` states it; none where the pose has no phase.
+flight::PhaseStatus phase_of(const AircraftPose& pose) {
+    if (pose.phase.scenario == flight::Scenario::unknown) return {};
+    return flight::stated_phase(pose.phase, flight::PhaseSource::switches);
 }
 
 }  // namespace
@@ -40,12 +38,9 @@ std::string changed_device(const std::string& folder, const std::string& name, c
     return path;
 }
 
-/// Of `tedavis shot`, without pose and output; nothing where a level is more than such options, or has a scene or a device file
-/// of its own.
 std::optional<std::string> shot_options(const FlownLevel& level) {
     const PictureOptions& picture = level.picture;
-    const bool is_own_file = (picture.device + picture.design + picture.scene).find('/') != std::string::npos;
-    if (level.change || level.quality || is_own_file || !picture.size) return std::nullopt;
+    if (level.change || level.quality || level.has_own_device || !picture.scene.empty() || !picture.size) return std::nullopt;
     char text[64];
     std::snprintf(text, sizeof text, " --size %ux%u", picture.size->width, picture.size->height);
     std::string options = " --terrain " + picture.terrain + " --design " + picture.design + " --device " + picture.device + text;
@@ -54,10 +49,17 @@ std::optional<std::string> shot_options(const FlownLevel& level) {
     return options + text;
 }
 
-FlownLevel terrain_level(const std::string& terrain, double tau_px, const PictureSize& size) {
+FlownLevel flown_level(const std::string& terrain, const FlownDisplay& display) {
     FlownLevel level;
     level.picture.terrain = terrain;
-    level.picture.size = size;
+    level.picture.size = display.size;
+    level.picture.device = display.device;
+    level.picture.design = display.design;
+    return level;
+}
+
+FlownLevel terrain_level(const std::string& terrain, double tau_px, const FlownDisplay& display) {
+    FlownLevel level = flown_level(terrain, display);
     level.picture.tau_px = tau_px;
     return level;
 }
@@ -115,7 +117,7 @@ std::uint64_t FlownPictures::uploaded_bytes(std::size_t level) const { return sh
 std::optional<std::string> FlownPictures::shot_command(std::size_t level, std::size_t pose) const {
     const std::optional<std::string>& options = shown_[level]->shot_options;
     if (!options) return std::nullopt;
-    return "tedavis shot" + *options + " --pose " + pose_text(poses_[pose]) + " -o picture.png";
+    return "tedavis shot" + *options + " --pose " + pose_text(poses_[pose]) + phase_option(poses_[pose]) + " -o picture.png";
 }
 
 void FlownPictures::make_current(std::size_t level) {
@@ -131,7 +133,7 @@ void FlownPictures::show(std::size_t level, std::size_t pose) {
     display::Display& display = shown.session.display();
     display.memory() = *shown.begun;
     shown.state = posed_aircraft(poses_[pose], display);
-    const flight::FrameInput input = {shown.state, {}, poses_[pose].time};
+    const flight::FrameInput input = {shown.state, phase_of(poses_[pose]), poses_[pose].time};
     display::settle(display, input);
     display.plan(input);
     shown.session.draw();
@@ -141,7 +143,7 @@ void FlownPictures::show(std::size_t level, std::size_t pose) {
 void FlownPictures::draw(std::size_t level, std::size_t pose) {
     if (current_ != level || shown_[level]->pose != pose) show(level, pose);
     Shown& shown = *shown_[level];
-    shown.session.display().plan({shown.state, {}, poses_[pose].time});
+    shown.session.display().plan({shown.state, phase_of(poses_[pose]), poses_[pose].time});
     shown.session.draw();
     shown.uploaded_bytes = shown.session.display().gl().frame().uploaded_bytes;
     rest();
@@ -152,7 +154,7 @@ void FlownPictures::fly_to(std::size_t level, const AircraftPose& pose) {
     Shown& shown = *shown_[level];
     shown.pose = kNone;
     shown.state = posed_aircraft(pose, shown.session.display());
-    shown.session.display().plan({shown.state, {}, pose.time});
+    shown.session.display().plan({shown.state, phase_of(pose), pose.time});
     shown.session.draw();
 }
 

@@ -1,4 +1,4 @@
-/// Pictures of the shipped default flight, drawn by the product's own display: what the knobs that draw with GL are measured on.
+/// Pictures of a flight, drawn by the product's own display: what the knobs that draw with GL are measured on.
 ///
 /// A level is a set of options of a picture, among them its device, and a change to its design. Each level has a display of its
 /// own, which is started once and stays; the time of its start is build_ms(). Where OSMesa is missing, EGL draws.
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/knobs/flown_display.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
 
@@ -34,10 +35,18 @@ struct FlownLevel {
     std::optional<effects::QualityLevel> quality;  ///< as the governor would draw; nothing: as the design asks
     /// What else differs from the design that the options name; it may ask for no technique that this one lacks.
     std::function<void(design::DesignSettings&)> change = {};
+    bool has_own_device = false;  ///< the device file is one that is gone after the run
 };
 
+/// The whole picture as the display's design has it.
+[[nodiscard]] FlownLevel flown_level(const std::string& terrain, const FlownDisplay& display);
+
 /// The terrain with an error of at most `tau_px` on the screen, as the design has the rest.
-[[nodiscard]] FlownLevel terrain_level(const std::string& terrain, double tau_px, const PictureSize& size);
+[[nodiscard]] FlownLevel terrain_level(const std::string& terrain, double tau_px, const FlownDisplay& display);
+
+/// Options of `tedavis shot` that draw a level, each after a space, without pose and output; nothing where a level is more than
+/// such options.
+[[nodiscard]] std::optional<std::string> shot_options(const FlownLevel& level);
 
 class FlownPictures {
 public:

@@ -1,6 +1,5 @@
 #include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 
-#include <cmath>
 #include <cstdio>
 
 #include "host_sim/accuracy/knobs/flown_knob.hpp"
@@ -22,11 +21,6 @@ constexpr std::size_t kFramePoses = 16, kQuickFramePoses = 5;
 struct FrameSetting {
     double tau_px;
     DrawnShare drawn;
-
-    [[nodiscard]] PictureSize size() const {
-        const auto part = [this](std::uint32_t whole) { return static_cast<std::uint32_t>(std::lround(drawn.share * whole)); };
-        return {part(kFlownSize.width), part(kFlownSize.height)};
-    }
 };
 
 std::vector<FrameSetting> frame_settings() {
@@ -36,7 +30,7 @@ std::vector<FrameSetting> frame_settings() {
     return settings;
 }
 
-KnobFacts frame_settings_facts() {
+KnobFacts frame_settings_facts(const FlownDisplay& display) {
     std::vector<KnobLevel> levels;
     for (const FrameSetting& setting : frame_settings()) {
         char name[64];
@@ -47,10 +41,10 @@ KnobFacts frame_settings_facts() {
             "Settings of a frame: the terrain's error and the share of the window that is drawn",
             "--tau and --size of replay, or tau_px of a design and the size of a device",
             "distance on the window between the drawn and the true place of ground, and half of what a drawn pixel is wider than "
-            "one of the window "
-            "of 640 x 360 pixels",
+            "one of the window of " +
+                size_text(display.size) + " pixels",
             "px",
-            {"the database's own heights, two triangles a cell, projected in doubles", 4e-3,
+            {"the database's own heights, two triangles a cell, projected in doubles", 4e-3 * pixel_scale(display),
              "twice that of terrain_tau, since a pixel of half the size is two of the window"},
             "the bound that the display states for each frame, times the window's pixels in a drawn pixel",
             "Warnings and symbology are drawn with every setting. What a smaller picture does to colours, picture_size states.",
@@ -59,16 +53,21 @@ KnobFacts frame_settings_facts() {
             std::move(levels)};
 }
 
-std::vector<FlownLevel> flown_settings(const std::string& terrain) {
+std::vector<FlownLevel> flown_settings(const KnobGround& ground) {
     std::vector<FlownLevel> levels;
-    for (const FrameSetting& setting : frame_settings()) levels.push_back(terrain_level(terrain, setting.tau_px, setting.size()));
+    for (const FrameSetting& setting : frame_settings()) {
+        levels.push_back(terrain_level(ground.ground.path(), setting.tau_px, ground.display));
+        levels.back().picture.size = ground.display.share(setting.drawn.share);
+    }
     return levels;
 }
 
 class FrameSettingsKnob final : public FlownKnob {
 public:
-    FrameSettingsKnob(const TracedGround& ground, std::vector<SeenPose> seen)
-        : FlownKnob(frame_settings_facts(), flown_settings(ground.path()), poses_of(seen)),
+    FrameSettingsKnob(const KnobGround& ground, std::vector<SeenPose> seen)
+        : FlownKnob(frame_settings_facts(ground.display), flown_settings(ground), poses_of(seen)),
+          display_(ground.display),
+          grid_(seen_grid(ground.display)),
           settings_(frame_settings()),
           seen_(std::move(seen)),
           measured_(seen_.size()) {}
@@ -84,19 +83,21 @@ public:
             }
     }
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
-        return seen_pixel(measured_[sample][error]);
+        return seen_pixel(measured_[sample][error], grid_, display_.size);
     }
     [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override {
-        return scaled_picture(pictures().picture(level, sample), kFlownSize);
+        return scaled_picture(pictures().picture(level, sample), display_.size);
     }
     [[nodiscard]] std::string options(std::size_t level) const override {
         char text[64];
-        const PictureSize size = settings_[level].size();
+        const PictureSize size = display_.share(settings_[level].drawn.share);
         std::snprintf(text, sizeof text, "--tau %g --size %ux%u", settings_[level].tau_px, size.width, size.height);
         return text;
     }
 
 private:
+    FlownDisplay display_;
+    SeenGrid grid_;
     std::vector<FrameSetting> settings_;
     std::vector<SeenPose> seen_;
     std::vector<std::vector<SeenPlace>> measured_;  ///< by pose, of the level that was measured last
@@ -105,8 +106,8 @@ private:
 }  // namespace
 
 std::unique_ptr<Knob> make_frame_settings_knob(const KnobGround& ground) {
-    const std::vector<AircraftPose> poses = KnobFlight(ground.ground).poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
-    return std::make_unique<FrameSettingsKnob>(ground.ground, seen_poses(ground.ground, poses));
+    const std::vector<AircraftPose> poses = KnobFlight(ground).poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
+    return std::make_unique<FrameSettingsKnob>(ground, seen_poses(ground.ground, poses, seen_grid(ground.display)));
 }
 
 }  // namespace tedavis::host_sim

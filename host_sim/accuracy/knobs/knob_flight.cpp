@@ -14,6 +14,7 @@
 namespace tedavis::host_sim {
 namespace {
 
+constexpr double kStripBelow_m = 500;  ///< of the data round a recorded flight: the default flight climbs about so high
 constexpr std::size_t kStatesOfSecond = static_cast<std::size_t>(1 / kScenarioStep_s + 0.5);
 
 /// Every place of the flight, at intervals of a second, lies over posts.
@@ -33,11 +34,10 @@ void move_place(double& latitude_rad, double& longitude_rad, const LandingStrip&
     longitude_rad = to.longitude_rad + stretch * (longitude_rad - from.longitude_rad);
 }
 
-Scenario moved_scenario(Scenario scenario, const TracedGround& ground) {
-    const earth::Geodetic to =
-        earth::from_ecef(ground.space().position({0.5 * (ground.columns() - 1), 0.5 * (ground.rows() - 1), 0}));
+/// The strip, and the flight with it, at a place and a height above mean sea level.
+Scenario moved_scenario(Scenario scenario, const earth::Geodetic& to, double elevation_msl_m) {
     const LandingStrip from = scenario.strip;
-    const double up_m = ground.highest_m() - from.elevation_msl_m;
+    const double up_m = elevation_msl_m - from.elevation_msl_m;
     for (Leg& leg : scenario.legs) {
         move_place(leg.latitude_rad, leg.longitude_rad, from, to);
         leg.altitude_msl_m += up_m;
@@ -50,21 +50,67 @@ Scenario moved_scenario(Scenario scenario, const TracedGround& ground) {
     return scenario;
 }
 
-}  // namespace
-
-KnobFlight::KnobFlight(const TracedGround& ground)
-    : scenario_(scenario_over(ground, geoid_, is_moved_)), flight_(scenario_, scenario_.seed, geoid_) {}
-
-Scenario KnobFlight::scenario_over(const TracedGround& ground, const GeoidEgm96& geoid, bool& is_moved) {
-    const std::string path = resolve_config("default", "scenarios");
-    const Scenario scenario = parse_scenario(read_file(path), path);
-    is_moved = !holds_flight(ground, ScenarioFlight(scenario, scenario.seed, geoid));
-    return is_moved ? moved_scenario(scenario, ground) : scenario;
+Scenario scenario_below(const Scenario& scenario, const AircraftPose& aircraft) {
+    const earth::Geodetic to{base::radians(aircraft.latitude_deg), base::radians(aircraft.longitude_deg), {0}};
+    return moved_scenario(scenario, to, std::max(0.0, aircraft.altitude_msl_m - kStripBelow_m));
 }
 
-double KnobFlight::duration_s() const { return static_cast<double>(flight_.states().size() - 1) * kScenarioStep_s; }
+AircraftPose pose_between(const AircraftPose& a, const AircraftPose& b, double share) {
+    const auto between = [share](double from, double to) { return from + share * (to - from); };
+    const auto turned = [share](double from, double to) { return from + share * std::remainder(to - from, 360.0); };
+    AircraftPose pose = a;
+    pose.latitude_deg = between(a.latitude_deg, b.latitude_deg);
+    pose.longitude_deg = turned(a.longitude_deg, b.longitude_deg);
+    pose.altitude_msl_m = between(a.altitude_msl_m, b.altitude_msl_m);
+    pose.heading_deg = base::degrees(earth::wrap_heading(base::radians(turned(a.heading_deg, b.heading_deg))));
+    pose.pitch_deg = between(a.pitch_deg, b.pitch_deg);
+    pose.roll_deg = std::remainder(turned(a.roll_deg, b.roll_deg), 360.0);
+    return pose;
+}
+
+}  // namespace
+
+KnobFlight::KnobFlight(const TracedGround& ground, const RecordedPoses* recorded)
+    : recorded_(recorded), scenario_(scenario_over(ground)), flight_(scenario_, scenario_.seed, geoid_) {}
+
+Scenario KnobFlight::scenario_over(const TracedGround& ground) {
+    const std::string path = resolve_config("default", "scenarios");
+    const Scenario scenario = parse_scenario(read_file(path), path);
+    if (recorded_ != nullptr) return scenario_below(scenario, recorded_->valid[recorded_->valid.size() / 2]);
+    is_moved_ = !holds_flight(ground, ScenarioFlight(scenario, scenario.seed, geoid_));
+    if (!is_moved_) return scenario;
+    const glm::dvec3 middle{0.5 * (ground.columns() - 1), 0.5 * (ground.rows() - 1), 0};
+    return moved_scenario(scenario, earth::from_ecef(ground.space().position(middle)), ground.highest_m());
+}
+
+std::string KnobFlight::name() const {
+    if (recorded_ != nullptr) return recorded_->log;
+    return is_moved_ ? "the shipped flight, moved to the terrain" : "the shipped flight";
+}
+
+double KnobFlight::duration_s() const {
+    if (recorded_ != nullptr) return static_cast<double>(recorded_->valid.size()) * recorded_->step_s;
+    return static_cast<double>(flight_.states().size() - 1) * kScenarioStep_s;
+}
+
+AircraftPose KnobFlight::recorded_pose_at(double at_s) const {
+    const std::vector<AircraftPose>& valid = recorded_->valid;
+    const base::Time time = base::Time{} + base::Duration::from_seconds(at_s);
+    const auto after = std::upper_bound(valid.begin(), valid.end(), time,
+                                        [](base::Time at, const AircraftPose& pose) { return at < pose.time; });
+    if (after == valid.begin()) return valid.front();
+    const AircraftPose& before = *(after - 1);
+    AircraftPose pose = before;
+    if (after != valid.end()) {
+        const double gap_s = (after->time - before.time).to_seconds();
+        if (gap_s < 1.5 * recorded_->step_s) pose = pose_between(before, *after, (time - before.time).to_seconds() / gap_s);
+    }
+    pose.time = time;
+    return pose;
+}
 
 AircraftPose KnobFlight::pose_at(double at_s) const {
+    if (recorded_ != nullptr) return recorded_pose_at(at_s);
     const std::vector<ScenarioFlight::State>& states = flight_.states();
     const double step = std::clamp(at_s / kScenarioStep_s, 0.0, static_cast<double>(states.size() - 1));
     const auto before = static_cast<std::size_t>(step);
@@ -84,8 +130,12 @@ AircraftPose KnobFlight::pose_at(double at_s) const {
 
 std::vector<AircraftPose> KnobFlight::poses(std::size_t count) const {
     std::vector<AircraftPose> poses;
-    for (std::size_t n = 0; n < count; ++n)
-        poses.push_back(pose_at((static_cast<double>(n) + 0.5) * duration_s() / static_cast<double>(count)));
+    for (std::size_t n = 0; n < count; ++n) {
+        const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(count);
+        poses.push_back(recorded_ == nullptr
+                            ? pose_at(share * duration_s())
+                            : recorded_->valid[static_cast<std::size_t>(share * static_cast<double>(recorded_->valid.size()))]);
+    }
     return poses;
 }
 
@@ -105,6 +155,12 @@ std::string pose_text(const AircraftPose& pose) {
     std::snprintf(text, sizeof text, "%.6f,%.6f,%.2f,%.3f,%.3f,%.3f", pose.latitude_deg, pose.longitude_deg, pose.altitude_msl_m,
                   pose.heading_deg, pose.pitch_deg, pose.roll_deg);
     return text;
+}
+
+std::string phase_option(const AircraftPose& pose) {
+    if (pose.phase.scenario == flight::Scenario::unknown) return "";
+    const std::string part = flight::sub_phase_name(pose.phase);
+    return std::string(" --phase ") + flight::scenario_name(pose.phase) + (part.empty() ? "" : "." + part);
 }
 
 }  // namespace tedavis::host_sim

@@ -1,40 +1,52 @@
-/// The shipped default flight over a terrain: poses along it, and the data round it, for the knobs that draw with the display.
+/// The flight that knobs draw with the display: the shipped default flight over a terrain, or a recorded one; poses along it, and
+/// the data round it.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "host_sim/accuracy/knobs/knob_ground.hpp"
 #include "host_sim/geoid_egm96.hpp"
-#include "host_sim/scenario/posed_aircraft.hpp"
 #include "host_sim/scenario/scenario_flight.hpp"
 #include "host_sim/temporary_folder.hpp"
-#include "host_sim/tracing/traced_ground.hpp"
 
 namespace tedavis::host_sim {
 
-/// Over a terrain that does not hold the whole flight, the strip is moved to the terrain's middle, at the height of the highest
-/// post, and the flight and its weather with it; the layers of places then stay away.
+/// Over a terrain that does not hold the whole default flight, its strip is moved to the terrain's middle, at the height of the
+/// highest post, and the flight and its weather with it; the layers of places then stay away.
+///
+/// A recorded flight brings no data. Those round it are the default flight's, moved in the same way, but with the strip below the
+/// middle of the recorded flight.
 class KnobFlight {
 public:
-    /// Throws UserError where a shipped file or the grid of EGM96 is missing.
-    explicit KnobFlight(const TracedGround& ground);
+    /// `recorded` is null for the default flight, and else must outlive the object. Throws UserError where a shipped file or the
+    /// grid of EGM96 is missing.
+    explicit KnobFlight(const TracedGround& ground, const RecordedPoses* recorded = nullptr);
+    explicit KnobFlight(const KnobGround& ground) : KnobFlight(ground.ground, ground.recorded) {}
     KnobFlight(const KnobFlight&) = delete;
     KnobFlight& operator=(const KnobFlight&) = delete;
 
-    /// The pose at a time since the begin, which is clamped to the flight.
+    /// "the shipped flight", or the log's name.
+    [[nodiscard]] std::string name() const;
+    /// The pose at a time since the begin, which is clamped to the flight. Where a recorded flight has no valid position, it is
+    /// the last one before.
     [[nodiscard]] AircraftPose pose_at(double at_s) const;
-    /// The poses in the middle of `count` equal parts of the flight.
+    /// The poses in the middle of `count` equal parts of the flight, or of the time in which its position is valid.
     [[nodiscard]] std::vector<AircraftPose> poses(std::size_t count) const;
-    [[nodiscard]] double duration_s() const;
-    [[nodiscard]] base::Time begin() const { return flight_.begin(); }
-    [[nodiscard]] bool is_moved() const { return is_moved_; }
+    [[nodiscard]] double duration_s() const;  ///< of that time
+    /// That pose_at() counts from.
+    [[nodiscard]] base::Time begin() const { return recorded_ == nullptr ? flight_.begin() : base::Time{}; }
+    [[nodiscard]] bool is_moved() const { return is_moved_; }  ///< the default flight is
+    [[nodiscard]] bool is_recorded() const { return recorded_ != nullptr; }
     /// Path of a database with the flight's data, which lasts as long as the object. It is made by the first call.
     [[nodiscard]] const std::string& scene();
 
 private:
-    [[nodiscard]] static Scenario scenario_over(const TracedGround& ground, const GeoidEgm96& geoid, bool& is_moved);
+    [[nodiscard]] Scenario scenario_over(const TracedGround& ground);
+    [[nodiscard]] AircraftPose recorded_pose_at(double at_s) const;
 
+    const RecordedPoses* recorded_;
     GeoidEgm96 geoid_ = GeoidEgm96::installed();
     bool is_moved_ = false;
     Scenario scenario_;
@@ -45,5 +57,7 @@ private:
 
 /// As `--pose` of `tedavis shot` takes it.
 [[nodiscard]] std::string pose_text(const AircraftPose& pose);
+/// " --phase P" of `tedavis shot`; empty where the pose has no phase.
+[[nodiscard]] std::string phase_option(const AircraftPose& pose);
 
 }  // namespace tedavis::host_sim

@@ -24,13 +24,13 @@ std::string name_of(const SampledQuality& sampled) {
     return name;
 }
 
-KnobFacts quality_level_facts() {
+KnobFacts quality_level_facts(const FlownDisplay& display) {
     std::vector<KnobLevel> levels;
     for (const SampledQuality& sampled : kSampledQualities) levels.push_back({name_of(sampled), 0});
     return {"quality_level",
             "Quality that the governor chooses for a frame's deadline",
             "[[quality]] of a calibration file, chosen by --deadline with --costs",
-            kPixelMetric,
+            pixel_metric(display.size),
             kColorUnit,
             {"the picture that the design asks for", 0, "it is one of the levels; a test draws it twice with the same bits"},
             "none: the design's own picture is what the levels depart from",
@@ -40,13 +40,12 @@ KnobFacts quality_level_facts() {
             std::move(levels)};
 }
 
-ColorPlan quality_levels(const std::string& terrain, const std::string& scene) {
+ColorPlan quality_levels(const KnobGround& ground, const std::string& scene) {
     ColorPlan plan;
+    plan.size = ground.display.size;
     for (const SampledQuality& sampled : kSampledQualities) {
-        FlownLevel level;
-        level.picture.terrain = terrain;
+        FlownLevel level = flown_level(ground.ground.path(), ground.display);
         level.picture.scene = scene;
-        level.picture.size = kFlownSize;
         level.quality = effects::QualityLevel{sampled.tau_factor, sampled.detail_factor, {}, 0, 0, 0};
         if (!sampled.has_silhouettes) level.quality->given_up.add(effects::Effect::silhouettes);
         plan.drawn.push_back(level);
@@ -58,14 +57,14 @@ ColorPlan quality_levels(const std::string& terrain, const std::string& scene) {
 class QualityLevelKnob final : public ColorKnob {
 public:
     QualityLevelKnob(const KnobGround& ground, KnobFlight& flight)
-        : ColorKnob(quality_level_facts(), quality_levels(ground.ground.path(), flight.scene()),
+        : ColorKnob(quality_level_facts(ground.display), quality_levels(ground, flight.scene()),
                     flight.poses(flown_poses(ground.is_quick))) {}
 };
 
 }  // namespace
 
 std::unique_ptr<Knob> make_quality_level_knob(const KnobGround& ground) {
-    KnobFlight flight(ground.ground);
+    KnobFlight flight(ground);
     return std::make_unique<QualityLevelKnob>(ground, flight);
 }
 

@@ -42,11 +42,12 @@ std::vector<SeenPlace> places_seen(const TracedGround& ground, const TracedShotP
 
 }  // namespace
 
-std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<AircraftPose>& poses) {
+std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<AircraftPose>& poses, const SeenGrid& grid) {
     std::vector<SeenPose> seen;
     TracedShotPlan plan;
-    plan.width = SeenPose::kAcross;
-    plan.height = SeenPose::kDown;
+    plan.width = grid.across;
+    plan.height = grid.down;
+    plan.field_of_view_deg = grid.field_of_view_deg;
     for (const AircraftPose& pose : poses) {
         plan.pose = pose;
         const glm::dvec3 eye = view_of(ground, plan).eye;
@@ -55,7 +56,8 @@ std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<A
             if (glm::distance(place.position, eye) >= kNearestSeenPlace_m) one.places.push_back(place);
         if (!one.places.empty()) seen.push_back(std::move(one));
     }
-    if (seen.empty()) throw UserError("the default flight sees no ground of the terrain; name another --terrain");
+    if (seen.empty())
+        throw UserError("no pose of the flight shows ground of the terrain; name the --terrain that it was flown over");
     return seen;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "host_sim/accuracy/knobs/flown_display.hpp"
 #include "host_sim/tracing/traced_shot.hpp"
 
 namespace tedavis::host_sim {
@@ -25,14 +26,13 @@ struct SeenPlace {
 
 /// A pose, and a grid of places that it shows.
 struct SeenPose {
-    static constexpr std::uint32_t kAcross = 32, kDown = 18;
-
     AircraftPose pose;
     std::vector<SeenPlace> places;
 };
-/// The poses that show ground. Nearer ground than 50 m is left out: in pixels it is known less well. Throws UserError where no
-/// pose shows any.
-[[nodiscard]] std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<AircraftPose>& poses);
+/// The poses that show ground, with their places in the grid. Nearer ground than 50 m is left out: in pixels it is known less
+/// well. Throws UserError where no pose shows any.
+[[nodiscard]] std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<AircraftPose>& poses,
+                                               const SeenGrid& grid = SeenGrid());
 [[nodiscard]] std::vector<AircraftPose> poses_of(const std::vector<SeenPose>& seen);
 
 /// Where a view shows a place, in pixels right of its middle and below it. Nothing before the near plane.

@@ -10,7 +10,7 @@ namespace {
 constexpr double kTaus_px[] = {16, 8, 4, 2, 1, 0.5};
 constexpr std::size_t kTauPoses = 32, kQuickTauPoses = 8;
 
-KnobFacts terrain_tau_facts() {
+KnobFacts terrain_tau_facts(const FlownDisplay& display) {
     std::vector<KnobLevel> levels;
     for (const double tau_px : kTaus_px) {
         char name[16];
@@ -21,9 +21,10 @@ KnobFacts terrain_tau_facts() {
         "terrain_tau",
         "Error that the terrain may have on the screen",
         "tau_px of a design, and --tau",
-        "distance on the screen between the drawn and the true place of ground that a pixel shows, 640 x 360 pixels",
+        "distance on the screen between the drawn and the true place of ground that a pixel shows, " + size_text(display.size) +
+            " pixels",
         "px",
-        {"the database's own heights, two triangles a cell, projected in doubles", 2e-3,
+        {"the database's own heights, two triangles a cell, projected in doubles", kSeenErrorBound_px * pixel_scale(display),
          "heights are interpolated from floats relative to a chunk, to 0.2 mm; ground is 50 m away or farther"},
         "the bound that the display states for each frame, which a test finds above every error; a proof over 10,000 poses from "
         "the elevation raster itself (tests/poses)",
@@ -36,16 +37,18 @@ KnobFacts terrain_tau_facts() {
         KnobWork{"triangles", {-1.66, 0.4, "Lindstrom and Pascucci (2001): 79,382 at 2 px and 25,100 at 4 px over Puget Sound"}}};
 }
 
-std::vector<FlownLevel> terrain_tau_levels(const std::string& terrain) {
+std::vector<FlownLevel> terrain_tau_levels(const KnobGround& ground) {
     std::vector<FlownLevel> levels;
-    for (const double tau_px : kTaus_px) levels.push_back(terrain_level(terrain, tau_px, kFlownSize));
+    for (const double tau_px : kTaus_px) levels.push_back(terrain_level(ground.ground.path(), tau_px, ground.display));
     return levels;
 }
 
 class TerrainTauKnob final : public FlownKnob {
 public:
-    TerrainTauKnob(const TracedGround& ground, std::vector<SeenPose> seen)
-        : FlownKnob(terrain_tau_facts(), terrain_tau_levels(ground.path()), poses_of(seen)),
+    TerrainTauKnob(const KnobGround& ground, std::vector<SeenPose> seen)
+        : FlownKnob(terrain_tau_facts(ground.display), terrain_tau_levels(ground), poses_of(seen)),
+          grid_(seen_grid(ground.display)),
+          size_(ground.display.size),
           seen_(std::move(seen)),
           triangles_(std::size(kTaus_px)),
           measured_(seen_.size()) {}
@@ -62,11 +65,13 @@ public:
             }
     }
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
-        return seen_pixel(measured_[sample][error]);
+        return seen_pixel(measured_[sample][error], grid_, size_);
     }
     [[nodiscard]] double work(std::size_t level) const override { return triangles_[level] / static_cast<double>(samples()); }
 
 private:
+    SeenGrid grid_;
+    PictureSize size_;
     std::vector<SeenPose> seen_;
     std::vector<double> triangles_;                 ///< by level, of all poses
     std::vector<std::vector<SeenPlace>> measured_;  ///< by pose, of the level that was measured last
@@ -84,8 +89,8 @@ std::optional<double> terrain_error_px(display::Display& display, const SeenPlac
 }
 
 std::unique_ptr<Knob> make_terrain_tau_knob(const KnobGround& ground) {
-    const std::vector<AircraftPose> poses = KnobFlight(ground.ground).poses(ground.is_quick ? kQuickTauPoses : kTauPoses);
-    return std::make_unique<TerrainTauKnob>(ground.ground, seen_poses(ground.ground, poses));
+    const std::vector<AircraftPose> poses = KnobFlight(ground).poses(ground.is_quick ? kQuickTauPoses : kTauPoses);
+    return std::make_unique<TerrainTauKnob>(ground, seen_poses(ground.ground, poses, seen_grid(ground.display)));
 }
 
 }  // namespace tedavis::host_sim

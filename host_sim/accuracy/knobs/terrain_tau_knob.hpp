@@ -11,6 +11,9 @@
 
 namespace tedavis::host_sim {
 
+/// What terrain_error_px() may be wrong by on a picture of kFlownSize, for ground that is at least kNearestSeenPlace_m away.
+inline constexpr double kSeenErrorBound_px = 2e-3;
+
 /// How far from its true place the planned frame draws a place, in pixels. Nothing where it draws no terrain.
 [[nodiscard]] std::optional<double> terrain_error_px(display::Display& display, const SeenPlace& place);
 

@@ -90,7 +90,14 @@ inline host_sim::MeasuredKnob made_knob_of_one_level() {
 inline host_sim::AccuracyReport made_report() {
     MadeKnob knob(5);
     host_sim::AccuracyReport report;
-    report.conditions = host_sim::conditions_now("tedavis accuracy -o x", "a renderer", {"alps.tdb", 7}, true);
+    host_sim::MeasuredInputs inputs;
+    inputs.terrain = "alps.tdb";
+    inputs.terrain_identity = 7;
+    inputs.size = "640 x 360";
+    inputs.device = "es3-mid";
+    inputs.design = "default";
+    inputs.is_quick = true;
+    report.conditions = host_sim::conditions_now("tedavis accuracy -o x", "a renderer", inputs);
     report.knobs.push_back(host_sim::measure_knob(knob, knob.plan(7)));
     return report;
 }

@@ -72,7 +72,11 @@ TEST(CompareAccuracy, RefusesOtherInputs) {
     AccuracyReport earlier = made_report();
     earlier.conditions.is_quick = false;
     test_support::expect_user_error([&] { static_cast<void>(beside(made_report(), earlier)); },
-                                    "--compare old.json: was measured over other heights or another extent");
+                                    "--compare old.json: was measured over other heights, another flight, displays or extent");
+    earlier = made_report();
+    earlier.conditions.flight = "alps.log";
+    earlier.conditions.flight_identity = 9;
+    test_support::expect_user_error([&] { static_cast<void>(beside(made_report(), earlier)); }, "and alps.log, 640 x 360 pixels");
 }
 
 TEST(ComparisonTable, HasARowForEachLevelAndAColumnForEachReport) {

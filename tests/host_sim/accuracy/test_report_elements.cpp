@@ -155,7 +155,8 @@ const std::vector<ReportElement>& elements() {
              for (const Json& line : json.at("flights").at(0).at("lines"))
                  all.push_back(printed("<th>%g px</th>", number(line.at("asked_px"))) + cell(three(line.at("proven_px"))) +
                                cell(three(line.at("measured_px"))) +
-                               cell(printed("%.0f %%", 100 * number(line.at("measured_px")) / number(line.at("proven_px")))));
+                               cell(printed("%.0f %%", 100 * number(line.at("tightness").at("median")))) +
+                               cell(printed("%.0f %%", 100 * number(line.at("tightness").at("max")))));
              return all;
          }},
         {9, "front across settings", [](const Json& json) { return front_rows(knob_named(json, "frame_settings")); }},

@@ -27,7 +27,8 @@ inline host_sim::FlightErrors made_flight_errors() {
     flight.terrain = "alps.tdb";
     flight.asked_px = 1;
     flight.moments = {{10, 0.9, 0.5, 12, 100, "36,-84,1000,0,0,0"}, {20, 0.8, 0.7, 13, 90, "37,-84,1000,0,0,0"}};
-    flight.lines = {{4, 3.5, 2.1, 600, 2}, {1, 0.9, 0.7, 500, 0}};
+    flight.lines = {{4, 3.5, 2.1, 600, 2, {0.4, 0.6}}, {1, 0.9, 0.7, 500, 0, {0.5, 0.78}}};
+    flight.drawn = " --terrain alps.tdb";
     return flight;
 }
 

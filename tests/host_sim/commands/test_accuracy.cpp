@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "host_sim/commands/option_texts.hpp"
+#include "host_sim/commands/shot.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/user_error.hpp"
 #include "tests/support/flights/flown_circle.hpp"
@@ -26,7 +28,7 @@ const test_support::FlownFiles& files() {
 AccuracyOptions quick(const std::string& folder) {
     AccuracyOptions options;
     options.output = files().folder.file(folder);
-    options.terrain = files().terrain;
+    options.terrains = {files().terrain};
     options.is_quick = true;
     options.knobs = {"ray_halvings"};
     return options;
@@ -97,6 +99,50 @@ TEST(Accuracy, ComparesWithAnEarlierReport) {
     EXPECT_EQ(run(options, true).code, 0) << "control: only the same errors";
 }
 
+TEST(Accuracy, FliesARecordedFlight) {
+    AccuracyOptions options = quick("recorded");
+    options.knobs = {"terrain_tau"};
+    options.flights = {files().log};
+    options.display.size = {320, 180};
+    const auto json = run(options, true).json();
+    EXPECT_EQ(json.at("conditions").at("flight"), files().log);
+    EXPECT_EQ(json.at("conditions").at("size"), "320 x 180");
+    const std::string command = json.at("knobs")[0].at("levels")[0].at("worst").at("command");
+    EXPECT_THAT(command,
+                HasSubstr(" --terrain " + files().terrain + " --design default --device es3-mid --size 320x180 --tau 16"));
+    ShotOptions shot;
+    const std::size_t pose = command.find("--pose ") + 7;
+    shot.pose = pose_from(command.substr(pose, command.find(' ', pose) - pose));
+    EXPECT_NEAR(shot.pose.latitude_deg, 47.04, 0.01) << "where the log was recorded";
+    shot.picture.terrain = files().terrain;
+    shot.picture.size = PictureSize{320, 180};
+    shot.output = files().folder.file("worst.png");
+    EXPECT_EQ(test_support::run_command([&](Console& console) { return run_shot(shot, console); }, true).code, 0);
+    options.flights.clear();
+    expect_user_error([&] { static_cast<void>(run(options, true)); }, "accuracy.json: was measured with another");
+}
+
+TEST(Accuracy, RefusesWrongFlightsAndDisplays) {
+    const auto refused = [](const auto& change, const char* sentence) {
+        AccuracyOptions options = quick("never_flown");
+        change(options);
+        expect_user_error([&] { static_cast<void>(run(options, false)); }, sentence);
+        EXPECT_FALSE(std::filesystem::exists(options.output)) << sentence;
+    };
+    refused([](AccuracyOptions& o) { o.flights = {files().folder.file("none.log")}; }, "none.log");
+    refused([](AccuracyOptions& o) { o.flights = {files().folder.write("empty.log", "")}; }, "no CAN frame in this file");
+    refused([](AccuracyOptions& o) { o.switches = {"x.switches"}; }, "--switches x.switches: has no --flight");
+    refused(
+        [](AccuracyOptions& o) {
+            o.flights = {files().log, files().log, files().log};
+            o.terrains = {files().terrain, files().terrain};
+        },
+        "--terrain: was given 2 times for 3 flights");
+    refused([](AccuracyOptions& o) { o.display.size = {63, 200}; }, "--size 63x200: a quarter of it is too small");
+    refused([](AccuracyOptions& o) { o.display.device = "no_such"; }, "no_such");
+    refused([](AccuracyOptions& o) { o.display.design = "map_north_up"; }, "--design map_north_up: shows a map");
+}
+
 TEST(Accuracy, RefusesWrongUsageBeforeItMeasures) {
     AccuracyOptions options = quick("never");
     options.knobs = {"nothing"};
@@ -105,7 +151,7 @@ TEST(Accuracy, RefusesWrongUsageBeforeItMeasures) {
     options.target_error = "much";
     expect_user_error([&] { static_cast<void>(run(options, false)); }, "--target-error much: is no error above 0 with its unit");
     options = quick("never");
-    options.terrain = files().folder.file("none.tdb");
+    options.terrains = {files().folder.file("none.tdb")};
     EXPECT_THROW(static_cast<void>(run(options, false)), UserError);
     options = quick("never");
     options.compare = {files().folder.write("other.json", R"({"schema": "tedavis.accuracy/0"})")};

@@ -31,5 +31,26 @@ TEST(FrameSettingsKnob, ErrorsGrowWithTheToleranceAndWithTheDrawnPixel) {
     EXPECT_EQ(picture->width, 640u) << "as the window shows it";
 }
 
+TEST(FrameSettingsKnob, ItsLargestPictureIsAsLargeAsAsked) {
+    const test_support::MadeKnobGround made;
+    KnobGround ground = made.quick();
+    ground.display.size = {480, 480};
+    ground.display.device = "desktop";
+    ground.display.design = "cruise";
+    const auto knob = make_frame_settings_knob(ground);
+    EXPECT_EQ(knob->options(level_named(*knob, "tau 2 px, half size")), "--tau 2 --size 240x240");
+    const std::size_t full = level_named(*knob, "tau 1 px, full size");
+    EXPECT_EQ(knob->picture(full, 0)->height, 480u);
+    EXPECT_NE(knob->command(full, 0).find("--design cruise --device desktop --size 480x480 --tau 1 --pose"), std::string::npos)
+        << knob->command(full, 0);
+    EXPECT_NE(knob->facts().metric.text().find("480 x 480"), std::string::npos);
+    std::vector<double> errors;
+    knob->find_errors(full, 0, errors);
+    ASSERT_FALSE(errors.empty());
+    const KnobPixel last = *knob->pixel_of(0, errors.size() - 1);
+    EXPECT_GT(last.y, 360u) << "near the lower border";
+    EXPECT_LT(last.y, 480u);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_frame_settings_knob

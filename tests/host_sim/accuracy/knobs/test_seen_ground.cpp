@@ -43,8 +43,9 @@ TEST(SeenGround, LeavesOutPosesThatShowNone) {
     const std::vector<SeenPose> seen = seen_poses(shipped.ground, {up, low, level});
     ASSERT_EQ(seen.size(), 2u);
     EXPECT_EQ(poses_of(seen)[0].pitch_deg, -60);
-    EXPECT_EQ(seen[0].places.size(), SeenPose::kAcross * SeenPose::kDown) << "nothing but ground";
-    test_support::expect_user_error([&] { static_cast<void>(seen_poses(shipped.ground, {up})); }, "sees no ground");
+    EXPECT_EQ(seen[0].places.size(), SeenGrid().across * SeenGrid().down) << "nothing but ground";
+    test_support::expect_user_error([&] { static_cast<void>(seen_poses(shipped.ground, {up})); },
+                                    "no pose of the flight shows ground");
 }
 
 }  // namespace
