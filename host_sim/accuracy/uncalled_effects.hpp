@@ -21,7 +21,7 @@ namespace tedavis::host_sim {
 
 struct EffectUse : EffectCount {
     std::string contribution;              ///< "content", "color" or "geometry"
-    effects::PairedCost saved;                    ///< of a frame without it; 0 where the noise is greater
+    effects::PairedCost saved;             ///< of a frame without it; 0 where the noise is greater
     std::uint32_t largest_difference = 0;  ///< of a colour channel, of 255, over the frames that skipped it
     std::string worst_pose;                ///< where it is, as `--pose` of `tedavis shot` takes it; empty: nowhere
 
