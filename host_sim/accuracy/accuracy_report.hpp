@@ -10,6 +10,7 @@
 #include "host_sim/accuracy/governor_choice.hpp"
 #include "host_sim/accuracy/measured_knob.hpp"
 #include "host_sim/accuracy/negative_control.hpp"
+#include "host_sim/accuracy/rank_agreement.hpp"
 #include "host_sim/accuracy/uncalled_effects.hpp"
 
 namespace tedavis::host_sim {
@@ -47,6 +48,7 @@ struct ComparedReport {
     bool is_same_machine = false;                ///< only then are times judged
     std::vector<ComparedLevel> levels;
     std::vector<std::string> gone;  ///< "knob: level" that only the earlier report has, of knobs that both measured
+    RankAgreement ranks;            ///< whether both rank levels by time alike
 };
 
 struct AccuracyReport {

@@ -51,6 +51,15 @@ effects::QualityLevel quality_of(const Json& json) {
     return level;
 }
 
+Json ranks_json(const RankAgreement& ranks) {
+    const std::optional<double> tau = ranks.tau();
+    return {{"pairs", ranks.pairs},
+            {"alike", ranks.alike},
+            {"distinct", ranks.distinct},
+            {"ranked", ranks.ranked},
+            {"kendall_tau", tau ? Json(*tau) : Json()}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json flight_json(const FlightErrors& flight) {
@@ -183,7 +192,7 @@ nlohmann::ordered_json compared_json(const ComparedReport& compared) {
                           {"less_accurate", level.is_less_accurate}});
     return {{"file", compared.file},       {"processor", compared.processor},          {"date", compared.date},
             {"version", compared.version}, {"same_machine", compared.is_same_machine}, {"levels", std::move(levels)},
-            {"gone", compared.gone}};
+            {"gone", compared.gone},       {"ranks", ranks_json(compared.ranks)}};
 }
 
 ComparedReport compared_from(const nlohmann::ordered_json& json) {
@@ -197,6 +206,8 @@ ComparedReport compared_from(const nlohmann::ordered_json& json) {
         compared.levels.push_back({level.at("knob"), level.at("level"), level.at("ms"), level.at("earlier_ms"), level.at("error"),
                                    level.at("earlier_error"), level.at("slower"), level.at("less_accurate")});
     for (const Json& name : json.at("gone")) compared.gone.push_back(name);
+    const Json& ranks = json.at("ranks");
+    compared.ranks = {ranks.at("pairs"), ranks.at("alike"), ranks.at("distinct"), ranks.at("ranked")};
     return compared;
 }
 

@@ -91,6 +91,7 @@ ComparedReport compare_accuracy(const AccuracyReport& report, const AccuracyRepo
     for (const MeasuredKnob& knob : report.knobs) {
         const MeasuredKnob* const old_knob = item_called(earlier.knobs, knob.name);
         if (old_knob == nullptr) continue;
+        compared.ranks.add(knob, *old_knob);
         for (const MeasuredLevel& level : knob.levels)
             if (const MeasuredLevel* const old_level = item_called(old_knob->levels, level.name))
                 compared.levels.push_back(compared_level(knob, *old_knob, level, *old_level,
@@ -111,6 +112,7 @@ bool is_worse(const ComparedReport& compared) {
 std::string comparison_text(const ComparedReport& compared) {
     std::string text = "\n\nbeside " + compared.file + " (" + compared.processor + ", " + compared.date + ")";
     if (!compared.is_same_machine) text += "\n  It is of another machine, so times are not judged.";
+    text += "\n  " + rank_text(compared.ranks);
     for (const ComparedLevel& level : compared.levels) {
         if (level.is_slower) text += compared_line("takes %.3f ms, and took %.3f ms", level, level.earlier_ms, level.ms);
         if (level.is_less_accurate)
@@ -131,7 +133,10 @@ std::string comparison_table(const std::vector<ComparedReport>& comparisons) {
         for (const ComparedLevel& level : compared.levels)
             if (same_level(all, level) == nullptr) all.push_back(level);
     for (const ComparedLevel& row : all) rows += comparison_row(comparisons, row);
-    return html_table(head + "</tr>", rows);
+    std::string ranks;
+    for (const ComparedReport& compared : comparisons)
+        ranks += "<p>Beside " + escaped_html(compared.file) + ": " + escaped_html(rank_text(compared.ranks)) + "</p>";
+    return ranks + html_table(head + "</tr>", rows);
 }
 
 }  // namespace tedavis::host_sim
