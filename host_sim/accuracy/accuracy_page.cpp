@@ -20,7 +20,9 @@ namespace {
 
 constexpr const char* kAccuracyStyle =
     ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}tbody th "
-    "a{white-space:normal}";
+    "a{white-space:normal}@media(max-width:40rem){table{font-size:.78rem}th,td,tbody th,thead "
+    "th{white-space:normal;padding-right:"
+    ".35rem}}";
 
 std::string significant(double value) { return printed("%.3g", value); }
 

@@ -61,15 +61,20 @@ std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& ste
     return text;
 }
 
+/// Name, greatest error and times.
+std::string level_cells(const MeasuredLevel& level) {
+    return html_cell(level.name) + html_number(printed("%.3g", level.error.max)) +
+           html_number(decimal(level.sample_ms.median, 2)) + html_aside(decimal(level.sample_ms.p95, 2));
+}
+
 std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
-    const std::string head = "<tr><th>" + std::string(budget.name) + "</th>" + html_number(decimal(budget.ms, 1));
+    const std::string head = "<tr><th>" + std::string(budget.name) + "</th>" + html_aside(decimal(budget.ms, 1));
     const MeasuredLevel* const best = best_frame_within(knob, budget.ms);
     if (best == nullptr) return head + "<td colspan='7'>no settings keep to it</td></tr>";
     const NextLevel* const next = next_of(steps, best);
-    return head + html_cell(best->name) + html_cell(best->options) + html_number(decimal(best->sample_ms.median, 2)) +
-           html_number(decimal(best->sample_ms.p95, 2)) + html_number(printed("%.3g", best->error.max)) +
-           html_cell(next == nullptr ? "" : next->to->name) +
-           html_cell(next == nullptr ? "" : printed("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) + "</tr>";
+    return head + level_cells(*best) + html_cell(next == nullptr ? "" : next->to->name) +
+           html_cell(next == nullptr ? "" : printed("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) +
+           html_cell(best->options) + "</tr>";
 }
 
 constexpr double kErrors_px[] = {0.5, 1, 2, 4, 8};
@@ -78,16 +83,15 @@ std::string target_row(const MeasuredKnob& knob, double error_px) {
     const std::string head = "<tr><th>" + printed("%g ", error_px) + escaped_html(knob.unit) + "</th>";
     const MeasuredLevel* const quickest = cheapest_for(knob, error_px);
     if (quickest == nullptr) return head + "<td colspan='5'>no settings keep to it</td></tr>";
-    return head + html_cell(quickest->name) + html_cell(quickest->options) + html_number(decimal(quickest->sample_ms.median, 2)) +
-           html_number(decimal(quickest->sample_ms.p95, 2)) + html_number(printed("%.3g", quickest->error.max)) + "</tr>";
+    return head + level_cells(*quickest) + html_cell(quickest->options) + "</tr>";
 }
 
 std::string target_table(const MeasuredKnob& knob) {
     std::string rows;
     for (const double error_px : kErrors_px) rows += target_row(knob, error_px);
     return html_table(
-        "<tr><th>an error of at most</th><th>quickest settings</th><th>in replay</th><th class='n'>ms</th><th class='n'>95 % "
-        "within</th><th class='n'>greatest error</th></tr>",
+        "<tr><th>an error of at most</th><th>quickest settings</th><th class='n'>greatest error</th><th class='n'>ms</th>"
+        "<th class='n aside'>95 % within</th><th>in replay</th></tr>",
         rows);
 }
 
@@ -118,11 +122,10 @@ std::string first_screen(const AccuracyReport& report) {
            html_fact(printed("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
            html_fact(decimal(quickest.sample_ms.median, 1) + " ms", "the quickest settings") + "</div>\n" +
            html_table(
-               "<tr><th>a frame's time</th><th class='n'>ms</th><th>best settings</th><th>in replay</th><th class='n'>ms</th><th "
-               "class='n'>95 % "
-               "within</th>"
-               "<th class='n'>greatest error, " +
-                   escaped_html(knob->unit) + "</th><th>next level</th><th></th></tr>",
+               "<tr><th>a frame's time</th><th class='n aside'>ms</th><th>best settings</th><th class='n'>greatest error, " +
+                   escaped_html(knob->unit) +
+                   "</th><th class='n'>ms</th><th class='n aside'>95 % within</th><th>next level</th><th></th><th>in "
+                   "replay</th></tr>",
                rows) +
            target_table(*knob) + "</section>\n";
 }
