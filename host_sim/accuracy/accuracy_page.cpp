@@ -18,11 +18,11 @@
 namespace tedavis::host_sim {
 namespace {
 
+/// On a phone tables are smaller, and all their cells wrap.
 constexpr const char* kAccuracyStyle =
-    ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}tbody th "
-    "a{white-space:normal}@media(max-width:40rem){table{font-size:.78rem}th,td,tbody th,thead "
-    "th{white-space:normal;padding-right:"
-    ".35rem}}";
+    ".dominated td,.dominated th{color:#b3261e}.knob{break-inside:avoid}tbody th{font-weight:600;white-space:nowrap}"
+    "tbody th a{white-space:normal}@media(max-width:40rem){table{font-size:.78rem}"
+    "th,td,thead th,tbody th,th.n{white-space:normal;padding-right:.35rem}}";
 
 std::string significant(double value) { return printed("%.3g", value); }
 
