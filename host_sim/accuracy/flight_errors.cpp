@@ -57,11 +57,13 @@ public:
         return moment;
     }
 
-    [[nodiscard]] ToleranceLine line(std::size_t level) {
+    /// Calls `begin_frame` before each frame.
+    [[nodiscard]] ToleranceLine line(std::size_t level, const std::function<void()>& begin_frame) {
         ToleranceLine line;
         line.asked_px = tolerances_px_[level];
         std::vector<double> shares;
         for (std::size_t pose = 0; pose < poses(); ++pose) {
+            begin_frame();
             const MeasuredMoment at = moment(level, pose, line.broken);
             line.proven_px = std::max(line.proven_px, at.proven_px);
             line.measured_px = std::max(line.measured_px, at.measured_px);
@@ -71,6 +73,7 @@ public:
         line.tightness = tightness_of(shares);
         return line;
     }
+
     [[nodiscard]] static double known_to_px(const KnobGround& ground) { return kSeenErrorBound_px * pixel_scale(ground.display); }
 
 private:
@@ -118,19 +121,20 @@ FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsP
     measured.drawn = shot_options(as_designed).value_or("");
     measured.known_to_px = ErrorFlight::known_to_px(ground);
     measured.asked_px = load_design(as_designed.picture).terrain.tau_px;
+    std::size_t frames = 0;
+    const std::size_t all = plan.moments + plan.line_poses * std::size(kTolerances_px);
+    const auto begin_frame = [&] { plan.progress(frames++, all); };
     {
         std::uint64_t broken = 0;
         ErrorFlight along(ground, flight, {measured.asked_px}, plan.moments, plan.across);
         for (std::size_t n = 0; n < along.poses(); ++n) {
-            plan.progress(n, along.poses() + std::size(kTolerances_px));
+            begin_frame();
             measured.moments.push_back(along.moment(0, n, broken));
         }
     }
     ErrorFlight lines(ground, flight, {std::begin(kTolerances_px), std::end(kTolerances_px)}, plan.line_poses, plan.across);
-    for (std::size_t level = 0; level < std::size(kTolerances_px); ++level) {
-        plan.progress(measured.moments.size() + level, measured.moments.size() + std::size(kTolerances_px));
-        measured.lines.push_back(lines.line(level));
-    }
+    for (std::size_t level = 0; level < std::size(kTolerances_px); ++level)
+        measured.lines.push_back(lines.line(level, begin_frame));
     return measured;
 }
 

@@ -33,7 +33,7 @@ constexpr const char* kPageName = "/report.html";
 constexpr const char* kPictureFolder = "/pictures/";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
 constexpr std::size_t kMoments = 120, kLinePoses = 60, kQuickEffectPoses = 3;
-constexpr std::uint32_t kPlacesAcross = 128;  ///< of a frame, so that a flight has more than a million samples
+constexpr std::uint32_t kPlacesAcross = 192;  ///< of a frame, so that a flight has more than a million samples
 constexpr const char* kOwnCommand = "tedavis accuracy ";
 constexpr std::uint32_t kSmallestSide_px = 64;
 constexpr double kGovernorRate_hz = 10, kQuickGovernorRate_hz = 2;  ///< frames of the flight

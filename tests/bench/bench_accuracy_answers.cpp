@@ -17,6 +17,7 @@
 #include "host_sim/commands/trace.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "tests/bench/bench_result.hpp"
 #include "tests/support/files/temporary_folder.hpp"
@@ -72,9 +73,11 @@ Flown fly(const Setting& setting, const std::string& terrain, const std::string&
     host_sim::DisplaySession session(options, true);
     host_sim::FlightPlayer player({flight + "/flight.log", options.bus, flight + "/flight.switches", "one_hot"},
                                   session.display());
+    host_sim::FramePreroll preroll(player, session, session.device().frame_rate_hz);
     const double pixel = static_cast<double>(host_sim::kFlownSize.width) / setting.size.width;
     Flown flown;
     for (base::Time now = player.first(); now <= player.last(); now = now + base::Duration::from_seconds(kStep_s)) {
+        preroll.preroll(now);
         const flight::FrameInput input = player.at(now);
         const double begun = clock_ms();
         session.display().plan(input);

@@ -36,7 +36,7 @@ TEST(AccuracyFlights, NoSampleOfARecordedFlightOverDavosIsAboveTheBound) {
     FlightErrorsPlan plan;
     plan.moments = 30;
     plan.line_poses = 10;
-    plan.across = 256;
+    plan.across = 300;
     plan.progress = [](std::size_t, std::size_t) {};
     const FlightErrors errors = measure_flight_errors({ground, true, &recorded, {}}, plan);
     EXPECT_TRUE(errors.holds());
