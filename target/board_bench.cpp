@@ -8,6 +8,7 @@
 #include "render_core/display/planner/glyph_elements.hpp"
 #include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
+#include "render_core/gl/program.hpp"
 #include "render_core/gl/readback.hpp"
 #include "target/board_display.hpp"
 
@@ -58,6 +59,10 @@ BoardBench::BoardBench(const BoardSettings& settings, const BoardClocks& clocks,
 }
 
 base::Error BoardBench::find_place(platform::BenchPlace& place) {
+    if (!gl::has_compiler(settings_.device.capability))
+        return base::make_error("--calibrate: device '", settings_.device.name.view(),
+                                "' has no compiler for programs with and without each effect; measure its costs with `tedavis "
+                                "calibrate` on a desk with the same driver");
     const auto picture = std::make_unique<BenchPicture>();
     own_picture(*picture);
     std::unique_ptr<platform::DisplayHost> host;
@@ -134,7 +139,7 @@ bool BoardBench::draw(platform::DisplayHost& host) {
 void BoardBench::progress(std::size_t done, std::size_t total) {
     const base::Time time = now();
     if (done == 0) begun_ = last_line_ = time;
-    if (done == 0 || time - last_line_ < kBetweenLines) return;
+    if (done == 0 || done == total || time - last_line_ < kBetweenLines) return;
     last_line_ = time;
     const double left_s = (time - begun_).to_seconds() / static_cast<double>(done) * static_cast<double>(total - done);
     char line[96];

@@ -10,6 +10,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "target/board_display.hpp"
+#include "tests/support/files/device_files.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/target/captured_output.hpp"
 #include "tests/target/fake_board.hpp"
@@ -96,6 +97,10 @@ TEST_F(CalibrateBoardTest, WithoutTerrainOrAPlaceToWriteItSaysSo) {
     expect_nothing_written();
     settings.terrain = Path(folder.write("area.tdb", "no terrain"));
     EXPECT_THAT(refusal(), HasSubstr("area.tdb: "));
+    expect_nothing_written();
+    settings = board_settings();
+    settings.device = test_support::shipped_device("sc2");
+    EXPECT_THAT(refusal(), HasSubstr("--calibrate: device 'sc2' has no compiler"));
     expect_nothing_written();
     settings = board_settings();
     path = folder.file("none/board.costs.toml");
