@@ -176,9 +176,13 @@ const std::vector<ReportElement>& elements() {
          [](const Json& json) {
              const Json& knob = knob_named(json, "frame_settings");
              const Json &best = *best_within(knob, 12), &quickest = *quickest_for(knob, 0.5);
-             return Texts{
-                 "<th>12 ms</th>" + cell("12.0") + "<td>" + text(best.at("name")) + "</td><td>" + text(best.at("options")),
-                 "<th>0.5 m</th><td>" + text(quickest.at("name")) + "</td><td>" + text(quickest.at("options"))};
+             const auto of_level = [](const Json& level) {
+                 return "<td>" + text(level.at("name")) + "</td>" + cell(three(level.at("error").at("max"))) +
+                        cell(printed("%.2f", number(level.at("sample_ms").at("median"))));
+             };
+             return Texts{"<th>12 ms</th><td class='n aside'>12.0</td>" + of_level(best),
+                          "<td>" + text(best.at("options")) + "</td></tr>", "<th>0.5 m</th>" + of_level(quickest),
+                          "<td>" + text(quickest.at("options")) + "</td></tr>"};
          }},
         {12, "memory, traffic, build time",
          [](const Json& json) {
@@ -242,7 +246,9 @@ const std::vector<ReportElement>& elements() {
         {21, "comparison with an earlier report",
          [](const Json& json) {
              const Json& level = json.at("comparisons").at(0).at("levels").at(0);
-             return Texts{cell(three(level.at("earlier_error"))) + "<td>less accurate</td>"};
+             const Json& ranks = json.at("comparisons").at(0).at("ranks");
+             return Texts{cell(three(level.at("earlier_error"))) + "<td>less accurate</td>",
+                          printed("tau %.3f", number(ranks.at("kendall_tau")))};
          }},
         {24, "effects that the scene did not call for",
          [](const Json& json) {

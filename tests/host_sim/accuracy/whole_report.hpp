@@ -81,7 +81,8 @@ inline host_sim::AccuracyReport whole_report() {
                            "1.0",
                            false,
                            {{"made", "4 steps", 12, 21, 0.25, 0.125, false, true}},
-                           {"made: 32 steps"}}};
+                           {"made: 32 steps"},
+                           {8, 7, 9, 8}}};
     report.not_measured = {"left_out"};
     return report;
 }
