@@ -20,13 +20,16 @@ base::FixedString<31> utc_text(base::Time wall) {
     return text;
 }
 
+/// Not what costs nothing by itself, since others measure it.
+bool is_measured(const effects::MeasuredCost& cost) { return cost.note.empty() && !cost.design.empty(); }
+
 void print_json(const effects::MeasuredCosts& measured, const effects::QualityLevels& levels, const char* output,
                 std::FILE* out) {
     JsonLine json;
     std::uint64_t count = 0;
     json.open_object().text("costs", output).open_list("not_measured");
     for (const effects::MeasuredCost& cost : measured.costs) {
-        count += cost.note.empty() ? 1 : 0;
+        count += is_measured(cost) ? 1 : 0;
         if (!cost.note.empty()) json.open_object().text("name", cost.name.view()).text("why", cost.note.view()).close_object();
     }
     json.close_list().number("measured", count).open_list("levels");
@@ -44,9 +47,9 @@ void print_text(const effects::MeasuredCosts& measured, const effects::QualityLe
     std::fprintf(out, "%s: what everything costs on %s, %s\n", output, measured.subject.device.c_str(),
                  measured.subject.renderer.c_str());
     for (const effects::MeasuredCost& cost : measured.costs)
-        if (cost.note.empty())
+        if (is_measured(cost))
             std::fprintf(out, "  %-18s %8.3f ms +- %.3f\n", cost.name.c_str(), cost.ms, cost.spread_ms);
-        else
+        else if (!cost.note.empty())
             std::fprintf(out, "  %-18s not measured: %s\n", cost.name.c_str(), cost.note.c_str());
     for (std::size_t n = 0; n < levels.count; ++n)
         std::fprintf(out, "  level %zu %8.3f ms, terrain within %.2f px, picture differs by %.2f (CIEDE2000)\n", n,

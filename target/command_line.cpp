@@ -39,6 +39,9 @@ private:
         if ((is_run || is_calibration) && line_.config == nullptr) return refuse({"--config: is missing; name the board file"});
         if (!is_run && line_.frames != 0) return refuse({"--frames: belongs to a run; leave it out"});
         if (is_calibration && line_.output == nullptr) return refuse({"-o: is missing; name the file of costs to write"});
+        if (is_calibration && line_.output[0] == '\0') return refuse({"-o: is empty; name the file of costs to write"});
+        if (is_calibration && std::string_view(line_.output) == line_.config)
+            return refuse({"-o ", line_.output, ": is the board file; name another file"});
         if (!is_calibration && line_.output != nullptr) return refuse({"-o: belongs to --calibrate; leave it out"});
         if (!is_calibration && has_rounds_) return refuse({"--rounds: belongs to --calibrate; leave it out"});
     }
@@ -89,6 +92,7 @@ private:
         const char* value = value_of(option);
         if (value == nullptr) return;
         has_rounds_ = true;
+        static_assert(BenchFrames::kMinRounds == 3 && BenchFrames::kMaxRounds == 1000, "as messages and help say");
         const std::uint64_t rounds = parse_count(value);
         line_.rounds = static_cast<std::uint32_t>(rounds);
         if (rounds < BenchFrames::kMinRounds || rounds > BenchFrames::kMaxRounds)
@@ -127,7 +131,7 @@ const char* command_line_help() noexcept {
            "  --rounds N   frames with and without each effect, 3 to 1000 (15); a third as many of each quality level\n"
            "  --json       results as JSON lines on stdout\n"
            "\n"
-           "Exit codes: 0 done, 1 a check did not hold or the display was lost, 2 wrong usage or input, "
+           "Exit codes: 0 done, 1 a check did not hold or a run lost its display, 2 wrong usage or input, "
            "130 a calibration was stopped.\n";
 }
 

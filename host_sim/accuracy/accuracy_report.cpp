@@ -52,13 +52,13 @@ MeasuringConditions conditions_now(const std::string& command, const std::string
 }
 
 bool have_same_inputs(const MeasuredInputs& a, const MeasuredInputs& b) {
-    return a.terrain_identity == b.terrain_identity && a.flight_identity == b.flight_identity &&
-           a.display_identity == b.display_identity && a.is_quick == b.is_quick;
+    return a.terrain_identity == b.terrain_identity && a.flight_identity == b.flight_identity && a.size == b.size &&
+           a.device == b.device && a.design == b.design && a.is_quick == b.is_quick;
 }
 
 bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b) {
     return a.program == b.program && a.processor == b.processor && a.processors == b.processors && a.renderer == b.renderer &&
-           have_same_inputs(a, b);
+           a.display_identity == b.display_identity && have_same_inputs(a, b);
 }
 
 }  // namespace tedavis::host_sim

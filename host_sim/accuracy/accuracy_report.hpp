@@ -67,10 +67,11 @@ struct AccuracyReport {
 [[nodiscard]] MeasuringConditions conditions_now(const std::string& command, const std::string& renderer,
                                                  const MeasuredInputs& inputs);
 
-/// True where both measured the same: heights, flight, displays and extent.
+/// True where both measured the same: heights, flight, extent, and displays by name, whose files may have changed between two
+/// versions.
 [[nodiscard]] bool have_same_inputs(const MeasuredInputs& a, const MeasuredInputs& b);
 
-/// True where figures of both may stand in one report: same program, machine and inputs.
+/// True where figures of both may stand in one report: same program, machine, files of displays, and inputs.
 [[nodiscard]] bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b);
 
 }  // namespace tedavis::host_sim

@@ -63,7 +63,8 @@ std::string choice_text(const MeasuredKnob& knob, const MeasuredLevel* level) {
     if (level == nullptr) return name + "no level keeps to it";
     const std::string options = level->options.empty() ? "" : "; tedavis replay LOG -o DIR " + level->options;
     const double ms = knob.name == kFrameSettings ? level->sample_ms.median : level->ms.median;
-    return name + level->name + printed(" (%.3f ms, at most %.3g ", ms, level->error.max) + knob.unit + ")" + options;
+    return name + level->name + printed(" (%.3f ms, at most %.3g ", ms, level->trusted_error()) + knob.unit +
+           (level->proven ? printed(", proven; %.3g measured)", level->error.max) : ")") + options;
 }
 
 }  // namespace

@@ -53,11 +53,8 @@ effects::QualityLevel quality_of(const Json& json) {
 
 Json ranks_json(const RankAgreement& ranks) {
     const std::optional<double> tau = ranks.tau();
-    return {{"pairs", ranks.pairs},
-            {"alike", ranks.alike},
-            {"distinct", ranks.distinct},
-            {"ranked", ranks.ranked},
-            {"kendall_tau", tau ? Json(*tau) : Json()}};
+    return {{"common", ranks.common},     {"pairs", ranks.pairs},   {"alike", ranks.alike},
+            {"distinct", ranks.distinct}, {"ranked", ranks.ranked}, {"kendall_tau", tau ? Json(*tau) : Json()}};
 }
 
 }  // namespace
@@ -79,9 +76,15 @@ nlohmann::ordered_json flight_json(const FlightErrors& flight) {
                          {"samples", line.samples},
                          {"broken", line.broken},
                          {"tightness", {{"median", line.tightness.median}, {"max", line.tightness.max}}}});
-    return {{"flight", flight.flight},       {"terrain", flight.terrain},   {"identity", flight.identity},
-            {"drawn", flight.drawn},         {"asked_px", flight.asked_px}, {"known_to_px", flight.known_to_px},
-            {"moments", std::move(moments)}, {"lines", std::move(lines)}};
+    return {{"flight", flight.flight},
+            {"terrain", flight.terrain},
+            {"identity", flight.identity},
+            {"terrain_identity", flight.terrain_identity},
+            {"drawn", flight.drawn},
+            {"asked_px", flight.asked_px},
+            {"known_to_px", flight.known_to_px},
+            {"moments", std::move(moments)},
+            {"lines", std::move(lines)}};
 }
 
 FlightErrors flight_from(const nlohmann::ordered_json& json) {
@@ -89,6 +92,7 @@ FlightErrors flight_from(const nlohmann::ordered_json& json) {
     flight.flight = json.at("flight");
     flight.terrain = json.at("terrain");
     flight.identity = json.at("identity");
+    flight.terrain_identity = json.at("terrain_identity");
     flight.drawn = json.at("drawn");
     flight.asked_px = json.at("asked_px");
     flight.known_to_px = json.at("known_to_px");
@@ -207,7 +211,7 @@ ComparedReport compared_from(const nlohmann::ordered_json& json) {
                                    level.at("earlier_error"), level.at("slower"), level.at("less_accurate")});
     for (const Json& name : json.at("gone")) compared.gone.push_back(name);
     const Json& ranks = json.at("ranks");
-    compared.ranks = {ranks.at("pairs"), ranks.at("alike"), ranks.at("distinct"), ranks.at("ranked")};
+    compared.ranks = {ranks.at("common"), ranks.at("pairs"), ranks.at("alike"), ranks.at("distinct"), ranks.at("ranked")};
     return compared;
 }
 

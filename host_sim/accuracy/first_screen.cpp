@@ -42,8 +42,8 @@ const NextLevel* next_of(const std::vector<NextLevel>& steps, const MeasuredLeve
 std::string level_words(const MeasuredKnob& knob, const MeasuredLevel& level) {
     return level.name +
            printed(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", level.sample_ms.median, level.sample_ms.p95,
-                   level.error.max) +
-           knob.unit + " off";
+                   level.trusted_error()) +
+           knob.unit + (level.proven ? printed(" off (proven; %.2g measured)", level.error.max) : " off");
 }
 
 std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
@@ -61,16 +61,17 @@ std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& ste
     return text;
 }
 
-/// Name, greatest error and times.
+/// Name, trusted and measured error, times.
 std::string level_cells(const MeasuredLevel& level) {
-    return html_cell(level.name) + html_number(printed("%.3g", level.error.max)) +
-           html_number(decimal(level.sample_ms.median, 2)) + html_aside(decimal(level.sample_ms.p95, 2));
+    return html_cell(level.name) + html_number(printed("%.3g", level.trusted_error())) +
+           html_aside(printed("%.3g", level.error.max)) + html_number(decimal(level.sample_ms.median, 2)) +
+           html_aside(decimal(level.sample_ms.p95, 2));
 }
 
 std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
     const std::string head = "<tr><th>" + std::string(budget.name) + "</th>" + html_aside(decimal(budget.ms, 1));
     const MeasuredLevel* const best = best_frame_within(knob, budget.ms);
-    if (best == nullptr) return head + "<td colspan='7'>no settings keep to it</td></tr>";
+    if (best == nullptr) return head + "<td colspan='8'>no settings keep to it</td></tr>";
     const NextLevel* const next = next_of(steps, best);
     return head + level_cells(*best) + html_cell(next == nullptr ? "" : next->to->name) +
            html_cell(next == nullptr ? "" : printed("x %.2f time, x %.2f error", next->time_ratio, next->error_ratio)) +
@@ -82,7 +83,7 @@ constexpr double kErrors_px[] = {0.5, 1, 2, 4, 8};
 std::string target_row(const MeasuredKnob& knob, double error_px) {
     const std::string head = "<tr><th>" + printed("%g ", error_px) + escaped_html(knob.unit) + "</th>";
     const MeasuredLevel* const quickest = cheapest_for(knob, error_px);
-    if (quickest == nullptr) return head + "<td colspan='5'>no settings keep to it</td></tr>";
+    if (quickest == nullptr) return head + "<td colspan='6'>no settings keep to it</td></tr>";
     return head + level_cells(*quickest) + html_cell(quickest->options) + "</tr>";
 }
 
@@ -90,7 +91,8 @@ std::string target_table(const MeasuredKnob& knob) {
     std::string rows;
     for (const double error_px : kErrors_px) rows += target_row(knob, error_px);
     return html_table(
-        "<tr><th>an error of at most</th><th>quickest settings</th><th class='n'>greatest error</th><th class='n'>ms</th>"
+        "<tr><th>an error of at most</th><th>quickest settings</th><th class='n'>error at most</th><th class='n "
+        "aside'>measured</th><th class='n'>ms</th>"
         "<th class='n aside'>95 % within</th><th>in replay</th></tr>",
         rows);
 }
@@ -100,7 +102,7 @@ std::string target_table(const MeasuredKnob& knob) {
 const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (level.sample_ms.p95 <= budget_ms && (best == nullptr || level.error.max < best->error.max)) best = &level;
+        if (level.sample_ms.p95 <= budget_ms && (best == nullptr || level.trusted_error() < best->trusted_error())) best = &level;
     return best;
 }
 
@@ -119,12 +121,14 @@ std::string first_screen(const AccuracyReport& report) {
     return "<section id='first'><h2>What your frame time buys</h2>\n<p>" +
            escaped_html(sentence(*knob, steps, kBudgets[kFirstBudget])) + "</p>\n<div class='facts'>" +
            html_fact(decimal(shown.sample_ms.median, 1) + " ms", "a frame, median") +
-           html_fact(printed("%.2g ", shown.error.max) + knob->unit, "the greatest error") +
+           html_fact(printed("%.2g ", shown.trusted_error()) + knob->unit,
+                     shown.proven ? "the proven error" : "the greatest error") +
            html_fact(decimal(quickest.sample_ms.median, 1) + " ms", "the quickest settings") + "</div>\n" +
            html_table(
-               "<tr><th>a frame's time</th><th class='n aside'>ms</th><th>best settings</th><th class='n'>greatest error, " +
+               "<tr><th>a frame's time</th><th class='n aside'>ms</th><th>best settings</th><th class='n'>error at most, " +
                    escaped_html(knob->unit) +
-                   "</th><th class='n'>ms</th><th class='n aside'>95 % within</th><th>next level</th><th></th><th>in "
+                   "</th><th class='n aside'>measured</th><th class='n'>ms</th><th class='n aside'>95 % within</th><th>next "
+                   "level</th><th></th><th>in "
                    "replay</th></tr>",
                rows) +
            target_table(*knob) + "</section>\n";

@@ -6,6 +6,7 @@
 #include "host_sim/accuracy/knobs/seen_ground.hpp"
 #include "host_sim/accuracy/knobs/terrain_tau_knob.hpp"
 #include "host_sim/accuracy/statistics.hpp"
+#include "host_sim/replay/index_key.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 
@@ -19,8 +20,9 @@ Tightness tightness_of(const std::vector<double>& shares) {
     return {spread_of(shares).median, *std::max_element(shares.begin(), shares.end())};
 }
 
-void add_share(const MeasuredMoment& moment, std::vector<double>& shares) {
-    if (moment.proven_px > kSeenErrorBound_px) shares.push_back(moment.measured_px / moment.proven_px);
+/// Of a frame with ground, whose bound is larger than what a measured error may be wrong by.
+void add_share(const MeasuredMoment& moment, double known_to_px, std::vector<double>& shares) {
+    if (moment.samples > 0 && moment.proven_px > known_to_px) shares.push_back(moment.measured_px / moment.proven_px);
 }
 
 /// The places that each pose shows, and displays at some tolerances.
@@ -68,7 +70,7 @@ public:
             line.proven_px = std::max(line.proven_px, at.proven_px);
             line.measured_px = std::max(line.measured_px, at.measured_px);
             line.samples += at.samples;
-            add_share(at, shares);
+            add_share(at, known_to_px_, shares);
         }
         line.tightness = tightness_of(shares);
         return line;
@@ -107,8 +109,17 @@ std::uint64_t FlightErrors::samples() const {
 
 Tightness FlightErrors::tightness() const {
     std::vector<double> shares;
-    for (const MeasuredMoment& moment : moments) add_share(moment, shares);
+    for (const MeasuredMoment& moment : moments) add_share(moment, known_to_px, shares);
     return tightness_of(shares);
+}
+
+const FlightErrors* errors_over(const KnobGround& ground, const std::vector<FlightErrors>& flights) {
+    const std::uint64_t flight = ground.recorded == nullptr ? 0 : ground.recorded->identity;
+    const std::uint64_t terrain = terrain_identity(&ground.ground.database());
+    const auto found = std::find_if(flights.begin(), flights.end(), [&](const FlightErrors& one) {
+        return one.identity == flight && one.terrain_identity == terrain;
+    });
+    return found == flights.end() ? nullptr : &*found;
 }
 
 FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsPlan& plan) {
@@ -118,6 +129,7 @@ FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsP
     measured.flight = flight.name();
     measured.terrain = ground.ground.path();
     measured.identity = ground.recorded == nullptr ? 0 : ground.recorded->identity;
+    measured.terrain_identity = terrain_identity(&ground.ground.database());
     measured.drawn = shot_options(as_designed).value_or("");
     measured.known_to_px = ErrorFlight::known_to_px(ground);
     measured.asked_px = load_design(as_designed.picture).terrain.tau_px;

@@ -42,6 +42,7 @@ struct ToleranceLine {
 struct FlightErrors {
     std::string flight, terrain;
     std::uint64_t identity = 0;               ///< RecordedPoses::identity; 0: the shipped flight
+    std::uint64_t terrain_identity = 0;       ///< of the heights (replay/index_key.hpp)
     std::string drawn = {};                   ///< options of `tedavis shot` besides pose, phase and tolerance
     double asked_px = 0;                      ///< of the moments
     double known_to_px = kSeenErrorBound_px;  ///< what a measured error may be wrong by
@@ -59,6 +60,9 @@ struct FlightErrorsPlan {
     /// Called before each frame. It may throw.
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
+
+/// Those of the ground's flight over its heights, among others; null where there are none.
+[[nodiscard]] const FlightErrors* errors_over(const KnobGround& ground, const std::vector<FlightErrors>& flights);
 
 /// Along the flight of the ground, drawn with its display. Throws UserError.
 [[nodiscard]] FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsPlan& plan);

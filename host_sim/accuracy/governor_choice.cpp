@@ -43,7 +43,7 @@ GovernorChoice governor_choice(const std::string& costs, const PictureOptions& p
     for (std::size_t n = 0; n < total; ++n) {
         const AircraftPose& pose = poses[n];
         const flight::AircraftState state = posed_aircraft(pose, display);
-        display::preroll(display, {state, {}, pose.time});
+        display::preroll(display, {state, phase_of(pose), pose.time});
         if (display.memory().must_be_drawn()) session.draw();
         count_frame(display.memory().budget.report(), choice);
         if (plan.progress && n % (total / 10 + 1) == 0) plan.progress(n, total);

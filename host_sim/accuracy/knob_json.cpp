@@ -28,6 +28,7 @@ Json level_json(const MeasuredLevel& level) {
             {"sample_ms", spread_json(level.sample_ms)},
             {"error", error_json(level.error)},
             {"bytes", level.bytes},
+            {"proven", level.proven ? Json(*level.proven) : Json(nullptr)},
             {"uploaded_bytes", level.uploaded_bytes ? Json(*level.uploaded_bytes) : Json(nullptr)},
             {"build_ms", level.build_ms},
             {"worst",
@@ -49,6 +50,7 @@ MeasuredLevel level_of(const Json& json) {
     level.sample_ms = spread_from(json.at("sample_ms"));
     level.error = error_of(json.at("error"));
     level.bytes = json.at("bytes");
+    if (!json.at("proven").is_null()) level.proven = json.at("proven");
     if (!json.at("uploaded_bytes").is_null()) level.uploaded_bytes = json.at("uploaded_bytes");
     level.build_ms = json.at("build_ms");
     const Json& worst = json.at("worst");

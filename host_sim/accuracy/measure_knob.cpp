@@ -141,6 +141,7 @@ MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
         measured.levels[level].ms = spread_of(times.rounds[level]);
         measured.levels[level].sample_ms = spread_of(times.samples[level]);
         measured.levels[level].uploaded_bytes = knob.uploaded_bytes(level);
+        measured.levels[level].proven = knob.proven(level);
     }
     measured.rounds = times.rounds.empty() ? 0 : times.rounds.front().size();
     measured.noise = noise_of(times.rounds);

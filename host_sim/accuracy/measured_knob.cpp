@@ -72,7 +72,8 @@ void judge(const KnobFacts& facts, MeasuredKnob& knob) {
 const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (level.is_offered && level.ms.median <= budget_ms && (best == nullptr || level.error.max < best->error.max))
+        if (level.is_offered && level.ms.median <= budget_ms &&
+            (best == nullptr || level.trusted_error() < best->trusted_error()))
             best = &level;
     return best;
 }
@@ -80,7 +81,7 @@ const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms) {
 const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (level.is_offered && level.error.max <= target_error && (best == nullptr || level.ms.median < best->ms.median))
+        if (level.is_offered && level.trusted_error() <= target_error && (best == nullptr || level.ms.median < best->ms.median))
             best = &level;
     return best;
 }

@@ -15,10 +15,11 @@ namespace tedavis::host_sim {
 struct MeasuredLevel {
     std::string name;
     double amount = 0;
-    TimeSpread ms;            ///< of all samples, once
-    TimeSpread sample_ms;     ///< of one sample, over all samples and rounds
-    std::string options;      ///< of `tedavis replay`, which give the level; may be empty
-    ErrorDistribution error;  ///< in the metric's unit
+    TimeSpread ms;                 ///< of all samples, once
+    TimeSpread sample_ms;          ///< of one sample, over all samples and rounds
+    std::string options;           ///< of `tedavis replay`, which give the level; may be empty
+    ErrorDistribution error;       ///< in the metric's unit
+    std::optional<double> proven;  ///< the greatest error that the product states for its frames, in the same unit
     std::uint64_t bytes = 0;
     std::optional<std::uint64_t> uploaded_bytes;  ///< to the GPU, of a frame
     double build_ms = 0;
@@ -29,6 +30,9 @@ struct MeasuredLevel {
     bool is_dominated = false;             ///< another level is more accurate and no slower, or as accurate and quicker
     bool is_near_reference = false;        ///< its greatest error is less than ten times the reference's own bound
     bool is_offered = true;                ///< by the product; false: an alternative to its only level
+
+    /// What the level may be trusted to keep to: the proven error where there is one, else the greatest that was measured.
+    [[nodiscard]] double trusted_error() const { return proven && *proven > error.max ? *proven : error.max; }
 };
 
 /// What the levels work through.
@@ -65,9 +69,9 @@ struct MeasuredKnob {
 /// Fills in what follows from times and errors: dominated levels and laws. A knob with one level has neither.
 void judge(const KnobFacts& facts, MeasuredKnob& knob);
 
-/// The most accurate level on offer whose median time keeps to the budget; null where none does.
+/// The level on offer with the smallest trusted error whose median time keeps to the budget; null where none does.
 [[nodiscard]] const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms);
-/// The quickest level on offer whose greatest error keeps to the target; null where none does.
+/// The quickest level on offer whose trusted error keeps to the target; null where none does.
 [[nodiscard]] const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error);
 
 }  // namespace tedavis::host_sim

@@ -26,6 +26,7 @@ void RankAgreement::add(const MeasuredKnob& knob, const MeasuredKnob& earlier) {
             const MeasuredLevel &a = knob.levels[n], &b = knob.levels[m];
             const MeasuredLevel *const a_then = counterpart(earlier, a), *const b_then = counterpart(earlier, b);
             if (a_then == nullptr || b_then == nullptr) continue;
+            ++common;
             const int now = rank_of(knob, a, b), then = rank_of(earlier, *a_then, *b_then);
             const double low = std::min(a.ms.median, b.ms.median), high = std::max(a.ms.median, b.ms.median);
             if (high > low * (1 + kDistinct)) {
@@ -44,13 +45,15 @@ std::optional<double> RankAgreement::tau() const {
 }
 
 std::string rank_text(const RankAgreement& ranks) {
+    if (ranks.common == 0) return "The reports have no two levels of a setting in common.";
     const std::optional<double> tau = ranks.tau();
     const std::string both = tau ? "Both rank " + std::to_string(ranks.pairs) + " pairs of levels, " +
                                        std::to_string(ranks.alike) + " of them alike (Kendall's tau " + printed("%.3f", *tau) +
-                                       ")"
-                                 : "Noise hides which of the levels are quicker";
-    return both + "; of " + std::to_string(ranks.distinct) + " pairs that differ by more than 10 %, noise leaves " +
-           std::to_string(ranks.ranked) + ".";
+                                       ")."
+                                 : "The noise hides all ranks from one of the runs.";
+    return both + " Of " + std::to_string(ranks.distinct) +
+           " pairs whose medians differ by more than 10 % in this run, its noise leaves " + std::to_string(ranks.ranked) +
+           " ranked.";
 }
 
 }  // namespace tedavis::host_sim

@@ -14,7 +14,8 @@ struct RankAgreement {
     /// Medians that differ by more than this share of the smaller should be ranked.
     static constexpr double kDistinct = 0.1;
 
-    std::uint64_t pairs = 0;     ///< that both runs rank
+    std::uint64_t common = 0;    ///< pairs of levels that both runs have
+    std::uint64_t pairs = 0;     ///< of these, that both runs rank
     std::uint64_t alike = 0;     ///< of these, in the same order
     std::uint64_t distinct = 0;  ///< pairs whose medians differ by more than kDistinct in the newer run
     std::uint64_t ranked = 0;    ///< of these, not hidden by its noise
@@ -26,8 +27,8 @@ struct RankAgreement {
     [[nodiscard]] std::optional<double> tau() const;
 };
 
-/// "Both rank 41 pairs of levels, 40 of them alike (Kendall's tau 0.951); of 50 pairs that differ by more than 10 %, noise leaves
-/// 45."
+/// "Both rank 41 pairs of levels, 40 of them alike (Kendall's tau 0.951). Of 50 pairs whose medians differ by more than 10 % in
+/// this run, its noise leaves 45 ranked."
 [[nodiscard]] std::string rank_text(const RankAgreement& ranks);
 
 }  // namespace tedavis::host_sim

@@ -74,7 +74,7 @@ private:
             largest_channel_difference(pictures_.picture(kCalled, pose), pictures_.picture(kForced, pose));
         if (difference <= use_.largest_difference) return;
         use_.largest_difference = difference;
-        use_.worst_pose = pose_text(pictures_.poses()[pose]);
+        use_.worst_pose = pose_text(pictures_.poses()[pose]) + phase_option(pictures_.poses()[pose]);
     }
 
     [[nodiscard]] double drawn_ms(std::size_t side, std::size_t pose) {

@@ -23,7 +23,7 @@ struct EffectUse : EffectCount {
     std::string contribution;              ///< "content", "color" or "geometry"
     effects::PairedCost saved;             ///< of a frame without it; 0 where the noise is greater
     std::uint32_t largest_difference = 0;  ///< of a colour channel, of 255, over the frames that skipped it
-    std::string worst_pose;                ///< where it is, as `--pose` of `tedavis shot` takes it; empty: nowhere
+    std::string worst_pose;                ///< where it is, as `--pose` of `tedavis shot` takes it, and its phase; empty: nowhere
 
     /// The picture keeps to what the product promises: no work, and a colour's effect changes no channel by more than one step.
     [[nodiscard]] bool keeps_promise() const;

@@ -123,7 +123,7 @@ void put(const MeasuredKnob& measured, AccuracyReport& report) {
 
 /// The heights and the recorded flight of a --flight, or of a run without one.
 struct MeasuredFlight {
-    std::unique_ptr<TracedGround> ground;
+    std::shared_ptr<TracedGround> ground;
     std::optional<RecordedPoses> recorded;  ///< nothing: the shipped flight
     std::string terrain;                    ///< as the user named it
 
@@ -158,9 +158,12 @@ public:
         const InterruptGuard interrupt;
         const KnobGround ground = flights.front().knob_ground(options_);
         try {
+            std::vector<FlightErrors> earlier = std::move(report.flights);
+            report.flights.clear();
             if (ground.recorded != nullptr)
-                add_flight_errors({ground.ground, ground.is_quick, nullptr, ground.display}, interrupt, report);
-            for (const MeasuredFlight& flight : flights) add_flight_errors(flight.knob_ground(options_), interrupt, report);
+                add_flight_errors({ground.ground, ground.is_quick, nullptr, ground.display}, earlier, interrupt, report);
+            for (const MeasuredFlight& flight : flights)
+                add_flight_errors(flight.knob_ground(options_), earlier, interrupt, report);
             if (!report.uncalled) report.uncalled = uncalled(ground, interrupt);
             if (!report.control) report.control = measure_control(*make_ray_control(ground));
         } catch (const Interrupted&) {
@@ -197,11 +200,14 @@ private:
         };
     }
 
-    /// Of a flight that the report does not have yet.
-    void add_flight_errors(const KnobGround& ground, const InterruptGuard& interrupt, AccuracyReport& report) {
-        const std::uint64_t identity = ground.recorded == nullptr ? 0 : ground.recorded->identity;
-        for (const FlightErrors& known : report.flights)
-            if (known.identity == identity && known.terrain == ground.ground.path()) return;
+    /// Those of an earlier run where it has measured the flight over the same heights, else measured now. Each flight once.
+    void add_flight_errors(const KnobGround& ground, const std::vector<FlightErrors>& earlier, const InterruptGuard& interrupt,
+                           AccuracyReport& report) {
+        if (errors_over(ground, report.flights) != nullptr) return;
+        if (const FlightErrors* const known = errors_over(ground, earlier)) {
+            report.flights.push_back(*known);
+            return;
+        }
         FlightErrorsPlan plan;
         if (!options_.is_quick) plan = {kMoments, kLinePoses, kPlacesAcross, {}};
         plan.progress = progress_of("error along the flight", interrupt);
@@ -273,7 +279,7 @@ void require_pairs(const AccuracyOptions& options) {
                         (flights == 1 ? " flight" : " flights") + "; give it once, or once for each --flight");
     if (options.switches.size() > options.flights.size())
         throw UserError("--switches " + options.switches.back() +
-                        ": has no --flight that it belongs to; give as many as flights");
+                        ": has no --flight that it belongs to; give at most one --switches for each --flight");
 }
 
 void require_room_for_levels(const FlownDisplay& display) {
@@ -283,22 +289,29 @@ void require_room_for_levels(const FlownDisplay& display) {
     static_cast<void>(seen_grid(display));
 }
 
-/// With the heights of each terrain once in memory for each flight. The first is the one that knobs fly.
+/// The n-th --terrain, or the one for all flights; empty: the shipped one.
+std::string terrain_of(const AccuracyOptions& options, std::size_t n) {
+    if (options.terrains.empty()) return "";
+    return options.terrains.size() == 1 ? options.terrains.front() : options.terrains[n];
+}
+
+/// With the heights of each terrain once in memory. The first is the one that knobs fly.
 std::vector<MeasuredFlight> read_flights(const AccuracyOptions& options, base::Workers& workers, Console& console) {
     std::vector<MeasuredFlight> flights;
     for (std::size_t n = 0; n < std::max<std::size_t>(1, options.flights.size()); ++n) {
-        const std::vector<std::string>& terrains = options.terrains;
-        const std::string terrain = terrains.empty() ? "" : terrains.size() == 1 ? terrains.front() : terrains[n];
+        const std::string given = terrain_of(options, n);
         MeasuredFlight flight;
-        flight.terrain = terrain.empty() ? "the shipped terrain" : terrain;
-        const std::string database = database_of({terrain, ""}, options.output, console);
+        flight.terrain = given.empty() ? "the shipped terrain" : given;
+        for (const MeasuredFlight& other : flights)
+            if (other.terrain == flight.terrain) flight.ground = other.ground;
+        if (flight.ground == nullptr)
+            flight.ground = std::make_shared<TracedGround>(database_of({given, ""}, options.output, console), workers);
         if (!options.flights.empty()) {
             const ReplayOptions usual;
             const std::string switches = n < options.switches.size() ? options.switches[n] : "";
-            flight.recorded =
-                read_recorded_poses({options.flights[n], usual.picture.bus, switches, usual.switch_config}, database, console);
+            flight.recorded = read_recorded_poses({options.flights[n], usual.picture.bus, switches, usual.switch_config},
+                                                  flight.ground->path(), console);
         }
-        flight.ground = std::make_unique<TracedGround>(database, workers);
         flights.push_back(std::move(flight));
     }
     return flights;

@@ -227,7 +227,8 @@ void add_accuracy(CLI::App& app, CommandLine& line) {
     command->add_option("--knob", o.knobs, "only this setting; may be repeated; default: all")->allow_extra_args(false);
     add_accuracy_inputs(*command, o);
     command->add_option("--costs", o.costs,
-                        "also says what the governor may choose by this file, which calibrate wrote, and what it chooses along "
+                        "also says what the governor may choose by this file, which calibrate or tedavis-display --calibrate "
+                        "wrote, and what it chooses along "
                         "the flight; its deadline is --budget-ms, or else the time of a frame at the device's rate");
     add_accuracy_verdicts(*command, o);
     add_optional(command, "--budget-ms", o.budget_ms,

@@ -1,4 +1,4 @@
-/// effects::paired_cost() and its median, for lists whose length is not known before.
+/// effects::paired_cost() for lists whose length is not known before.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// The n-th of both are a pair; at least one.
+/// The n-th of both are a pair.
 [[nodiscard]] effects::PairedCost paired_cost(const std::vector<double>& with_ms, const std::vector<double>& without_ms);
 
 }  // namespace tedavis::host_sim

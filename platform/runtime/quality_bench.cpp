@@ -64,6 +64,11 @@ void combine(const GivenUp& given_up, QualityCandidates& candidates) {
 
 }  // namespace
 
+bool QualityBench::comes_before(const Embellishment& a, const Embellishment& b) {
+    if (a.error_color <= 0 || b.error_color <= 0) return a.error_color <= 0 && (b.error_color > 0 || a.ms > b.ms);
+    return a.ms * b.error_color > b.ms * a.error_color;
+}
+
 /// As large as the pictures of the displays that are open.
 base::Error QualityBench::reserve_pictures() {
     if (!own_.empty()) return {};
@@ -118,8 +123,7 @@ base::Error QualityBench::find_order(base::Span<const effects::MeasuredCost> cos
     for (const Embellishment& one : every)
         if (one.runs) static_cast<void>(all.try_push_back(one));
     for (std::size_t n = 1; n < all.size(); ++n)
-        for (std::size_t at = n; at > 0 && all[at].ms * all[at - 1].error_color > all[at - 1].ms * all[at].error_color; --at)
-            std::swap(all[at], all[at - 1]);
+        for (std::size_t at = n; at > 0 && comes_before(all[at], all[at - 1]); --at) std::swap(all[at], all[at - 1]);
     return {};
 }
 

@@ -15,6 +15,16 @@ namespace tedavis::platform {
 
 class QualityBench {
 public:
+    /// What giving an effect up saves, and how much of the pictures it changes.
+    struct Embellishment {
+        effects::Effect effect = effects::Effect::count_;
+        bool runs = false;
+        double ms = 0, error_color = 0;
+    };
+    /// Whether one is given up before another: what saves more time for the difference that it makes, and before all others what
+    /// makes none. A strict weak order.
+    [[nodiscard]] static bool comes_before(const Embellishment& a, const Embellishment& b);
+
     /// The frames' displays are closed. `rounds` frames of every candidate are timed.
     QualityBench(BenchDisplays& displays, BenchFrames& frames, std::uint32_t rounds)
         : displays_(displays), frames_(frames), rounds_(rounds) {}
@@ -25,12 +35,6 @@ public:
                                       std::size_t done, std::size_t total);
 
 private:
-    /// What giving an effect up saves, and how much of the pictures it changes.
-    struct Embellishment {
-        effects::Effect effect = effects::Effect::count_;
-        bool runs = false;
-        double ms = 0, error_color = 0;
-    };
     using Embellishments = base::FixedVector<Embellishment, effects::kEffectCount>;
 
     [[nodiscard]] base::Error reserve_pictures();

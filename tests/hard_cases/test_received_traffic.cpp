@@ -28,7 +28,7 @@ constexpr std::uint32_t kWidth = 640, kHeight = 480;
 constexpr double kHeading_deg = 340, kPitch_deg = -8, kRoll_deg = -15, kFieldOfView_deg = 60;
 constexpr double kOwnLatitude_deg = 47.04, kOwnLongitude_deg = 9.68, kOwnHeight_m = 2400;
 constexpr double kTargetHeight_m = 2050, kTrack_deg = 70, kSpeed_mps = 60, kClimb_mps = 3;
-constexpr double kHeardUntil_s = 20, kLastReport_s = 20.043 - 1;
+constexpr double kReceivedUntil_s = 20, kLastReport_s = 20.043 - 1;
 
 /// Where the other aircraft is: from three kilometres ahead it flies to the right.
 struct Target {
@@ -67,7 +67,7 @@ public:
     }
     std::vector<ReceivedAircraft> traffic(base::Time time) const override {
         const double second = (time - begin()).to_seconds();
-        if (second >= kHeardUntil_s) return {};
+        if (second >= kReceivedUntil_s) return {};
         const Target there = target_at(second);
         flight::TrafficReport report = test_support::traffic_report(0x3C6444, time, there.latitude_deg, there.longitude_deg);
         report.place.height_m = static_cast<float>(there.height_m);
@@ -198,7 +198,7 @@ const display::DataRecord* traffic_in(const display::FrameRecord& record) {
     return nullptr;
 }
 
-TEST(HeardTraffic, StandsWhereItsReportsSayItIs) {
+TEST(ReceivedTraffic, StandsWhereItsReportsSayItIs) {
     for (const char* device : {"es3-mid", "es2-small"}) {
         Replayed replayed("canaerospace", device);
         for (const double second : {5.9, 12.9, 18.9}) {
@@ -217,7 +217,7 @@ TEST(HeardTraffic, StandsWhereItsReportsSayItIs) {
     }
 }
 
-TEST(HeardTraffic, GoesOnThenStandsStaleThenIsGone) {
+TEST(ReceivedTraffic, GoesOnThenStandsStaleThenIsGone) {
     const double stale = kLastReport_s + 10;
     std::vector<Picture> with, without;
     for (std::vector<Picture>* const pictures : {&with, &without}) {
@@ -233,7 +233,7 @@ TEST(HeardTraffic, GoesOnThenStandsStaleThenIsGone) {
     EXPECT_EQ(with[3].rgba, without[3].rgba) << "as if it had never been";
 }
 
-TEST(HeardTraffic, IsAbsentWhereTheBusDoesNotCarryIt) {
+TEST(ReceivedTraffic, IsAbsentWhereTheBusDoesNotCarryIt) {
     Replayed without(files().without);
     const Picture picture = without.at(12.9);
     EXPECT_EQ(traffic_in(picture.record), nullptr);
@@ -241,7 +241,7 @@ TEST(HeardTraffic, IsAbsentWhereTheBusDoesNotCarryIt) {
     EXPECT_EQ(without.counts().reports, 0u);
 }
 
-TEST(HeardTraffic, IsTheSameWhateverWasPlayedBefore) {
+TEST(ReceivedTraffic, IsTheSameWhateverWasPlayedBefore) {
     Replayed replayed("canaerospace");
     const Picture first = replayed.at(10.4), second = replayed.at(30.2);
     EXPECT_NE(first.rgba, second.rgba);

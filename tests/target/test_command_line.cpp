@@ -43,6 +43,8 @@ TEST(CommandLine, ACalibrationNamesBoardAndFile) {
     const std::string help = "; see tedavis-display --help";
     EXPECT_EQ(refusal({"--calibrate", "-o", "c"}), "--config: is missing; name the board file" + help);
     EXPECT_EQ(refusal({"--calibrate", "--config", "b"}), "-o: is missing; name the file of costs to write" + help);
+    EXPECT_EQ(refusal({"--calibrate", "--config", "b", "-o", ""}), "-o: is empty; name the file of costs to write" + help);
+    EXPECT_EQ(refusal({"--calibrate", "--config", "b", "-o", "b"}), "-o b: is the board file; name another file" + help);
     EXPECT_EQ(refusal({"--config", "b", "-o", "c"}), "-o: belongs to --calibrate; leave it out" + help);
     EXPECT_EQ(refusal({"--config", "b", "--rounds", "5"}), "--rounds: belongs to --calibrate; leave it out" + help);
     for (const char* count : {"2", "1001", "x"})

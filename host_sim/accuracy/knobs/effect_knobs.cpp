@@ -220,7 +220,7 @@ std::unique_ptr<Knob> make_shaft_steps_knob(const KnobGround& ground) {
 
 std::unique_ptr<Knob> make_blur_taps_knob(const KnobGround& ground) {
     return std::make_unique<EffectKnob>(blur_taps_facts(), blur_taps_plan(ground),
-                                        KnobFlight(ground.ground).poses(ground.is_quick ? kQuickSmallPoses : kSmallPoses));
+                                        KnobFlight(ground).poses(ground.is_quick ? kQuickSmallPoses : kSmallPoses));
 }
 
 std::unique_ptr<Knob> make_focus_levels_knob(const KnobGround& ground) {

@@ -23,12 +23,26 @@ PictureOptions options_of(const FlownDisplay& display) {
     return options;
 }
 
+/// Errors are measured through one grid, whatever the phase of a pose. `name`: as a message begins with it.
+void require_same_view(const std::string& name, const design::DesignSettings& design, double field_of_view_rad) {
+    if (design.view.mode != design::ViewMode::perspective)
+        throw UserError(name + " shows a map, and errors are measured on a perspective view; name a design with the view \"3d\"");
+    if (design.view.horizontal_field_of_view_rad != field_of_view_rad)
+        throw UserError(name +
+                        " has another field of view, and errors are measured with one for all phases; name a design "
+                        "whose phases have the same horizontal_field_of_view_deg");
+}
+
 double field_of_view_rad(const FlownDisplay& display) {
-    const design::ViewSettings view = load_design(options_of(display)).view;
-    if (view.mode != design::ViewMode::perspective)
-        throw UserError("--design " + display.design +
-                        ": shows a map, and errors are measured on a perspective view; name a design with the view \"3d\"");
-    return view.horizontal_field_of_view_rad;
+    const std::unique_ptr<LoadedDesigns> designs = load_designs(options_of(display));
+    const double of_design_rad = designs->design.view.horizontal_field_of_view_rad;
+    const std::string name = "--design " + display.design + ":";
+    require_same_view(name, designs->design, of_design_rad);
+    for (std::size_t n = 1; n <= designs->phases.size(); ++n) {
+        const design::DesignSettings& of_phase = designs->phases.at(n);
+        require_same_view(name + " its phase's design '" + std::string(of_phase.name.view()) + "'", of_phase, of_design_rad);
+    }
+    return of_design_rad;
 }
 
 }  // namespace
@@ -54,7 +68,7 @@ double pixel_scale(const FlownDisplay& display) {
 
 std::uint64_t identity_of(const FlownDisplay& display) {
     std::vector<ReadFile> files;
-    static_cast<void>(load_design(options_of(display), &files));
+    static_cast<void>(load_designs(options_of(display), &files));
     std::string all = size_text(display.size) + read_file(resolve_config(display.device, "devices"));
     for (const ReadFile& file : files) all += file.text;
     return text_identity(all);

@@ -29,7 +29,7 @@ struct SeenGrid {
     double field_of_view_deg = 60;  ///< over the width
 };
 /// So many places over the width, and as many below each other as the picture's shape has room for. Throws UserError where the
-/// design is none, or shows no perspective view.
+/// design is none, or it or a design of its phases shows no perspective view or one of another width.
 [[nodiscard]] SeenGrid seen_grid(const FlownDisplay& display, std::uint32_t across = SeenGrid().across);
 
 /// How many times as many pixels an angle in the middle of the picture covers as on one of kFlownSize that is 60 degrees wide; at

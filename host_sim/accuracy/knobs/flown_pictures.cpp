@@ -12,15 +12,7 @@
 #include "render_core/display/preroll.hpp"
 
 namespace tedavis::host_sim {
-namespace {
-
-/// As `--phase` of `tedavis shot` states it; none where the pose has no phase.
-flight::PhaseStatus phase_of(const AircraftPose& pose) {
-    if (pose.phase.scenario == flight::Scenario::unknown) return {};
-    return flight::stated_phase(pose.phase, flight::PhaseSource::switches);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string changed_device(const std::string& folder, const std::string& name, const std::string& shipped,
                            const std::vector<DeviceValue>& values) {

@@ -1,5 +1,6 @@
 #include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "host_sim/accuracy/knobs/flown_knob.hpp"
@@ -70,18 +71,20 @@ public:
           grid_(seen_grid(ground.display)),
           settings_(frame_settings()),
           seen_(std::move(seen)),
-          measured_(seen_.size()) {}
+          measured_(seen_.size()),
+          proven_(settings_.size()) {}
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         display::Display& display = pictures().display(level, sample);
-        const double share = settings_[level].drawn.share;
         measured_[sample].clear();
+        proven_[level] = std::max(proven_[level], on_window(level, display.record().terrain.worst_error_px));
         for (const SeenPlace& place : seen_[sample].places)
             if (const auto error = terrain_error_px(display, place)) {
-                errors.push_back(*error / share + 0.5 * (1 / share - 1));
+                errors.push_back(on_window(level, *error));
                 measured_[sample].push_back(place);
             }
     }
+    [[nodiscard]] std::optional<double> proven(std::size_t level) const override { return proven_[level]; }
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
         return seen_pixel(measured_[sample][error], grid_, display_.size);
     }
@@ -96,11 +99,18 @@ public:
     }
 
 private:
+    /// An error in drawn pixels, in pixels of the window, and half of what a drawn pixel is wider.
+    [[nodiscard]] double on_window(std::size_t level, double drawn_px) const {
+        const double wide = display_.share(settings_[level].drawn.share).width, scale = display_.size.width / wide;
+        return drawn_px * scale + 0.5 * (scale - 1);
+    }
+
     FlownDisplay display_;
     SeenGrid grid_;
     std::vector<FrameSetting> settings_;
     std::vector<SeenPose> seen_;
     std::vector<std::vector<SeenPlace>> measured_;  ///< by pose, of the level that was measured last
+    std::vector<double> proven_;                    ///< by level, over the poses whose errors were found
 };
 
 }  // namespace

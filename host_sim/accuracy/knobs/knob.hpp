@@ -113,6 +113,9 @@ public:
     [[nodiscard]] virtual std::string command(std::size_t /*level*/, std::size_t /*sample*/) const {
         return "tedavis accuracy --knob " + facts_.name.text() + " -o DIR";
     }
+    /// The greatest error that the product itself states for the samples of a level, such as a display's proven bound; nothing
+    /// where it states none. After find_errors() of all samples.
+    [[nodiscard]] virtual std::optional<double> proven(std::size_t /*level*/) const { return std::nullopt; }
     /// The options of `tedavis replay` that give a level; empty where options do not say it.
     [[nodiscard]] virtual std::string options(std::size_t /*level*/) const { return ""; }
     /// Mean number of the things of facts().work in a sample; after find_errors() of all samples.

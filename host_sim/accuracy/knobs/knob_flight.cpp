@@ -157,6 +157,11 @@ std::string pose_text(const AircraftPose& pose) {
     return text;
 }
 
+flight::PhaseStatus phase_of(const AircraftPose& pose) {
+    if (pose.phase.scenario == flight::Scenario::unknown) return {};
+    return flight::stated_phase(pose.phase, flight::PhaseSource::switches);
+}
+
 std::string phase_option(const AircraftPose& pose) {
     if (pose.phase.scenario == flight::Scenario::unknown) return "";
     const std::string part = flight::sub_phase_name(pose.phase);

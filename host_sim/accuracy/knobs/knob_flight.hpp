@@ -37,8 +37,6 @@ public:
     [[nodiscard]] double duration_s() const;  ///< of that time
     /// That pose_at() counts from.
     [[nodiscard]] base::Time begin() const { return recorded_ == nullptr ? flight_.begin() : base::Time{}; }
-    [[nodiscard]] bool is_moved() const { return is_moved_; }  ///< the default flight is
-    [[nodiscard]] bool is_recorded() const { return recorded_ != nullptr; }
     /// Path of a database with the flight's data, which lasts as long as the object. It is made by the first call.
     [[nodiscard]] const std::string& scene();
 
@@ -57,6 +55,8 @@ private:
 
 /// As `--pose` of `tedavis shot` takes it.
 [[nodiscard]] std::string pose_text(const AircraftPose& pose);
+/// As `--phase` of `tedavis shot` states it; none where the pose has no phase.
+[[nodiscard]] flight::PhaseStatus phase_of(const AircraftPose& pose);
 /// " --phase P" of `tedavis shot`; empty where the pose has no phase.
 [[nodiscard]] std::string phase_option(const AircraftPose& pose);
 

@@ -67,7 +67,7 @@ RecordedPoses read_recorded_poses(const PlayerFiles& files, const std::string& t
     recorded.log = files.log;
     recorded.identity = identity_of(files);
     const double duration_s = (player.last() - player.first()).to_seconds();
-    recorded.step_s = std::max(kPoseStep_s, duration_s / kMaxInstants);
+    recorded.step_s = std::max(kPoseStep_s, duration_s / (kMaxInstants - 1));
     const auto instants = static_cast<std::uint64_t>(duration_s / recorded.step_s) + 1;
     const GeoExtent extent = extent_of(*display.planner().terrain_database());
     bool has_position = false;

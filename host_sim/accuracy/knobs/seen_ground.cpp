@@ -57,7 +57,7 @@ std::vector<SeenPose> seen_poses(const TracedGround& ground, const std::vector<A
         if (!one.places.empty()) seen.push_back(std::move(one));
     }
     if (seen.empty())
-        throw UserError("no pose of the flight shows ground of the terrain; name the --terrain that it was flown over");
+        throw UserError("no pose of the flight shows ground of " + ground.path() + "; name the --terrain that it was flown over");
     return seen;
 }
 

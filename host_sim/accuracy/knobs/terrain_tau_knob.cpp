@@ -51,12 +51,14 @@ public:
           size_(ground.display.size),
           seen_(std::move(seen)),
           triangles_(std::size(kTaus_px)),
-          measured_(seen_.size()) {}
+          measured_(seen_.size()),
+          proven_(std::size(kTaus_px)) {}
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         display::Display& display = pictures().display(level, sample);
         if (sample == 0) triangles_[level] = 0;
         triangles_[level] += display.planned().counters.triangles;
+        proven_[level] = std::max(proven_[level], display.record().terrain.worst_error_px);
         measured_[sample].clear();
         for (const SeenPlace& place : seen_[sample].places)
             if (const auto error = terrain_error_px(display, place)) {
@@ -67,6 +69,7 @@ public:
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override {
         return seen_pixel(measured_[sample][error], grid_, size_);
     }
+    [[nodiscard]] std::optional<double> proven(std::size_t level) const override { return proven_[level]; }
     [[nodiscard]] double work(std::size_t level) const override { return triangles_[level] / static_cast<double>(samples()); }
 
 private:
@@ -75,6 +78,7 @@ private:
     std::vector<SeenPose> seen_;
     std::vector<double> triangles_;                 ///< by level, of all poses
     std::vector<std::vector<SeenPlace>> measured_;  ///< by pose, of the level that was measured last
+    std::vector<double> proven_;                    ///< by level, over the poses whose errors were found
 };
 
 }  // namespace

@@ -273,17 +273,17 @@ void ElementPlanner::begin_report(const design::DataElement& element, const scen
 draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFrame& frame) const {
     const scene::Layer& layer = *reports_[report].layer;
     // What is received is as old as the source's own time says, whether UTC is known or not.
-    const bool is_heard = &layer == &traffic_.layer();
+    const bool is_received = &layer == &traffic_.layer();
     return {*reports_[report].element,
             static_cast<std::uint8_t>(report),
             layer,
             frame.ground,
             frame.missing,
             time_.utc.ns,
-            time_.is_date || is_heard,
+            time_.is_date || is_received,
             frame.view.eye,
             0,
-            time_.is_confirmed || is_heard,
+            time_.is_confirmed || is_received,
             &foci_[report]};
 }
 

@@ -23,16 +23,27 @@ TEST(FirstScreen, SaysTheBestOfATimeAndWhatTheNextLevelCosts) {
     const std::string page = first_screen(framed_report());
     EXPECT_THAT(page, HasSubstr("The best settings for 60 frames/s (16.7 ms) are 16 steps, 16.0 ms"));
     EXPECT_THAT(page, HasSubstr("No other settings are more accurate."));
-    EXPECT_THAT(
-        page,
-        HasSubstr("<th>12 ms</th><td class='n aside'>12.0</td><td>8 steps</td><td class='n'>0.125</td><td class='n'>8.00</td>"));
+    EXPECT_THAT(page, HasSubstr("<th>12 ms</th><td class='n aside'>12.0</td><td>8 steps</td><td class='n'>0.125</td>"
+                                "<td class='n aside'>0.125</td><td class='n'>8.00</td>"));
     EXPECT_THAT(page, HasSubstr("<td>16 steps</td><td>x 2.00 time, x 0.50 error</td><td>--steps 8</td>"));
 }
 
 TEST(FirstScreen, SaysTheQuickestForAnError) {
-    EXPECT_THAT(first_screen(framed_report()),
-                HasSubstr("<th>0.5 m</th><td>2 steps</td><td class='n'>0.5</td><td class='n'>2.00</td>"));
+    EXPECT_THAT(
+        first_screen(framed_report()),
+        HasSubstr("<th>0.5 m</th><td>2 steps</td><td class='n'>0.5</td><td class='n aside'>0.5</td><td class='n'>2.00</td>"));
     EXPECT_THAT(first_screen(framed_report()), HasSubstr("<th>1 m</th><td>1 steps</td>"));
+}
+
+TEST(FirstScreen, TrustsWhatIsProvenAndNotWhatWasMeasured) {
+    AccuracyReport report = framed_report();
+    for (MeasuredLevel& level : report.knobs[0].levels) level.proven = 2 * level.error.max;
+    const std::string page = first_screen(report);
+    EXPECT_THAT(page, HasSubstr("at most 0.12 m off (proven; 0.062 measured)"));
+    EXPECT_THAT(page, HasSubstr("<th>0.5 m</th><td>4 steps</td><td class='n'>0.5</td><td class='n aside'>0.25</td>"));
+    report.knobs[0].levels[4].proven = 10;
+    EXPECT_THAT(first_screen(report), HasSubstr("The best settings for 60 frames/s (16.7 ms) are 8 steps"))
+        << "16 steps prove less, although they were found to be more accurate";
 }
 
 TEST(FirstScreen, SaysWhereNothingIsQuickEnough) {

@@ -63,6 +63,10 @@ TEST(FlightErrors, AreThoseOfARecordedFlight) {
     const FlightErrors errors = measure_flight_errors(ground, plan);
     EXPECT_EQ(errors.flight, made.files.log);
     EXPECT_EQ(errors.identity, recorded.identity);
+    EXPECT_EQ(errors_over(ground, {FlightErrors(), errors})->flight, errors.flight);
+    FlightErrors of_other_heights = errors;
+    ++of_other_heights.terrain_identity;
+    EXPECT_EQ(errors_over(ground, {FlightErrors(), of_other_heights}), nullptr);
     EXPECT_TRUE(errors.holds());
     ASSERT_EQ(errors.moments.size(), 4u);
     for (const MeasuredMoment& moment : errors.moments) EXPECT_EQ(moment.pose.substr(0, 4), "47.0") << "where it was flown";

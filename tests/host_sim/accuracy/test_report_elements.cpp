@@ -55,22 +55,25 @@ std::string law(const char* what, const Json& fit) {
                    number(fit.at("r2")), number(fit.at("worst_residual")));
 }
 
+/// What is proven of a level, or else its greatest error.
+double trusted(const Json& level) {
+    const double measured = number(level.at("error").at("max"));
+    return level.at("proven").is_null() ? measured : std::max(measured, number(level.at("proven")));
+}
+
 /// The most accurate level of the frame's settings whose slow frames keep to a time.
 const Json* best_within(const Json& knob, double budget_ms) {
     const Json* best = nullptr;
     for (const Json& level : knob.at("levels"))
-        if (level.at("sample_ms").at("p95") <= budget_ms &&
-            (best == nullptr || level.at("error").at("max") < best->at("error").at("max")))
-            best = &level;
+        if (level.at("sample_ms").at("p95") <= budget_ms && (best == nullptr || trusted(level) < trusted(*best))) best = &level;
     return best;
 }
 
-/// The quickest level whose greatest error keeps to a target.
+/// The quickest level whose trusted error keeps to a target.
 const Json* quickest_for(const Json& knob, double error) {
     const Json* best = nullptr;
     for (const Json& level : knob.at("levels"))
-        if (level.at("error").at("max") <= error &&
-            (best == nullptr || level.at("ms").at("median") < best->at("ms").at("median")))
+        if (trusted(level) <= error && (best == nullptr || level.at("ms").at("median") < best->at("ms").at("median")))
             best = &level;
     return best;
 }
@@ -177,7 +180,8 @@ const std::vector<ReportElement>& elements() {
              const Json& knob = knob_named(json, "frame_settings");
              const Json &best = *best_within(knob, 12), &quickest = *quickest_for(knob, 0.5);
              const auto of_level = [](const Json& level) {
-                 return "<td>" + text(level.at("name")) + "</td>" + cell(three(level.at("error").at("max"))) +
+                 return "<td>" + text(level.at("name")) + "</td>" + cell(three(trusted(level))) + "<td class='n aside'>" +
+                        three(level.at("error").at("max")) + "</td>" +
                         cell(printed("%.2f", number(level.at("sample_ms").at("median"))));
              };
              return Texts{"<th>12 ms</th><td class='n aside'>12.0</td>" + of_level(best),

@@ -89,7 +89,7 @@ TEST_F(ScenarioTrafficTest, ATurnIsACircleAlongItsTrack) {
     }
 }
 
-TEST_F(ScenarioTrafficTest, IsHeardInItsTimeUnderItsNumber) {
+TEST_F(ScenarioTrafficTest, IsReceivedInItsTimeUnderItsNumber) {
     TrafficSettings later = straight();
     later.received_from_s = 50;
     later.received_until_s = 60;

@@ -37,6 +37,20 @@ TEST(QualityBench, CandidatesAreMeasuredFromTheDesignsOwnPictureOn) {
                         effects::row_of(static_cast<Effect>(e)).may_be_given_up);
 }
 
+TEST(QualityBench, WhatSavesMuchForLittleDifferenceIsGivenUpFirst) {
+    using Embellishment = QualityBench::Embellishment;
+    const Embellishment little{Effect::haze, true, 1, 2}, much{Effect::haze, true, 4, 2}, nothing{Effect::haze, true, 0, 0},
+        free_of_change{Effect::haze, true, 3, 0};
+    EXPECT_TRUE(QualityBench::comes_before(much, little));
+    EXPECT_FALSE(QualityBench::comes_before(little, much));
+    for (const Embellishment& other : {little, much}) {
+        EXPECT_TRUE(QualityBench::comes_before(nothing, other)) << "it makes no difference";
+        EXPECT_FALSE(QualityBench::comes_before(other, nothing));
+    }
+    EXPECT_TRUE(QualityBench::comes_before(free_of_change, nothing));
+    EXPECT_FALSE(QualityBench::comes_before(nothing, nothing));
+}
+
 TEST(QualityBench, AStopEndsIt) {
     ModelledBench bench;
     bench.stopped_at = 2;

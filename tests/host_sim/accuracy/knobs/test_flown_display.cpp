@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/files/temporary_folder.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_flown_display {
@@ -37,6 +38,20 @@ TEST(FlownDisplay, IsToldApartByWhatItsFilesSay) {
     EXPECT_NE(identity_of(cruise), identity_of({}));
     EXPECT_NE(identity_of(desktop), identity_of({}));
     EXPECT_NE(identity_of(of_size(1280, 720)), identity_of({}));
+}
+
+TEST(FlownDisplay, IsToldApartByTheDesignsOfItsPhases) {
+    const test_support::TemporaryFolder place;
+    FlownDisplay phased;
+    phased.design = place.write("phased.toml", "name = \"phased\"\n[phases]\ncruise = \"cruising.toml\"\n");
+    static_cast<void>(place.write("cruising.toml", "name = \"cruising\"\n"));
+    const std::uint64_t before = identity_of(phased);
+    static_cast<void>(seen_grid(phased));
+    static_cast<void>(place.write("cruising.toml", "name = \"cruising\"\n[view]\nhorizontal_field_of_view_deg = 40\n"));
+    EXPECT_NE(identity_of(phased), before);
+    test_support::expect_user_error([&] { static_cast<void>(seen_grid(phased)); }, "'cruising' has another field of view");
+    static_cast<void>(place.write("cruising.toml", "name = \"cruising\"\n[view]\nmode = \"map\"\n"));
+    test_support::expect_user_error([&] { static_cast<void>(seen_grid(phased)); }, "its phase's design 'cruising' shows a map");
 }
 
 TEST(FlownDisplay, RefusesAMap) {

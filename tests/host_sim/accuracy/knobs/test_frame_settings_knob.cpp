@@ -24,6 +24,11 @@ TEST(FrameSettingsKnob, ErrorsGrowWithTheToleranceAndWithTheDrawnPixel) {
         << "within a drawn pixel nobody can tell";
     EXPECT_GT(greatest("tau 8 px, half size"), greatest("tau 8 px, full size"));
     EXPECT_GT(greatest("tau 8 px, full size"), greatest("tau 1 px, full size"));
+    EXPECT_LE(*knob->proven(level_named(*knob, "tau 1 px, full size")), 1);
+    EXPECT_GE(*knob->proven(level_named(*knob, "tau 1 px, full size")), greatest("tau 1 px, full size"));
+    const double of_half_px = *knob->proven(level_named(*knob, "tau 1 px, half size"));
+    EXPECT_LE(of_half_px, 2.5) << "a drawn pixel is two of the window";
+    EXPECT_GE(of_half_px, greatest("tau 1 px, half size"));
     const std::size_t half = level_named(*knob, "tau 2 px, half size");
     EXPECT_EQ(knob->options(half), "--tau 2 --size 320x180");
     const auto picture = knob->picture(half, 0);

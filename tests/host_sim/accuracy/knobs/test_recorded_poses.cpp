@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -63,6 +64,24 @@ TEST(RecordedPoses, TellFlightsAndSwitchLogsApart) {
     EXPECT_NE(read(files().folder.write("longer.log", read_file(files().log) + "\n")).identity, identity);
     const std::string switches = files().folder.write("f.switches", "# tedavis switch log 1\n");
     EXPECT_NE(read(files().log, switches).identity, identity);
+}
+
+TEST(RecordedPoses, KeepThePhaseThatTheyHad) {
+    const std::string begin = std::to_string(test_support::FlownCircle::kBegin_s);
+    std::string text = "# tedavis switch log 1\n";
+    for (const char* line : {"GROUND", "TAKEOFF", "CRUISE", "APPROACH", "GO_AROUND", "REPLAN", "AUTO"})
+        text += "(" + begin + ".000000) panel." + line + (std::string(line) == "CRUISE" ? " 1\n" : " 0\n");
+    text += "(" + std::to_string(test_support::FlownCircle::kBegin_s + 4) + ".000000) panel.CRUISE 0\n(" +
+            std::to_string(test_support::FlownCircle::kBegin_s + 4) + ".000100) panel.APPROACH 1\n";
+    const RecordedPoses recorded = read(files().log, files().folder.write("phases.switches", text));
+    const auto phase_at = [&](double at_s) {
+        const auto found = std::find_if(recorded.valid.begin(), recorded.valid.end(), [at_s](const AircraftPose& pose) {
+            return (pose.time - base::Time{}).to_seconds() > at_s - 0.05;
+        });
+        return found->phase.scenario;
+    };
+    EXPECT_EQ(phase_at(3), flight::Scenario::cruise);
+    EXPECT_EQ(phase_at(7), flight::Scenario::approach);
 }
 
 TEST(RecordedPoses, ALogWithoutAPositionIsRefused) {

@@ -159,7 +159,7 @@ TEST_F(ElementPlannerTest, NothingIsDrawnAcrossAGapOfTheOwnFlight) {
 }
 
 /// Beside the scene's, by the same techniques, by role and by name, and by the source's own time.
-TEST_F(ElementPlannerTest, HeardTrafficIsShownWithAndWithoutASceneOrADate) {
+TEST_F(ElementPlannerTest, ReceivedTrafficIsShownWithAndWithoutASceneOrADate) {
     const base::Time now = base::Time{} + base::Duration::seconds(500);
     flight::AircraftState aircraft;
     aircraft.traffic.is_received = true;
