@@ -36,6 +36,7 @@ std::string file_of(const std::string& path) { return path.substr(path.find_last
 std::string title_of(const FlightErrors& flight) { return file_of(flight.flight) + " over " + file_of(flight.terrain); }
 
 std::string tightness_words(const Tightness& tightness) {
+    if (tightness.max <= 0) return "smaller than what can be measured";
     return printed("%.0f %% of the bound in the median, %.0f %% at most", 100 * tightness.median, 100 * tightness.max);
 }
 
