@@ -116,7 +116,7 @@ const std::vector<ReportElement>& elements() {
              const Json& best = *best_within(knob, 1000.0 / 60);
              return Texts{"The best settings for 60 frames/s (16.7 ms) are " + text(best.at("name")),
                           printed("<b>%.1f ms</b>", number(best.at("sample_ms").at("median"))),
-                          printed("<b>%.2g ", number(best.at("error").at("max")))};
+                          printed("<b>%.2g ", trusted(best))};
          }},
         {3, "reference, its own bound, second oracle",
          [](const Json& json) {
