@@ -1,7 +1,8 @@
 /// Whether the answers of `tedavis accuracy` to --budget-ms 12 and --target-error 0.5px hold in flight: the settings of a frame
 /// are measured along the default flight, and those that were answered are flown over three flights of the default scenario,
 /// whose seeds give them other air and other turbulence. Where no setting keeps to 12 ms, the budget is that of the quickest.
-/// `--json` prints the lines as a list.
+/// The settings are measured again before and after each flight, and the budget is that of a machine as quick as at the begin;
+/// within their noise 95 of 100 frames must keep to it. `--json` prints the lines as a list.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -29,7 +30,8 @@ using namespace tedavis;
 
 constexpr double kBudget_ms = 12, kTarget_px = 0.5, kMinShare = 0.95;
 constexpr std::uint64_t kSeeds[] = {1, 2, 3};
-constexpr double kStep_s = 3;
+constexpr double kApart_s = 15;      // between the begins of stretches
+constexpr std::size_t kFrames = 15;  // of a stretch, at the rate of replay: as many as have one decision interval
 constexpr std::size_t kRounds = 8;
 constexpr std::uint32_t kCell_px = 8;  ///< of the picture, for one compared place
 
@@ -65,7 +67,8 @@ struct Flown {
     }
 };
 
-/// Each frame is planned, drawn and read back, as it is timed for the answers; then its ground is compared with the database.
+/// Stretches of the flight, as replay plays them: each frame is planned, drawn and read back, as it is timed for the answers. The
+/// ground of the last frame of a stretch is compared with the database.
 Flown fly(const Setting& setting, const host_sim::TracedGround& ground, const std::string& flight) {
     host_sim::PictureOptions options;
     options.terrain = ground.path();
@@ -78,13 +81,17 @@ Flown fly(const Setting& setting, const host_sim::TracedGround& ground, const st
     host_sim::FramePreroll preroll(player, session, session.device().frame_rate_hz);
     const double pixel = static_cast<double>(host_sim::kFlownSize.width) / setting.size.width;
     Flown flown;
-    for (base::Time now = player.first(); now <= player.last(); now = now + base::Duration::from_seconds(kStep_s)) {
-        preroll.preroll(now);
-        const flight::FrameInput input = player.at(now);
-        const double begun = clock_ms();
-        session.display().plan(input);
-        session.draw();
-        flown.frame_ms.push_back(clock_ms() - begun);
+    for (base::Time begin = player.first(); begin <= player.last(); begin = begin + base::Duration::from_seconds(kApart_s)) {
+        for (std::size_t n = 0; n < kFrames; ++n) {
+            const base::Time now = begin + base::Duration::from_seconds(static_cast<double>(n) / session.device().frame_rate_hz);
+            if (now > player.last()) break;
+            preroll.preroll(now);
+            const flight::FrameInput input = player.at(now);
+            const double begun = clock_ms();
+            session.display().plan(input);
+            session.draw();
+            flown.frame_ms.push_back(clock_ms() - begun);
+        }
         const double error_px = host_sim::ground_errors(ground, session.display(), kCell_px).summary().max_px;
         flown.error_px = std::max(flown.error_px, error_px * pixel + 0.5 * (pixel - 1));
     }
@@ -111,24 +118,30 @@ double possible_budget_ms(const host_sim::MeasuredKnob& knob) {
     return std::max(kBudget_ms, quickest->sample_ms.p95);
 }
 
-std::vector<bench::BenchResult> results_of(const host_sim::MeasuredKnob& knob, const host_sim::TracedGround& ground,
-                                           const std::vector<std::string>& flights) {
+/// How much slower the machine has become between two measurements of a level: a virtual machine changes its speed by the minute.
+double drift(const host_sim::MeasuredLevel& level, const host_sim::MeasuredKnob& now) {
+    const auto again =
+        std::find_if(now.levels.begin(), now.levels.end(), [&](const auto& other) { return other.name == level.name; });
+    return again->sample_ms.median / level.sample_ms.median;
+}
+
+std::vector<bench::BenchResult> results_of(const host_sim::TracedGround& ground, const std::vector<std::string>& flights) {
+    const host_sim::MeasuredKnob knob = measured_settings(ground);
     const double budget_ms = possible_budget_ms(knob);
     const host_sim::MeasuredLevel* const best = host_sim::best_frame_within(knob, budget_ms);
     const host_sim::MeasuredLevel* const quickest = host_sim::cheapest_for(knob, kTarget_px);
     std::vector<bench::BenchResult> results;
-    for (std::size_t n = 0; n < flights.size(); ++n) {
+    for (std::size_t n = 0; n < flights.size() && best != nullptr && quickest != nullptr; ++n) {
         const std::string name = "flight " + std::to_string(n + 1) + ", ";
-        if (best != nullptr) {
-            const double share = fly(Setting(best->options), ground, flights[n]).share_within(budget_ms * (1 + knob.noise));
-            results.push_back({name + best->name + ": frames within the budget and its noise", share, "share", kMinShare,
-                               share >= kMinShare, budget_ms});
-        }
-        if (quickest != nullptr) {
-            const double error_px = fly(Setting(quickest->options), ground, flights[n]).error_px;
-            results.push_back({name + quickest->name + ": greatest error", error_px, "px", kTarget_px, error_px <= kTarget_px,
-                               quickest->trusted_error()});
-        }
+        const double slower_before = drift(*best, measured_settings(ground));
+        const Flown within = fly(Setting(best->options), ground, flights[n]);
+        const double slower = 0.5 * (slower_before + drift(*best, measured_settings(ground)));
+        const double share = within.share_within(budget_ms * slower * (1 + knob.noise));
+        results.push_back(
+            {name + best->name + ": frames within the budget", share, "share", kMinShare, share >= kMinShare, slower});
+        const double error_px = fly(Setting(quickest->options), ground, flights[n]).error_px;
+        results.push_back({name + quickest->name + ": greatest error", error_px, "px", kTarget_px, error_px <= kTarget_px,
+                           quickest->trusted_error()});
     }
     results.push_back({"answers flown", static_cast<double>(results.size()), "of 6", 6, results.size() == 6, 6});
     return results;
@@ -147,5 +160,5 @@ int main(int count, char** given) {
     host_sim::Console console{results, notes, true, false};
     base::SerialWorkers workers;
     const host_sim::TracedGround ground(host_sim::database_of({"", ""}, folder.file("."), console), workers);
-    return bench::report(results_of(measured_settings(ground), ground, flights_in(folder)), json);
+    return bench::report(results_of(ground, flights_in(folder)), json);
 }

@@ -17,6 +17,7 @@ struct DrawnShare {
     const char* name;
 };
 constexpr DrawnShare kDrawnShares[] = {{0.5, "half size"}, {0.75, "three quarters"}, {1, "full size"}};
+constexpr double kBetweenFrames_s = 1.0 / 30;
 constexpr std::size_t kFramePoses = 16, kQuickFramePoses = 5;
 
 struct FrameSetting {
@@ -65,14 +66,24 @@ std::vector<FlownLevel> flown_settings(const KnobGround& ground) {
 
 class FrameSettingsKnob final : public FlownKnob {
 public:
-    FrameSettingsKnob(const KnobGround& ground, std::vector<SeenPose> seen)
+    FrameSettingsKnob(const KnobGround& ground, const KnobFlight& flight, std::vector<SeenPose> seen)
         : FlownKnob(frame_settings_facts(ground.display), flown_settings(ground), poses_of(seen)),
           display_(ground.display),
           grid_(seen_grid(ground.display)),
           settings_(frame_settings()),
           seen_(std::move(seen)),
           measured_(seen_.size()),
-          proven_(settings_.size()) {}
+          proven_(settings_.size()) {
+        for (const SeenPose& seen : seen_)
+            before_.push_back(flight.pose_at((seen.pose.time - flight.begin()).to_seconds() - kBetweenFrames_s));
+    }
+
+    /// The frame before, so that the one that is timed moves as in flight: its terrain changes and its buffers are sent.
+    void prepare(std::size_t level, std::size_t sample) override {
+        FlownKnob::prepare(level, sample);
+        pictures().fly_to(level, before_[sample]);
+    }
+    void run(std::size_t level, std::size_t sample) override { pictures().fly_to(level, seen_[sample].pose); }
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         display::Display& display = pictures().display(level, sample);
@@ -109,6 +120,7 @@ private:
     SeenGrid grid_;
     std::vector<FrameSetting> settings_;
     std::vector<SeenPose> seen_;
+    std::vector<AircraftPose> before_;              ///< a frame earlier
     std::vector<std::vector<SeenPlace>> measured_;  ///< by pose, of the level that was measured last
     std::vector<double> proven_;                    ///< by level, over the poses whose errors were found
 };
@@ -116,8 +128,9 @@ private:
 }  // namespace
 
 std::unique_ptr<Knob> make_frame_settings_knob(const KnobGround& ground) {
-    const std::vector<AircraftPose> poses = KnobFlight(ground).poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
-    return std::make_unique<FrameSettingsKnob>(ground, seen_poses(ground.ground, poses, seen_grid(ground.display)));
+    const KnobFlight flight(ground);
+    const std::vector<AircraftPose> poses = flight.poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
+    return std::make_unique<FrameSettingsKnob>(ground, flight, seen_poses(ground.ground, poses, seen_grid(ground.display)));
 }
 
 }  // namespace tedavis::host_sim
