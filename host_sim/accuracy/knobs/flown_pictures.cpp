@@ -12,7 +12,6 @@
 #include "render_core/display/preroll.hpp"
 
 namespace tedavis::host_sim {
-namespace {}  // namespace
 
 std::string changed_device(const std::string& folder, const std::string& name, const std::string& shipped,
                            const std::vector<DeviceValue>& values) {
@@ -65,8 +64,14 @@ struct FlownPictures::Shown {
     std::optional<std::string> shot_options;
     std::uint64_t uploaded_bytes = 0;
     flight::AircraftState state;
+    std::function<void(const AircraftPose&, flight::AircraftState&)> complete;  ///< of the level
 
     explicit Shown(const PictureOptions& options) : session(options, true) {}
+
+    void take_state(const AircraftPose& at) {
+        state = posed_aircraft(at, session.display());
+        if (complete) complete(at, state);
+    }
 };
 
 FlownPictures::FlownPictures(const std::vector<FlownLevel>& levels, std::vector<AircraftPose> poses) : poses_(std::move(poses)) {
@@ -83,6 +88,7 @@ std::unique_ptr<FlownPictures::Shown> FlownPictures::started(const FlownLevel& l
     const base::Time begun = platform::monotonic_now();
     auto shown = std::make_unique<Shown>(options);
     shown->shot_options = shot_options(level);
+    shown->complete = level.complete;
     display::Display& display = shown->session.display();
     if (level.change) {
         const auto design = std::make_unique<design::DesignSettings>(load_design(options));
@@ -124,7 +130,7 @@ void FlownPictures::show(std::size_t level, std::size_t pose) {
     Shown& shown = *shown_[level];
     display::Display& display = shown.session.display();
     display.memory() = *shown.begun;
-    shown.state = posed_aircraft(poses_[pose], display);
+    shown.take_state(poses_[pose]);
     const flight::FrameInput input = {shown.state, phase_of(poses_[pose]), poses_[pose].time};
     display::settle(display, input);
     display.plan(input);
@@ -145,7 +151,7 @@ void FlownPictures::fly_to(std::size_t level, const AircraftPose& pose) {
     make_current(level);
     Shown& shown = *shown_[level];
     shown.pose = kNone;
-    shown.state = posed_aircraft(pose, shown.session.display());
+    shown.take_state(pose);
     shown.session.display().plan({shown.state, phase_of(pose), pose.time});
     shown.session.draw();
 }

@@ -35,6 +35,8 @@ struct FlownLevel {
     std::optional<effects::QualityLevel> quality;  ///< as the governor would draw; nothing: as the design asks
     /// What else differs from the design that the options name; it may ask for no technique that this one lacks.
     std::function<void(design::DesignSettings&)> change = {};
+    /// What a flight knows besides its pose, such as air data and other aircraft; empty: nothing.
+    std::function<void(const AircraftPose&, flight::AircraftState&)> complete = {};
     bool has_own_device = false;  ///< the device file is one that is gone after the run
 };
 

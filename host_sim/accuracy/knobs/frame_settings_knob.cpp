@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "host_sim/accuracy/knobs/flown_knob.hpp"
 #include "host_sim/accuracy/knobs/scaled_picture.hpp"
@@ -55,27 +56,32 @@ KnobFacts frame_settings_facts(const FlownDisplay& display) {
             std::move(levels)};
 }
 
-std::vector<FlownLevel> flown_settings(const KnobGround& ground) {
+std::vector<FlownLevel> flown_settings(const KnobGround& ground, const std::shared_ptr<const KnobFlight>& flight) {
     std::vector<FlownLevel> levels;
     for (const FrameSetting& setting : frame_settings()) {
         levels.push_back(terrain_level(ground.ground.path(), setting.tau_px, ground.display));
         levels.back().picture.size = ground.display.share(setting.drawn.share);
+        levels.back().complete = [flight](const AircraftPose& pose, flight::AircraftState& state) {
+            flight->add_signals(pose, state);
+        };
     }
     return levels;
 }
 
 class FrameSettingsKnob final : public FlownKnob {
 public:
-    FrameSettingsKnob(const KnobGround& ground, const KnobFlight& flight, std::vector<SeenPose> seen)
-        : FlownKnob(frame_settings_facts(ground.display), flown_settings(ground), poses_of(seen)),
+    FrameSettingsKnob(const KnobGround& ground, const std::shared_ptr<const KnobFlight>& flight, std::vector<SeenPose> seen)
+        : FlownKnob(frame_settings_facts(ground.display), flown_settings(ground, flight), poses_of(seen)),
           display_(ground.display),
           grid_(seen_grid(ground.display)),
           settings_(frame_settings()),
           seen_(std::move(seen)),
           measured_(seen_.size()),
           proven_(settings_.size()) {
-        for (const SeenPose& seen : seen_)
-            before_.push_back(flight.pose_at((seen.pose.time - flight.begin()).to_seconds() - kBetweenFrames_s));
+        for (const SeenPose& seen : seen_) {
+            before_.push_back(flight->pose_at((seen.pose.time - flight->begin()).to_seconds() - kBetweenFrames_s));
+            before_.back().phase = seen.pose.phase;
+        }
     }
 
     /// The frame before, so that the one that is timed moves as in flight: its terrain changes and its buffers are sent.
@@ -128,8 +134,9 @@ private:
 }  // namespace
 
 std::unique_ptr<Knob> make_frame_settings_knob(const KnobGround& ground) {
-    const KnobFlight flight(ground);
-    const std::vector<AircraftPose> poses = flight.poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
+    const auto flight = std::make_shared<const KnobFlight>(ground);
+    std::vector<AircraftPose> poses = flight->poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
+    for (AircraftPose& pose : poses) pose.phase = flight->phase_at(pose);
     return std::make_unique<FrameSettingsKnob>(ground, flight, seen_poses(ground.ground, poses, seen_grid(ground.display)));
 }
 

@@ -128,6 +128,23 @@ AircraftPose KnobFlight::pose_at(double at_s) const {
     return pose;
 }
 
+flight::FlightPhase KnobFlight::phase_at(const AircraftPose& pose) const {
+    return recorded_ != nullptr ? pose.phase : flight_.stated_phase(pose.time).value_or(flight::FlightPhase());
+}
+
+void KnobFlight::add_signals(const AircraftPose& pose, flight::AircraftState& state) const {
+    const std::optional<SignalSample> sample = recorded_ == nullptr ? flight_.at(pose.time) : std::nullopt;
+    if (!sample) return;
+    for (std::size_t n = 0; n < flight::kSignalCount; ++n) {
+        const auto signal = static_cast<flight::Signal>(n);
+        if (sample->has(signal) && !state[signal].received()) state[signal] = {(*sample)[signal], pose.time};
+    }
+    state.is_posed = false;
+    state.traffic.is_received = true;
+    for (const ReceivedAircraft& other : flight_.traffic(pose.time))
+        static_cast<void>(state.traffic.reports.try_push_back(other.report));
+}
+
 std::vector<AircraftPose> KnobFlight::poses(std::size_t count) const {
     std::vector<AircraftPose> poses;
     for (std::size_t n = 0; n < count; ++n) {

@@ -37,6 +37,11 @@ public:
     [[nodiscard]] double duration_s() const;  ///< of that time
     /// That pose_at() counts from.
     [[nodiscard]] base::Time begin() const { return recorded_ == nullptr ? flight_.begin() : base::Time{}; }
+    /// The phase that the shipped flight has at the time of a pose; of a recorded one that of the pose.
+    [[nodiscard]] flight::FlightPhase phase_at(const AircraftPose& pose) const;
+    /// Adds what the shipped flight sends besides position and attitude: air data, and other aircraft that it receives. A
+    /// recorded flight adds nothing.
+    void add_signals(const AircraftPose& pose, flight::AircraftState& state) const;
     /// Path of a database with the flight's data, which lasts as long as the object. It is made by the first call.
     [[nodiscard]] const std::string& scene();
 
