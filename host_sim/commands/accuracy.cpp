@@ -14,6 +14,7 @@
 #include "host_sim/accuracy/knobs/ray_search_knobs.hpp"
 #include "host_sim/accuracy/measure_knob.hpp"
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/accuracy_flights.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
@@ -120,17 +121,6 @@ void put(const MeasuredKnob& measured, AccuracyReport& report) {
             ordered.push_back(*kept);
     report.knobs = std::move(ordered);
 }
-
-/// The heights and the recorded flight of a --flight, or of a run without one.
-struct MeasuredFlight {
-    std::shared_ptr<TracedGround> ground;
-    std::optional<RecordedPoses> recorded;  ///< nothing: the shipped flight
-    std::string terrain;                    ///< as the user named it
-
-    [[nodiscard]] KnobGround knob_ground(const AccuracyOptions& options) const {
-        return {*ground, options.is_quick, recorded ? &*recorded : nullptr, options.display};
-    }
-};
 
 class AccuracyRun {
 public:
@@ -272,49 +262,11 @@ std::string renderer(const FlownDisplay& display) {
     return DisplaySession(picture, true).gl_description();
 }
 
-void require_pairs(const AccuracyOptions& options) {
-    const std::size_t flights = std::max<std::size_t>(1, options.flights.size()), terrains = options.terrains.size();
-    if (terrains > 1 && terrains != flights)
-        throw UserError("--terrain: was given " + std::to_string(terrains) + " times for " + std::to_string(flights) +
-                        (flights == 1 ? " flight" : " flights") + "; give it once, or once for each --flight");
-    if (options.switches.size() > options.flights.size())
-        throw UserError("--switches " + options.switches.back() +
-                        ": has no --flight that it belongs to; give at most one --switches for each --flight");
-}
-
 void require_room_for_levels(const FlownDisplay& display) {
     if (std::min(display.size.width, display.size.height) < kSmallestSide_px)
         throw UserError("--size " + std::to_string(display.size.width) + "x" + std::to_string(display.size.height) +
                         ": a quarter of it is too small a picture; give 64x64 or more");
     static_cast<void>(seen_grid(display));
-}
-
-/// The n-th --terrain, or the one for all flights; empty: the shipped one.
-std::string terrain_of(const AccuracyOptions& options, std::size_t n) {
-    if (options.terrains.empty()) return "";
-    return options.terrains.size() == 1 ? options.terrains.front() : options.terrains[n];
-}
-
-/// With the heights of each terrain once in memory. The first is the one that knobs fly.
-std::vector<MeasuredFlight> read_flights(const AccuracyOptions& options, base::Workers& workers, Console& console) {
-    std::vector<MeasuredFlight> flights;
-    for (std::size_t n = 0; n < std::max<std::size_t>(1, options.flights.size()); ++n) {
-        const std::string given = terrain_of(options, n);
-        MeasuredFlight flight;
-        flight.terrain = given.empty() ? "the shipped terrain" : given;
-        for (const MeasuredFlight& other : flights)
-            if (other.terrain == flight.terrain) flight.ground = other.ground;
-        if (flight.ground == nullptr)
-            flight.ground = std::make_shared<TracedGround>(database_of({given, ""}, options.output, console), workers);
-        if (!options.flights.empty()) {
-            const ReplayOptions usual;
-            const std::string switches = n < options.switches.size() ? options.switches[n] : "";
-            flight.recorded = read_recorded_poses({options.flights[n], usual.picture.bus, switches, usual.switch_config},
-                                                  flight.ground->path(), console);
-        }
-        flights.push_back(std::move(flight));
-    }
-    return flights;
 }
 
 MeasuredInputs inputs_of(const AccuracyOptions& options, const MeasuredFlight& flight) {

@@ -83,5 +83,7 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 void add_builders(CLI::App& app, CommandLine& line);
 /// shot, trace, sheet, sweep, calibrate, accuracy, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);
+/// accuracy, which add_displays() adds among its own.
+void add_accuracy(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

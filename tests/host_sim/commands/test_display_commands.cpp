@@ -49,19 +49,6 @@ TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {
     EXPECT_EQ(line.shaders.picture.design, "cruise");
 }
 
-TEST_F(Displays, OptionsReachTheAccuracy) {
-    EXPECT_EQ(line.accuracy.display.device, PictureOptions().device);
-    parse({"accuracy", "-o", "out", "--flight", "a.log", "--flight", "b.log", "--switches", "a.switches", "--terrain", "a.tdb",
-           "--terrain", "b.tdb", "--size", "800x600", "--device", "desktop", "--design", "cruise"});
-    EXPECT_EQ(line.accuracy.flights, (std::vector<std::string>{"a.log", "b.log"}));
-    EXPECT_EQ(line.accuracy.switches, std::vector<std::string>{"a.switches"});
-    EXPECT_EQ(line.accuracy.terrains, (std::vector<std::string>{"a.tdb", "b.tdb"}));
-    EXPECT_EQ(line.accuracy.display.size.height, 600u);
-    EXPECT_EQ(line.accuracy.display.device, "desktop");
-    EXPECT_EQ(line.accuracy.display.design, "cruise");
-    EXPECT_THROW(parse({"accuracy", "-o", "out", "--size", "800"}), UserError);
-}
-
 TEST_F(Displays, WhatCannotStandTogetherIsRefused) {
     EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--window", "--ledger"}), CLI::ParseError);
     EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--tour", "t.csv"}), CLI::ParseError) << "a tour needs a window";
