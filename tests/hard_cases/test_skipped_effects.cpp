@@ -156,9 +156,9 @@ TEST_F(SkippedEffects, OfColorChangeNoPixelByMoreThanOneStep) {
 
 TEST_F(SkippedEffects, OfSharpnessStayWithinThePixelsBesideAndDoNoWork) {
     design::DesignSettings soft = plain();
-    soft.effects.depth_of_field = {0.6, 0, 4000};
+    soft.effects.depth_of_field = {0.6, 16, 0, 4000};
     design::DesignSettings blurred = plain();
-    blurred.effects.depth_of_field = {6, 0, 4000};
+    blurred.effects.depth_of_field = {6, 16, 0, 4000};
     int left_out = 0, ran = 0, seen = 0;
     for (const Flight& flight : flights_) {
         const auto planned = drawn(flight, soft, false), forced = drawn(flight, soft, true), much = drawn(flight, blurred, true);
