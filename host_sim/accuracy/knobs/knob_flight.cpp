@@ -15,7 +15,8 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr double kStripBelow_m = 500;  ///< of the data round a recorded flight: the default flight climbs about so high
-constexpr std::size_t kStatesOfSecond = static_cast<std::size_t>(1 / kScenarioStep_s + 0.5);
+constexpr std::size_t kStatesOfSecond = 100;
+static_assert(static_cast<double>(kStatesOfSecond) * kScenarioStep_s == 1);
 
 /// Every place of the flight, at intervals of a second, lies over posts.
 bool holds_flight(const TracedGround& ground, const ScenarioFlight& flight) {
@@ -75,7 +76,7 @@ KnobFlight::KnobFlight(const TracedGround& ground, const RecordedPoses* recorded
 
 Scenario KnobFlight::scenario_over(const TracedGround& ground) {
     const std::string path = resolve_config("default", "scenarios");
-    const Scenario scenario = parse_scenario(read_file(path), path);
+    Scenario scenario = parse_scenario(read_file(path), path);
     if (recorded_ != nullptr) return scenario_below(scenario, recorded_->valid[recorded_->valid.size() / 2]);
     is_moved_ = !holds_flight(ground, ScenarioFlight(scenario, scenario.seed, geoid_));
     if (!is_moved_) return scenario;
