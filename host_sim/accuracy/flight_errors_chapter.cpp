@@ -114,10 +114,9 @@ private:
             marks += mark_at(n, at_x, at_y);
             if (at_x >= last_x) last_x = at_x, last_y = at_y;
         }
-        const std::string drawn =
-            printed("<g stroke='%s' fill='none' stroke-width='1.5'><polyline stroke-dasharray='%s' points='", curve.color,
-                    curve.dash) +
-            points + "'/>" + marks + "</g>";
+        std::string drawn = printed("<g stroke='%s' fill='none' stroke-width='1.5'><polyline stroke-dasharray='%s' points='",
+                                    curve.color, curve.dash) +
+                            points + "'/>" + marks + "</g>";
         if (n > 0) return drawn;
         return drawn + printed("<text x='%.1f' y='%.1f'>%s</text>", last_x + 10, last_y + (&curve == &kCurves[0] ? 6.0 : 18.0),
                                curve.name);

@@ -30,7 +30,8 @@ std::vector<SeenPlace> places_seen(const TracedGround& ground, const TracedShotP
     for (std::uint32_t n = 0; n < plan.width * plan.height; ++n) {
         if (hits.cell[n] < 0) continue;
         const auto cell = static_cast<std::uint32_t>(hits.cell[n]);
-        const double column = cell % cells + static_cast<double>(hits.u[n]), row = cell / cells + static_cast<double>(hits.v[n]);
+        const std::uint32_t first_column = cell % cells, first_row = cell / cells;
+        const double column = first_column + static_cast<double>(hits.u[n]), row = first_row + static_cast<double>(hits.v[n]);
         raytrace::SurfacePoint surface;
         if (!raytrace::find_surface(ground.grid<Height>(), true_surface().surface, column, row, surface)) continue;
         const earth::Ecef position = ground.space().position({column, row, surface.height});
