@@ -122,6 +122,14 @@ const FlightErrors* errors_over(const KnobGround& ground, const std::vector<Flig
     return found == flights.end() ? nullptr : &*found;
 }
 
+std::vector<FlightErrors> errors_over(const std::vector<KnobGround>& grounds, const std::vector<FlightErrors>& flights) {
+    std::vector<FlightErrors> kept;
+    for (const KnobGround& ground : grounds)
+        if (const FlightErrors* const known = errors_over(ground, flights); known && errors_over(ground, kept) == nullptr)
+            kept.push_back(*known);
+    return kept;
+}
+
 FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsPlan& plan) {
     const KnobFlight flight(ground);
     const FlownLevel as_designed = flown_level(ground.ground.path(), ground.display);

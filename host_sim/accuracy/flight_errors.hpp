@@ -64,6 +64,10 @@ struct FlightErrorsPlan {
 /// Those of the ground's flight over its heights, among others; null where there are none.
 [[nodiscard]] const FlightErrors* errors_over(const KnobGround& ground, const std::vector<FlightErrors>& flights);
 
+/// Those of all grounds that are among others, each once: what an earlier run leaves for a run over these.
+[[nodiscard]] std::vector<FlightErrors> errors_over(const std::vector<KnobGround>& grounds,
+                                                    const std::vector<FlightErrors>& flights);
+
 /// Along the flight of the ground, drawn with its display. Throws UserError.
 [[nodiscard]] FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsPlan& plan);
 

@@ -34,7 +34,7 @@ constexpr const char* kPageName = "/report.html";
 constexpr const char* kPictureFolder = "/pictures/";
 constexpr std::size_t kRounds = 31, kQuickRounds = 11;
 constexpr std::size_t kMoments = 120, kLinePoses = 60, kQuickEffectPoses = 3;
-constexpr std::uint32_t kPlacesAcross = 192;  ///< of a frame, so that a flight has more than a million samples
+constexpr std::uint32_t kPlacesAcross = 192;  ///< of a frame of a full run
 constexpr const char* kOwnCommand = "tedavis accuracy ";
 constexpr std::uint32_t kSmallestSide_px = 64;
 constexpr double kGovernorRate_hz = 10, kQuickGovernorRate_hz = 2;  ///< frames of the flight
@@ -49,8 +49,7 @@ std::string input_options(const AccuracyOptions& options) {
     for (const std::string& flight : options.flights) text += " --flight " + flight;
     for (const std::string& switches : options.switches) text += " --switches " + switches;
     const FlownDisplay usual, &display = options.display;
-    if (size_text(display.size) != size_text(usual.size))
-        text += " --size " + std::to_string(display.size.width) + "x" + std::to_string(display.size.height);
+    if (size_word(display.size) != size_word(usual.size)) text += " --size " + size_word(display.size);
     if (display.device != usual.device) text += " --device " + display.device;
     if (display.design != usual.design) text += " --design " + display.design;
     return text;
@@ -148,12 +147,11 @@ public:
         const InterruptGuard interrupt;
         const KnobGround ground = flights.front().knob_ground(options_);
         try {
-            std::vector<FlightErrors> earlier = std::move(report.flights);
-            report.flights.clear();
-            if (ground.recorded != nullptr)
-                add_flight_errors({ground.ground, ground.is_quick, nullptr, ground.display}, earlier, interrupt, report);
-            for (const MeasuredFlight& flight : flights)
-                add_flight_errors(flight.knob_ground(options_), earlier, interrupt, report);
+            std::vector<KnobGround> asked;
+            if (ground.recorded != nullptr) asked.push_back({ground.ground, ground.is_quick, nullptr, ground.display});
+            for (const MeasuredFlight& flight : flights) asked.push_back(flight.knob_ground(options_));
+            report.flights = errors_over(asked, report.flights);
+            for (const KnobGround& flown : asked) add_flight_errors(flown, interrupt, report);
             if (!report.uncalled) report.uncalled = uncalled(ground, interrupt);
             if (!report.control) report.control = measure_control(*make_ray_control(ground));
         } catch (const Interrupted&) {
@@ -190,14 +188,9 @@ private:
         };
     }
 
-    /// Those of an earlier run where it has measured the flight over the same heights, else measured now. Each flight once.
-    void add_flight_errors(const KnobGround& ground, const std::vector<FlightErrors>& earlier, const InterruptGuard& interrupt,
-                           AccuracyReport& report) {
+    /// Of a flight that the report does not have yet.
+    void add_flight_errors(const KnobGround& ground, const InterruptGuard& interrupt, AccuracyReport& report) {
         if (errors_over(ground, report.flights) != nullptr) return;
-        if (const FlightErrors* const known = errors_over(ground, earlier)) {
-            report.flights.push_back(*known);
-            return;
-        }
         FlightErrorsPlan plan;
         if (!options_.is_quick) plan = {kMoments, kLinePoses, kPlacesAcross, {}};
         plan.progress = progress_of("error along the flight", interrupt);
@@ -264,8 +257,7 @@ std::string renderer(const FlownDisplay& display) {
 
 void require_room_for_levels(const FlownDisplay& display) {
     if (std::min(display.size.width, display.size.height) < kSmallestSide_px)
-        throw UserError("--size " + std::to_string(display.size.width) + "x" + std::to_string(display.size.height) +
-                        ": a quarter of it is too small a picture; give 64x64 or more");
+        throw UserError("--size " + size_word(display.size) + ": a quarter of it is too small a picture; give 64x64 or more");
     static_cast<void>(seen_grid(display));
 }
 

@@ -15,6 +15,15 @@ void count_reason(std::string_view reason, std::vector<EffectReason>& reasons) {
     reasons.push_back({std::string(reason), 1});
 }
 
+/// Several elements of the data may ask for one effect in a frame. The frame has it where one of them has it.
+bool is_of_frame(const display::FrameRecord& record, const display::EffectRecord& effect) {
+    for (const display::EffectRecord& other : record.effects) {
+        if (other.name != effect.name) continue;
+        if (other.state < effect.state || (other.state == effect.state && &other < &effect)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void EffectCount::add(const display::EffectRecord& record) {
@@ -30,7 +39,10 @@ void EffectCount::add(const display::EffectRecord& record) {
 }
 
 void EffectTally::add(const display::FrameRecord& record) {
+    static_assert(display::EffectState::run < display::EffectState::replaced &&
+                  display::EffectState::replaced < display::EffectState::skipped);
     for (const display::EffectRecord& effect : record.effects) {
+        if (!is_of_frame(record, effect)) continue;
         const auto known = std::find_if(counts_.begin(), counts_.end(),
                                         [&](const EffectCount& count) { return effect.name.view() == count.name; });
         EffectCount& count = known != counts_.end() ? *known : counts_.emplace_back();

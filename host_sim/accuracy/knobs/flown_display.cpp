@@ -52,6 +52,8 @@ PictureSize FlownDisplay::share(double of_side) const {
     return {part(size.width), part(size.height)};
 }
 
+std::string size_word(const PictureSize& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
 std::string size_text(const PictureSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 SeenGrid seen_grid(const FlownDisplay& display, std::uint32_t across) {

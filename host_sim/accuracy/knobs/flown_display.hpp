@@ -20,6 +20,8 @@ struct FlownDisplay {
     [[nodiscard]] PictureSize share(double of_side) const;
 };
 
+/// "640x360", as --size takes it.
+[[nodiscard]] std::string size_word(const PictureSize& size);
 /// "640 x 360".
 [[nodiscard]] std::string size_text(const PictureSize& size);
 

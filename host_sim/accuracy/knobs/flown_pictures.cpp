@@ -1,10 +1,9 @@
 #include "host_sim/accuracy/knobs/flown_pictures.hpp"
 
-#include <cstdio>
-
 #include "host_sim/accuracy/knobs/knob_flight.hpp"
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
@@ -32,12 +31,9 @@ std::string changed_device(const std::string& folder, const std::string& name, c
 std::optional<std::string> shot_options(const FlownLevel& level) {
     const PictureOptions& picture = level.picture;
     if (level.change || level.quality || level.has_own_device || !picture.scene.empty() || !picture.size) return std::nullopt;
-    char text[64];
-    std::snprintf(text, sizeof text, " --size %ux%u", picture.size->width, picture.size->height);
-    std::string options = " --terrain " + picture.terrain + " --design " + picture.design + " --device " + picture.device + text;
-    if (!picture.tau_px) return options;
-    std::snprintf(text, sizeof text, " --tau %g", *picture.tau_px);
-    return options + text;
+    const std::string options = " --terrain " + picture.terrain + " --design " + picture.design + " --device " + picture.device +
+                                " --size " + size_word(*picture.size);
+    return picture.tau_px ? options + printed(" --tau %g", *picture.tau_px) : options;
 }
 
 FlownLevel flown_level(const std::string& terrain, const FlownDisplay& display) {

@@ -1,12 +1,12 @@
 #include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "host_sim/accuracy/knobs/flown_knob.hpp"
 #include "host_sim/accuracy/knobs/scaled_picture.hpp"
 #include "host_sim/accuracy/knobs/terrain_tau_knob.hpp"
+#include "host_sim/printed_text.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -36,9 +36,7 @@ std::vector<FrameSetting> frame_settings() {
 KnobFacts frame_settings_facts(const FlownDisplay& display) {
     std::vector<KnobLevel> levels;
     for (const FrameSetting& setting : frame_settings()) {
-        char name[64];
-        std::snprintf(name, sizeof name, "tau %g px, %s", setting.tau_px, setting.drawn.name);
-        levels.push_back({name, 0});
+        levels.push_back({printed("tau %g px, %s", setting.tau_px, setting.drawn.name), 0});
     }
     return {kFrameSettings,
             "Settings of a frame: the terrain's error and the share of the window that is drawn",
@@ -109,10 +107,8 @@ public:
         return scaled_picture(pictures().picture(level, sample), display_.size);
     }
     [[nodiscard]] std::string options(std::size_t level) const override {
-        char text[64];
-        const PictureSize size = display_.share(settings_[level].drawn.share);
-        std::snprintf(text, sizeof text, "--tau %g --size %ux%u", settings_[level].tau_px, size.width, size.height);
-        return text;
+        const FrameSetting& setting = settings_[level];
+        return printed("--tau %g --size ", setting.tau_px) + size_word(display_.share(setting.drawn.share));
     }
 
 private:

@@ -67,6 +67,10 @@ TEST(FlightErrors, AreThoseOfARecordedFlight) {
     FlightErrors of_other_heights = errors;
     ++of_other_heights.terrain_identity;
     EXPECT_EQ(errors_over(ground, {FlightErrors(), of_other_heights}), nullptr);
+    const std::vector<KnobGround> twice{ground, ground};
+    EXPECT_EQ(errors_over(twice, {FlightErrors(), errors, of_other_heights}).size(), 1u)
+        << "once, and none that was not asked for";
+    EXPECT_TRUE(errors_over(twice, {of_other_heights}).empty());
     EXPECT_TRUE(errors.holds());
     ASSERT_EQ(errors.moments.size(), 4u);
     for (const MeasuredMoment& moment : errors.moments) EXPECT_EQ(moment.pose.substr(0, 4), "47.0") << "where it was flown";

@@ -53,6 +53,19 @@ TEST(EffectTally, CountsEachEffectInTheFramesThatAskForIt) {
     EXPECT_TRUE(EffectTally{}.counts().empty());
 }
 
+TEST(EffectTally, CountsAFrameOnceWhereSeveralElementsAskForOneEffect) {
+    EffectTally tally;
+    tally.add(frame_with({recorded("data.tube", EffectState::skipped, "too small"), recorded("data.tube", EffectState::run, ""),
+                          recorded("data.tube", EffectState::run, "")}));
+    tally.add(frame_with(
+        {recorded("data.tube", EffectState::skipped, "too small"), recorded("data.tube", EffectState::skipped, "too small")}));
+    ASSERT_EQ(tally.counts().size(), 1u);
+    EXPECT_EQ(tally.counts()[0].asked, 2u);
+    EXPECT_EQ(tally.counts()[0].run, 1u);
+    EXPECT_EQ(tally.counts()[0].skipped, 1u);
+    EXPECT_EQ(tally.counts()[0].reasons[0].frames, 1u);
+}
+
 TEST(EffectTally, OnlyTheWorkOfFramesWithoutTheEffectIsWorkForNothing) {
     EffectRecord drawn = recorded("blur", EffectState::run, ""), left_out = recorded("blur", EffectState::skipped, "too small");
     drawn.draws = 7;
