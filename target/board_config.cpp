@@ -157,6 +157,8 @@ void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus) {
         if (!entry.glider_profile || bus.dialect.glider_identifiers) fits = fits && add_identifier_filters(can, entry.identifier);
     for (std::uint16_t n = 0; bus.traffic.is_carried() && n < bus::kTrafficIdentifiers; ++n)
         fits = fits && add_identifier_filters(can, static_cast<std::uint16_t>(bus.traffic.first_identifier + n));
+    for (std::uint16_t n = 0; bus.guidance.is_carried() && n < bus::kGuidanceIdentifiers; ++n)
+        fits = fits && add_identifier_filters(can, static_cast<std::uint16_t>(bus.guidance.first_identifier + n));
     if (!fits) can.filters.clear();
 }
 

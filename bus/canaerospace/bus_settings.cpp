@@ -24,6 +24,7 @@ void read_dialect(ConfigSection section, BusDialect& dialect) {
     static constexpr std::string_view kHeadings[] = {"true", "magnetic"};
     static constexpr std::string_view kWinds[] = {"from", "to"};
     static constexpr std::string_view kVariations[] = {"east", "west"};
+    static constexpr std::string_view kDeviations[] = {"own_ship", "path"};
     static constexpr std::string_view kServiceCodes[] = {"invalid", "ignored"};
     dialect.accept_long_position = section.boolean("accept_long_position", dialect.accept_long_position);
     section.choose("acceleration_unit", kAccelerations, dialect.acceleration);
@@ -31,6 +32,8 @@ void read_dialect(ConfigSection section, BusDialect& dialect) {
     section.choose("heading_321_reference", kHeadings, dialect.heading);
     section.choose("wind_direction", kWinds, dialect.wind);
     section.choose("variation_positive", kVariations, dialect.variation);
+    section.choose("deviation_states", kDeviations, dialect.deviation);
+    section.choose("direction_reference", kHeadings, dialect.directions);
     section.choose("service_code_not_zero", kServiceCodes, dialect.service_code);
     dialect.month_from_zero = section.boolean("month_from_zero", dialect.month_from_zero);
     dialect.glider_identifiers = section.boolean("glider_identifiers", dialect.glider_identifiers);
@@ -54,18 +57,33 @@ void read_phase(ConfigSection section, PhaseMessageSettings& phase) {
     read_duration(section, "timeout_s", 0.1, 60.0, phase.timeout);
 }
 
-/// Without the section there is no traffic: its identifiers are free for others.
-void read_traffic(ConfigSection section, const PhaseMessageSettings& phase, TrafficSettings& traffic) {
-    if (!section.present()) return;
+/// What else a bus file gives identifiers to: the phase, and the profiles that were read before.
+struct TakenIdentifiers {
+    const PhaseMessageSettings& phase;
+    const TrafficSettings& traffic;
+};
+
+/// Without its section a profile is not received: its identifiers are free for others.
+std::uint16_t read_first_identifier(ConfigSection section, std::uint16_t count, std::string_view count_in_words,
+                                    const TakenIdentifiers& taken) {
+    if (!section.present()) return 0;
     constexpr std::string_view kKey = "first_identifier";
-    traffic.first_identifier = static_cast<std::uint16_t>(section.integer(kKey, 200, 2000 - kTrafficIdentifiers));
-    for (std::uint16_t n = 0; n < kTrafficIdentifiers; ++n) {
-        const auto identifier = static_cast<std::uint16_t>(traffic.first_identifier + n);
-        if (identifier_index(identifier) != kNotInTable)
-            return section.fault(kKey, "one of the twelve identifiers from here on has a meaning in the standard; choose others");
-        if (identifier == phase.status_identifier || identifier == phase.request_identifier)
-            return section.fault(kKey, "one of the twelve identifiers from here on states the phase of flight; choose others");
+    const auto first = static_cast<std::uint16_t>(section.integer(kKey, 200, 2000 - count));
+    const auto fault = [&](std::string_view meaning) {
+        base::FixedString<159> message("one of the ");
+        for (const std::string_view part :
+             {count_in_words, std::string_view(" identifiers from here on "), meaning, std::string_view("; choose others")})
+            message.append(part);
+        section.fault(kKey, message.view());
+    };
+    for (std::uint16_t n = 0; n < count; ++n) {
+        const auto identifier = static_cast<std::uint16_t>(first + n);
+        const bool states_phase = identifier == taken.phase.status_identifier || identifier == taken.phase.request_identifier;
+        if (identifier_index(identifier) != kNotInTable) return fault("has a meaning in the standard"), first;
+        if (states_phase) return fault("states the phase of flight"), first;
+        if (taken.traffic.has(identifier)) return fault("reports other aircraft"), first;
     }
+    return first;
 }
 
 void read_node(ConfigSection section, NodeSettings& node) {
@@ -95,7 +113,7 @@ void read_freshness(ConfigSection section, BusSettings& settings) {
     for (std::size_t i = 0; i < section.key_count(); ++i) {
         const std::string_view key = section.key_at(i);
         const flight::Signal signal = flight::signal_from_name(key);
-        if (signal == flight::Signal::count_ || signal == flight::Signal::height_above_terrain) {
+        if (signal == flight::Signal::count_ || is_computed(signal)) {
             section.fault(key, "no such signal on the bus; the names are those of render_core/flight/signal.hpp");
             return;
         }
@@ -129,6 +147,17 @@ base::FreshnessLimits default_limits(flight::Signal signal) noexcept {
         case Signal::wind_direction:
         case Signal::outside_temperature:
         case Signal::baro_setting: return {Duration::seconds(10), Duration::seconds(30)};
+        case Signal::flaps_lever:
+        case Signal::flaps_position:
+        case Signal::navigation_source:
+        case Signal::selected_course:
+        case Signal::selected_glidepath:
+        case Signal::selected_altitude:
+        case Signal::selected_heading:
+        case Signal::selected_airspeed:
+        case Signal::selected_vertical_speed:
+        case Signal::decision_height:
+        case Signal::minimum_altitude: return {Duration::seconds(3), Duration::seconds(10)};
         case Signal::magnetic_variation: return {Duration::seconds(60), Duration::seconds(600)};
         default: return {Duration::seconds(1), Duration::seconds(3)};
     }
@@ -147,7 +176,9 @@ base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, 
     root.choose("protocol", kProtocols, protocol);
     read_dialect(root.section("dialect"), settings.dialect);
     read_phase(root.section("phase"), settings.phase);
-    read_traffic(root.section("traffic"), settings.phase, settings.traffic);
+    const TakenIdentifiers taken{settings.phase, settings.traffic};
+    settings.traffic.first_identifier = read_first_identifier(root.section("traffic"), kTrafficIdentifiers, "twelve", taken);
+    settings.guidance.first_identifier = read_first_identifier(root.section("guidance"), kGuidanceIdentifiers, "eight", taken);
     read_node(root.section("node"), settings.node);
     read_own_ship(root.section("own_ship"), settings.own_ship);
     read_clock(root.section("clock"), settings.utc_timeout);

@@ -23,16 +23,20 @@ enum class PressureUnit : std::uint8_t { hpa, pa };
 enum class HeadingReference : std::uint8_t { true_north, magnetic };
 enum class WindDirection : std::uint8_t { from, to };
 enum class VariationSign : std::uint8_t { east_positive, west_positive };
+/// What a positive deviation says: where the own ship is, or where the course or path is as seen from it.
+enum class DeviationSign : std::uint8_t { own_ship, path };
 /// What a service code other than 0 on normal data means.
 enum class ServiceCodeMeaning : std::uint8_t { invalid, ignored };
 
 struct BusDialect {
-    bool accept_long_position = true;                         ///< LONG on 1036/1037 is 1e-7 degrees
-    AccelerationUnit acceleration = AccelerationUnit::g;      ///< messages 300..302
-    PressureUnit pressure = PressureUnit::hpa;                ///< messages 319, 325, 326
-    HeadingReference heading = HeadingReference::true_north;  ///< message 321
-    WindDirection wind = WindDirection::from;                 ///< message 334
-    VariationSign variation = VariationSign::east_positive;   ///< message 1121
+    bool accept_long_position = true;                            ///< LONG on 1036/1037 is 1e-7 degrees
+    AccelerationUnit acceleration = AccelerationUnit::g;         ///< messages 300..302
+    PressureUnit pressure = PressureUnit::hpa;                   ///< messages 319, 325, 326
+    HeadingReference heading = HeadingReference::true_north;     ///< message 321
+    WindDirection wind = WindDirection::from;                    ///< message 334
+    VariationSign variation = VariationSign::east_positive;      ///< message 1121
+    DeviationSign deviation = DeviationSign::own_ship;           ///< messages 1042, 1044, 1087..1092
+    HeadingReference directions = HeadingReference::true_north;  ///< messages 1120, 1125, and the directions of guidance
     ServiceCodeMeaning service_code = ServiceCodeMeaning::invalid;
     bool month_from_zero = false;          ///< message 1206 counts January as 0
     bool glider_identifiers = false;       ///< also decode 340..350, 354, 1134, ... of a common glider profile
@@ -58,6 +62,17 @@ struct TrafficSettings {
     }
 };
 
+/// What pilot and autopilot have selected (guidance_table()) uses this many consecutive identifiers.
+inline constexpr std::uint16_t kGuidanceIdentifiers = 8;
+struct GuidanceSettings {
+    std::uint16_t first_identifier = 0;  ///< 0: the bus carries none
+
+    [[nodiscard]] bool is_carried() const { return first_identifier != 0; }
+    [[nodiscard]] bool has(std::uint16_t identifier) const {
+        return is_carried() && identifier >= first_identifier && identifier - first_identifier < kGuidanceIdentifiers;
+    }
+};
+
 /// The answer to an identification request (section 4, IDS).
 struct NodeSettings {
     bool answer_identification = false;  ///< off: a passive listener that never sends
@@ -79,6 +94,7 @@ struct BusSettings {
     BusDialect dialect;
     PhaseMessageSettings phase;
     TrafficSettings traffic;
+    GuidanceSettings guidance;
     NodeSettings node;
     OwnShipSettings own_ship;
     base::Duration utc_timeout = base::Duration::seconds(10);  ///< without message 1200 for this long, UTC is lost
@@ -89,7 +105,8 @@ struct BusSettings {
 static_assert(std::is_trivially_copyable_v<BusSettings>);
 
 /// Limits for signals that the standard sends every 12.5 ms (section 6.2): stale after 0.3 s, lost after 1 s. For those sent
-/// every 100 ms: 1 s and 3 s. Signals that change slowly or are set by hand have longer limits.
+/// every 100 ms: 1 s and 3 s. Signals that change slowly or are set by hand have longer limits: what is selected is repeated
+/// every second (3 s and 10 s).
 [[nodiscard]] base::FreshnessLimits default_limits(flight::Signal signal) noexcept;
 
 /// `name` is the file's name in error messages.

@@ -45,7 +45,7 @@ constexpr IdentifierEntry kTable[] = {
     {324, "static air temperature", BusUnit::kelvin, kAnalogue, Signal::outside_temperature, 1, false, false, 150, 350},
     {325, "differential pressure", BusUnit::pressure, kAnalogue, Signal::count_, 0, false, false, -10000, 200000},
     {326, "static pressure", BusUnit::pressure, kAnalogue, Signal::count_, 0, false, false, 100, 120000},
-    {327, "heading rate", BusUnit::degree_per_second, kAnalogue, Signal::count_, 0, false, false, -10, 10},
+    {327, "heading rate", BusUnit::degree_per_second, kAnalogue, Signal::heading_rate, 0, false, false, -10, 10},
     {328, "port side angle of attack", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
     {329, "starboard side angle of attack", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
     {332, "true altitude", BusUnit::metre, kAnalogue, Signal::true_altitude, 0, false, false, -2000, 40000},
@@ -64,7 +64,7 @@ constexpr IdentifierEntry kTable[] = {
     {349, "total energy speed 2", BusUnit::metre_per_second, kAnyNumber, Signal::count_, 0, false, true, -1000, 1000},
     {350, "total energy speed 3", BusUnit::metre_per_second, kAnyNumber, Signal::count_, 0, false, true, -1000, 1000},
     {354, "glider state", BusUnit::none, kAnyNumber, Signal::count_, 0, false, true, -1000, 1000},
-    {430, "flaps lever position", BusUnit::none, kAnalogue, Signal::count_, 0, false, false, -1, 1},
+    {430, "flaps lever position", BusUnit::none, kAnalogue, Signal::flaps_lever, 0, false, false, -1, 1},
     {431, "slats lever position", BusUnit::none, kAnalogue, Signal::count_, 0, false, false, -1, 1},
     {1017, "waypoint latitude", BusUnit::degree, kPosition, Signal::count_, 0, true, false, -kPi / 2, kPi / 2},
     {1018, "waypoint longitude", BusUnit::degree, kPosition, Signal::count_, 0, true, false, -kPi, kPi},
@@ -76,9 +76,11 @@ constexpr IdentifierEntry kTable[] = {
     {1039, "GPS ground speed", BusUnit::metre_per_second, kAnalogue, Signal::ground_speed, 0, false, false, 0, 1000},
     {1040, "GPS true track", BusUnit::degree, kAnalogue, Signal::true_track, 0, false, false, -kPi, 2 * kPi},
     {1041, "GPS magnetic track", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
-    {1042, "GPS cross track error", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, -10000000.0, 10000000.0},
+    {1042, "GPS cross track error", BusUnit::metre, kAnalogue, Signal::cross_track_deviation, 0, false, false, -10000000.0,
+     10000000.0},
     {1043, "GPS track error angle", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1044, "GPS glideslope deviation", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, -100000.0, 100000.0},
+    {1044, "GPS glideslope deviation", BusUnit::metre, kAnalogue, Signal::gnss_vertical_deviation, 0, false, false, -100000.0,
+     100000.0},
     {1045, "GPS predicted RAIM", BusUnit::none, kUnsigned, Signal::count_, 0, false, false, 0, 4294967295},
     {1046, "GPS vertical figure of merit", BusUnit::metre, kAnalogue, Signal::vertical_accuracy, 0, false, false, 0, 100000.0},
     {1047, "GPS horizontal figure of merit", BusUnit::metre, kAnalogue, Signal::horizontal_accuracy, 0, false, false, 0,
@@ -94,26 +96,29 @@ constexpr IdentifierEntry kTable[] = {
     {1058, "INS horizontal figure of merit", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, 0, 100000.0},
     {1069, "magnetic heading", BusUnit::degree, kAnalogue, Signal::magnetic_heading, 0, false, false, -kPi, 2 * kPi},
     {1070, "radio height", BusUnit::metre, kAnalogue, Signal::radio_height, 0, false, false, -20, 10000},
-    {1087, "ILS 1 localizer deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1088, "ILS 2 localizer deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
+    {1087, "ILS 1 localizer deviation", BusUnit::degree, kAnalogue, Signal::ils1_localizer_deviation, 0, false, false, -kPi, kPi},
+    {1088, "ILS 2 localizer deviation", BusUnit::degree, kAnalogue, Signal::ils2_localizer_deviation, 0, false, false, -kPi, kPi},
     {1089, "ILS 3 localizer deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
     {1090, "ILS 4 localizer deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1091, "ILS 1 glideslope deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1092, "ILS 2 glideslope deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
+    {1091, "ILS 1 glideslope deviation", BusUnit::degree, kAnalogue, Signal::ils1_glideslope_deviation, 0, false, false, -kPi,
+     kPi},
+    {1092, "ILS 2 glideslope deviation", BusUnit::degree, kAnalogue, Signal::ils2_glideslope_deviation, 0, false, false, -kPi,
+     kPi},
     {1093, "ILS 3 glideslope deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
     {1094, "ILS 4 glideslope deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1095, "flight director 1 pitch", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
+    {1095, "flight director 1 pitch", BusUnit::degree, kAnalogue, Signal::flight_director_pitch, 0, false, false, -kPi, kPi},
     {1096, "flight director 2 pitch", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1097, "flight director 1 roll", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
+    {1097, "flight director 1 roll", BusUnit::degree, kAnalogue, Signal::flight_director_roll, 0, false, false, -kPi, kPi},
     {1098, "flight director 2 roll", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1099, "decision height", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, -2000, 40000},
-    {1120, "desired track angle", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
+    {1099, "decision height", BusUnit::metre, kAnalogue, Signal::decision_height, 0, false, false, 0, 1000},
+    {1120, "desired track angle", BusUnit::degree, kAnalogue, Signal::desired_track, 0, false, false, -kPi, 2 * kPi},
     {1121, "magnetic variation", BusUnit::degree, kAnalogue, Signal::magnetic_variation, 0, false, false, -kPi, kPi},
-    {1122, "selected glidepath angle", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi / 2, kPi / 2},
+    {1122, "selected glidepath angle", BusUnit::degree, kAnalogue, Signal::selected_glidepath, 0, false, false, -kPi / 2,
+     kPi / 2},
     {1123, "selected runway heading", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
     {1124, "computed vertical velocity", BusUnit::metre_per_second, kAnalogue, Signal::vertical_speed, 1, false, false, -300,
      300},
-    {1125, "selected course", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
+    {1125, "selected course", BusUnit::degree, kAnalogue, Signal::selected_course, 0, false, false, -kPi, 2 * kPi},
     {1130, "true east velocity", BusUnit::metre_per_second, kAnalogue, Signal::count_, 0, false, false, -1000, 1000},
     {1131, "true north velocity", BusUnit::metre_per_second, kAnalogue, Signal::count_, 0, false, false, -1000, 1000},
     {1132, "true up velocity", BusUnit::metre_per_second, kAnalogue, Signal::vertical_speed, 2, false, false, -300, 300},
@@ -125,7 +130,25 @@ constexpr IdentifierEntry kTable[] = {
     {1200, "UTC", BusUnit::time_of_day, kClock, Signal::count_, 0, false, false, 0, 0},
     {1206, "date", BusUnit::date, kClock, Signal::count_, 0, false, false, 0, 0},
 };
+constexpr std::uint32_t kSelectable = kAnalogue | type_bit(DataType::nodata);
+
+/// The identifier is the distance from the bus file's first one.
+constexpr IdentifierEntry kGuidance[] = {
+    {0, "navigation source", BusUnit::none, type_bit(DataType::uchar8), Signal::navigation_source, 0, false, false, 0,
+     flight::kMaxNavigationSource},
+    {1, "selected altitude", BusUnit::metre, kSelectable, Signal::selected_altitude, 0, false, false, -500, 20000},
+    {2, "selected heading", BusUnit::degree, kSelectable, Signal::selected_heading, 0, false, false, -kPi, 2 * kPi},
+    {3, "selected airspeed", BusUnit::metre_per_second, kSelectable, Signal::selected_airspeed, 0, false, false, 0, 400},
+    {4, "selected vertical speed", BusUnit::metre_per_second, kSelectable, Signal::selected_vertical_speed, 0, false, false, -100,
+     100},
+    {5, "minimum altitude", BusUnit::metre, kSelectable, Signal::minimum_altitude, 0, false, false, -500, 10000},
+    {6, "flaps position", BusUnit::none, kAnalogue, Signal::flaps_position, 0, false, false, 0, 1},
+    {7, "waypoint bearing", BusUnit::degree, kSelectable, Signal::waypoint_bearing, 0, false, false, -kPi, 2 * kPi},
+};
+static_assert(sizeof kGuidance / sizeof kGuidance[0] == kGuidanceIdentifiers);
+
 constexpr std::size_t kTableSize = sizeof kTable / sizeof kTable[0];
+static_assert(kTableSize + kGuidanceIdentifiers <= kMaxPlaces);
 constexpr std::size_t kIdentifierCount = 2048;
 
 constexpr std::array<std::uint16_t, kIdentifierCount> make_index() {
@@ -150,11 +173,32 @@ double unit_factor(BusUnit unit, const BusDialect& dialect) {
     }
 }
 
+bool is_deviation(Signal signal) {
+    switch (signal) {
+        case Signal::ils1_localizer_deviation:
+        case Signal::ils1_glideslope_deviation:
+        case Signal::ils2_localizer_deviation:
+        case Signal::ils2_glideslope_deviation:
+        case Signal::cross_track_deviation:
+        case Signal::gnss_vertical_deviation: return true;
+        default: return false;
+    }
+}
+
+bool is_direction_of_guidance(Signal signal) {
+    return signal == Signal::desired_track || signal == Signal::waypoint_bearing || signal == Signal::selected_course ||
+           signal == Signal::selected_heading;
+}
+
 AngleRange range_of(Signal signal) {
     switch (signal) {
         case Signal::true_heading:
         case Signal::magnetic_heading:
         case Signal::true_track:
+        case Signal::desired_track:
+        case Signal::waypoint_bearing:
+        case Signal::selected_course:
+        case Signal::selected_heading:
         case Signal::wind_direction: return AngleRange::heading;
         case Signal::longitude: return AngleRange::longitude;
         default: return AngleRange::as_is;
@@ -186,6 +230,20 @@ std::uint16_t identifier_index(std::uint16_t identifier) noexcept {
     return identifier < kIdentifierCount ? kIndex[identifier] : kNotInTable;
 }
 
+base::Span<const IdentifierEntry> guidance_table() noexcept { return base::Span<const IdentifierEntry>(kGuidance); }
+
+std::uint16_t place_of(std::uint16_t identifier, const GuidanceSettings& guidance) noexcept {
+    if (guidance.has(identifier)) return static_cast<std::uint16_t>(kTableSize + identifier - guidance.first_identifier);
+    return identifier_index(identifier);
+}
+
+const IdentifierEntry& entry_at(std::uint16_t place) noexcept {
+    TEDAVIS_CHECK(place < place_count());
+    return place < kTableSize ? kTable[place] : kGuidance[place - kTableSize];
+}
+
+std::uint16_t place_count() noexcept { return static_cast<std::uint16_t>(kTableSize + kGuidanceIdentifiers); }
+
 SignalBinding bind(const IdentifierEntry& entry, const BusDialect& dialect) noexcept {
     SignalBinding binding;
     binding.signal = entry.signal;
@@ -196,6 +254,8 @@ SignalBinding bind(const IdentifierEntry& entry, const BusDialect& dialect) noex
     if (entry.identifier == kWindDirection && dialect.wind == WindDirection::to) binding.offset = kPi;
     if (entry.identifier == kMagneticVariation && dialect.variation == VariationSign::west_positive)
         binding.factor = -binding.factor;
+    if (is_deviation(binding.signal) && dialect.deviation == DeviationSign::path) binding.factor = -binding.factor;
+    binding.is_magnetic = is_direction_of_guidance(binding.signal) && dialect.directions == HeadingReference::magnetic;
     binding.range = range_of(binding.signal);
     return binding;
 }

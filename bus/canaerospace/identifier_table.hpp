@@ -51,6 +51,19 @@ struct IdentifierEntry {
 inline constexpr std::uint16_t kNotInTable = 0xFFFF;
 /// Returns the identifier's index in the table, or kNotInTable.
 [[nodiscard]] std::uint16_t identifier_index(std::uint16_t identifier) noexcept;
+
+/// Guidance, for which the standard has no identifiers: this project's own profile in the user-defined ones, specified in
+/// configs/buses/README.md. The `identifier` of a row is its distance from the bus file's first one. A message without data
+/// states that nothing is selected.
+[[nodiscard]] base::Span<const IdentifierEntry> guidance_table() noexcept;
+
+/// Numbers the identifiers that a bus knows, those of the standard first and then those of guidance: 0 .. kMaxPlaces - 1, or
+/// kNotInTable.
+inline constexpr std::uint16_t kMaxPlaces = 126;
+[[nodiscard]] std::uint16_t place_of(std::uint16_t identifier, const GuidanceSettings& guidance) noexcept;
+/// Returns the row of a place; `place` must come from place_of().
+[[nodiscard]] const IdentifierEntry& entry_at(std::uint16_t place) noexcept;
+[[nodiscard]] std::uint16_t place_count() noexcept;
 [[nodiscard]] constexpr std::uint32_t type_bit(DataType type) { return std::uint32_t{1} << static_cast<unsigned>(type); }
 
 enum class AngleRange : std::uint8_t { as_is, heading, longitude };
@@ -68,6 +81,7 @@ struct SignalBinding {
     AngleRange range = AngleRange::as_is;
     double factor = 1;
     double offset = 0;
+    bool is_magnetic = false;  ///< the number is relative to magnetic north; who knows the variation adds it
 };
 static_assert(std::is_trivially_copyable_v<SignalBinding>);
 

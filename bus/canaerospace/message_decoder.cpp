@@ -22,10 +22,8 @@ bool is_identification_request(const CanFrame& frame, MessageId id) {
 }  // namespace
 
 MessageDecoder::MessageDecoder(const BusSettings& settings)
-    : dialect_(settings.dialect), phase_(settings.phase), traffic_(settings.traffic) {
-    const base::Span<const IdentifierEntry> table = identifier_table();
-    TEDAVIS_CHECK(table.size() <= kPhasePlace);
-    for (std::size_t i = 0; i < table.size(); ++i) bindings_[i] = bind(table[i], dialect_);
+    : dialect_(settings.dialect), phase_(settings.phase), traffic_(settings.traffic), guidance_(settings.guidance) {
+    for (std::uint16_t i = 0; i < place_count(); ++i) bindings_[i] = bind(entry_at(i), dialect_);
 }
 
 DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
@@ -33,13 +31,14 @@ DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
     const MessageId id = message_id(frame.id, frame.extended);
     if (frame.kind == FrameKind::data && frame.length >= kMessageHeaderBytes && id.valid &&
         id.channel < dialect_.redundancy_channels) {
-        const std::uint16_t index = identifier_index(id.identifier);
+        const std::uint16_t place = place_of(id.identifier, guidance_);
         if (id.identifier == phase_.status_identifier || id.identifier == phase_.request_identifier) {
             const bool request = id.identifier == phase_.request_identifier;
-            message = decode_known(frame, id, kPhasePlace + (request ? 1 : 0), type_bit(DataType::uchar8x4));
-        } else if (index != kNotInTable) {
-            const IdentifierEntry& entry = identifier_table()[index];
-            if (!entry.glider_profile || dialect_.glider_identifiers) message = decode_known(frame, id, index, entry.types);
+            const auto phase_place = static_cast<std::uint16_t>(kPhasePlace + (request ? 1 : 0));
+            message = decode_known(frame, id, phase_place, type_bit(DataType::uchar8x4));
+        } else if (place != kNotInTable) {
+            const IdentifierEntry& entry = entry_at(place);
+            if (!entry.glider_profile || dialect_.glider_identifiers) message = decode_known(frame, id, place, entry.types);
         } else if (traffic_.has(id.identifier)) {
             message = decode_traffic(frame, id);
         } else if (is_identification_request(frame, id)) {
@@ -51,7 +50,7 @@ DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
     return message;
 }
 
-DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id, std::size_t place, std::uint32_t types) {
+DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id, std::uint16_t place, std::uint32_t types) {
     DecodedMessage message;
     message.header = read_header(frame);
     message.identifier = id.identifier;
@@ -97,9 +96,9 @@ DecodedMessage MessageDecoder::decode_traffic(const CanFrame& frame, MessageId i
     return message;
 }
 
-void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::size_t place,
+void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::uint16_t place,
                                   DecodedMessage& message) {
-    const IdentifierEntry& entry = identifier_table()[place];
+    const IdentifierEntry& entry = entry_at(place);
     message.signal = bindings_[place].signal;
     message.rank = bindings_[place].rank;
     message.kind = message.signal == flight::Signal::count_ ? MessageKind::known : MessageKind::signal;
@@ -122,11 +121,12 @@ void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value
         message.healthy = false;
         return;
     }
-    finish_number(number, place, message);
+    message.nothing_selected = value.type == DataType::nodata;
+    if (!message.nothing_selected) finish_number(number, place, message);
 }
 
-void MessageDecoder::finish_number(double number, std::size_t place, DecodedMessage& message) {
-    const IdentifierEntry& entry = identifier_table()[place];
+void MessageDecoder::finish_number(double number, std::uint16_t place, DecodedMessage& message) {
+    const IdentifierEntry& entry = entry_at(place);
     const double factor = std::fabs(bindings_[place].factor);
     const double plain = number * factor;
     // A limit itself may come out a little beyond it (SHORT2 and FLOAT round): taken as the limit. A NaN fails the test.
@@ -139,6 +139,7 @@ void MessageDecoder::finish_number(double number, std::size_t place, DecodedMess
     if (plain < entry.low) number = entry.low / factor;
     if (plain > entry.high) number = entry.high / factor;
     message.value = to_si(bindings_[place], number);
+    message.is_magnetic = bindings_[place].is_magnetic;
 }
 
 void MessageDecoder::finish_phase(const TypedValue& value, DecodedMessage& message) {

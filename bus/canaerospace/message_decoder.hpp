@@ -41,9 +41,11 @@ struct DecodedMessage {
     MessageHeader header;
     std::uint16_t identifier = 0;
     std::uint8_t channel = 0;
-    bool restarted = false;  ///< first message of a sender after start, silence or restart
-    bool numbered = true;    ///< false: the sender does not number its messages
-    bool healthy = true;     ///< false: the sender states invalid, or the value is implausible (`value` is then not set)
+    bool restarted = false;         ///< first message of a sender after start, silence or restart
+    bool numbered = true;           ///< false: the sender does not number its messages
+    bool nothing_selected = false;  ///< guidance: the sender states that there is no value
+    bool is_magnetic = false;       ///< `value` is a direction relative to magnetic north
+    bool healthy = true;            ///< false: the sender states invalid, or the value is implausible (`value` is then not set)
     flight::Signal signal = flight::Signal::count_;
     std::uint8_t rank = 0;
     double value = 0;  ///< SI
@@ -89,15 +91,16 @@ private:
         bool seen = false;
         bool numbered = true;
     };
-    static constexpr std::size_t kMaxEntries = 128;
-    static constexpr std::size_t kPhasePlace = kMaxEntries - 2;
+    static constexpr std::uint16_t kPhasePlace = kMaxPlaces;
+    static constexpr std::size_t kMaxEntries = std::size_t{kPhasePlace} + 2;
 
-    DecodedMessage decode_known(const CanFrame& frame, MessageId id, std::size_t place, std::uint32_t types);
+    DecodedMessage decode_known(const CanFrame& frame, MessageId id, std::uint16_t place, std::uint32_t types);
     DecodedMessage decode_traffic(const CanFrame& frame, MessageId id);
-    void finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::size_t place, DecodedMessage& message);
+    void finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::uint16_t place,
+                      DecodedMessage& message);
     void finish_phase(const TypedValue& value, DecodedMessage& message);
     void finish_clock(const TypedValue& value, DecodedMessage& message);
-    void finish_number(double number, std::size_t place, DecodedMessage& message);
+    void finish_number(double number, std::uint16_t place, DecodedMessage& message);
     [[nodiscard]] bool follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message);
     [[nodiscard]] bool step_on(Sender& sender, std::uint8_t code, bool& restarted);
     [[nodiscard]] bool join_halves(Sender& sender, const MessageHeader& header, base::Time time, std::uint32_t bits,
@@ -107,6 +110,7 @@ private:
     BusDialect dialect_;
     PhaseMessageSettings phase_;
     TrafficSettings traffic_;
+    GuidanceSettings guidance_;
     DecoderCounts counts_;
     std::array<SignalBinding, kMaxEntries> bindings_{};
     std::array<std::array<Sender, kMaxRedundancyChannels>, kMaxEntries> senders_{};

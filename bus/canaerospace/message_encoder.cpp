@@ -41,16 +41,24 @@ TypedValue typed(DataType type, double number, bool position, bool& fits) {
 
 std::size_t MessageEncoder::encode(std::uint16_t identifier, double si, DataType type, base::Time time, base::Span<CanFrame> out,
                                    std::uint8_t channel, std::uint8_t service_code) {
-    const std::uint16_t index = identifier_index(identifier);
-    if (index == kNotInTable || !std::isfinite(si) || channel >= kMaxRedundancyChannels) return 0;
-    const IdentifierEntry& entry = identifier_table()[index];
+    const std::uint16_t place = place_of(identifier, settings_.guidance);
+    if (place == kNotInTable || !std::isfinite(si) || channel >= kMaxRedundancyChannels) return 0;
+    const IdentifierEntry& entry = entry_at(place);
     const bool clock = entry.unit == BusUnit::time_of_day || entry.unit == BusUnit::date;
-    if (clock || (entry.types & type_bit(type)) == 0 || type == DataType::double_low) return 0;
-    const double number = from_si(bind(entry, settings_.dialect), si);
+    if (clock || (entry.types & type_bit(type)) == 0 || type == DataType::double_low || type == DataType::nodata) return 0;
+    const SignalBinding binding = bind(entry, settings_.dialect);
+    if (binding.is_magnetic && !std::isfinite(variation_rad_)) return 0;
+    const double number = from_si(binding, binding.is_magnetic ? si - variation_rad_ : si);
     if (type == DataType::double_high) return encode_double(identifier, number, time, out, channel, service_code);
     bool fits = false;
     const TypedValue value = typed(type, number, is_position(entry), fits);
     return fits ? put(identifier, value, time, out, channel, service_code) : 0;
+}
+
+std::size_t MessageEncoder::encode_nothing_selected(std::uint16_t identifier, base::Time time, base::Span<CanFrame> out) {
+    const std::uint16_t place = place_of(identifier, settings_.guidance);
+    if (place == kNotInTable || (entry_at(place).types & type_bit(DataType::nodata)) == 0) return 0;
+    return put(identifier, {}, time, out, 0, 0);
 }
 
 std::size_t MessageEncoder::encode_double(std::uint16_t identifier, double number, base::Time time, base::Span<CanFrame> out,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "bus/canaerospace/bus_settings.hpp"
 #include "bus/canaerospace/identifier_table.hpp"
@@ -17,7 +18,8 @@ enum class PhaseOrigin : std::uint8_t { unknown, fms, pilot, computed, simulator
 inline constexpr std::uint8_t kConfidenceNotStated = 255;
 
 /// Thread  one. Memory  fixed, inside. Failure  nothing is written and 0 is returned for an identifier that is not in the
-/// table, a type that the table does not allow for it, a value that is not finite, and a span that is too short.
+/// tables, a type that its table does not allow for it, a value that is not finite, a direction on a bus with magnetic
+/// directions before the variation is stated, and a span that is too short.
 class MessageEncoder {
 public:
     /// `node` is the sender's number, 1..199.
@@ -27,6 +29,11 @@ public:
     /// the decoder gives it. SHORT2 chooses the smallest full scale 1, 2, 4, .. 16384, 32767 that holds the value.
     std::size_t encode(std::uint16_t identifier, double si, DataType type, base::Time time, base::Span<CanFrame> out,
                        std::uint8_t channel = 0, std::uint8_t service_code = 0);
+    /// Writes that nothing is selected, for an identifier of guidance that may say so.
+    std::size_t encode_nothing_selected(std::uint16_t identifier, base::Time time, base::Span<CanFrame> out);
+    /// States the magnetic variation, rad, east positive, by which true directions become magnetic ones where the bus file
+    /// says so.
+    void set_variation(double variation_rad) { variation_rad_ = variation_rad; }
     /// Writes a phase message; `valid` false sends service code 1.
     std::size_t encode_phase(flight::FlightPhase phase, PhaseOrigin origin, std::uint8_t confidence, bool valid, base::Time time,
                              base::Span<CanFrame> out);
@@ -45,6 +52,7 @@ private:
 
     BusSettings settings_;
     std::uint8_t node_;
+    double variation_rad_ = std::numeric_limits<double>::quiet_NaN();
     std::array<std::array<std::uint8_t, kMaxRedundancyChannels>, kIdentifiers> next_code_{};
 };
 

@@ -1,6 +1,7 @@
 #include "bus/state/state_assembler.hpp"
 
 #include "bus/canaerospace/redundancy_vote.hpp"
+#include "render_core/earth/geodetic.hpp"
 
 namespace tedavis::bus {
 namespace {
@@ -20,7 +21,6 @@ int demerits(const flight::OwnShipEstimate& estimate) {
 
 StateAssembler::StateAssembler(const BusSettings& settings)
     : settings_(settings), decoder_(settings), clock_(settings.utc_timeout), traffic_(settings) {
-    TEDAVIS_CHECK(identifier_table().size() <= kMaxFits);
     for (OwnShipFilter& filter : filters_) filter = OwnShipFilter(settings.own_ship);
     phase_status_.limits = {settings.phase.timeout, settings.phase.timeout};
     phase_request_.limits = phase_status_.limits;
@@ -53,7 +53,7 @@ void StateAssembler::take(const CanFrame& frame) {
 }
 
 void StateAssembler::take_value(const DecodedMessage& message, base::Time received) {
-    SourceTimeFit& fit = fits_[identifier_index(message.identifier)][message.channel];
+    SourceTimeFit& fit = fits_[place_of(message.identifier, settings_.guidance)][message.channel];
     if (message.restarted) fit.reset();
     const SourceTime source = message.numbered ? fit.add(message.header.message_code, received) : SourceTime{received, false};
     if (message.kind == MessageKind::signal) {
@@ -67,7 +67,28 @@ void StateAssembler::take_value(const DecodedMessage& message, base::Time receiv
 void StateAssembler::store(const DecodedMessage& message, base::Time at, base::Quality quality) {
     const std::size_t place = std::size_t{message.rank} * kMaxRedundancyChannels + message.channel;
     base::Stamped<double>& candidate = candidates_[static_cast<std::size_t>(message.signal)][place];
-    candidate = {message.healthy ? message.value : candidate.value_or(0), at, quality};
+    if (message.healthy && message.nothing_selected) {
+        candidate = {};
+    } else if (message.healthy && message.is_magnetic) {
+        candidate = true_direction(message.value, at, quality);
+    } else {
+        candidate = {message.healthy ? message.value : candidate.value_or(0), at, quality};
+    }
+}
+
+/// A magnetic direction without a variation that is known at the time states nothing.
+base::Stamped<double> StateAssembler::true_direction(double magnetic_rad, base::Time at, base::Quality quality) const {
+    const base::Stamped<double> variation = best(Signal::magnetic_variation, at);
+    const base::SignalState state = variation.state(at, settings_.limits[static_cast<std::size_t>(Signal::magnetic_variation)]);
+    const bool known = state == base::SignalState::valid || state == base::SignalState::stale;
+    return {earth::wrap_heading(magnetic_rad + variation.value_or(0)), at, known ? quality : base::Quality::bad};
+}
+
+/// What the channels and identifiers that state a signal have agreed on.
+base::Stamped<double> StateAssembler::best(Signal signal, base::Time now) const {
+    const auto& candidates = candidates_[static_cast<std::size_t>(signal)];
+    const base::Span<const base::Stamped<double>> all(candidates.data(), candidates.size());
+    return candidates[vote(all, now, settings_.limits[static_cast<std::size_t>(signal)])];
 }
 
 void StateAssembler::filter(const DecodedMessage& message, base::Time at) {
@@ -148,9 +169,7 @@ flight::OwnShipEstimate StateAssembler::own_ship(base::Time now) const {
 BusSnapshot StateAssembler::snapshot(base::Time now) const {
     BusSnapshot result;
     for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
-        const auto& candidates = candidates_[i];
-        const base::Span<const base::Stamped<double>> all(candidates.data(), candidates.size());
-        result.state.signals[i] = candidates[vote(all, now, settings_.limits[i])];
+        result.state.signals[i] = best(static_cast<Signal>(i), now);
         result.state.limits[i] = settings_.limits[i];
     }
     result.state.own_ship = own_ship(now);

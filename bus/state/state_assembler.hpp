@@ -58,11 +58,12 @@ public:
 
 private:
     static constexpr std::size_t kCandidates = std::size_t{kMaxRanks} * kMaxRedundancyChannels;
-    static constexpr std::size_t kMaxFits = 128;
 
     void take(const CanFrame& frame);
     void take_value(const DecodedMessage& message, base::Time received);
     void store(const DecodedMessage& message, base::Time at, base::Quality quality);
+    [[nodiscard]] base::Stamped<double> true_direction(double magnetic_rad, base::Time at, base::Quality quality) const;
+    [[nodiscard]] base::Stamped<double> best(flight::Signal signal, base::Time now) const;
     void filter(const DecodedMessage& message, base::Time at);
     void filter_signal(const DecodedMessage& message, base::Time at, OwnShipFilter& filter);
     void filter_invalid(const DecodedMessage& message);
@@ -73,7 +74,7 @@ private:
 
     BusSettings settings_;
     MessageDecoder decoder_;
-    std::array<std::array<SourceTimeFit, kMaxRedundancyChannels>, kMaxFits> fits_{};
+    std::array<std::array<SourceTimeFit, kMaxRedundancyChannels>, kMaxPlaces> fits_{};
     std::array<std::array<base::Stamped<double>, kCandidates>, flight::kSignalCount> candidates_{};
     std::array<OwnShipFilter, kMaxRedundancyChannels> filters_;
     PhaseMessage phase_status_;

@@ -32,6 +32,7 @@ void FlightTracker::step(flight::TerrainHeights& heights) {
     ask_for_height(aircraft, now, heights);
     memory_.monitor.step(aircraft, phase_inputs(snapshot.phase_status, now), now);
     memory_.trail.step(aircraft, now);
+    memory_.airspeed.step(aircraft, now);
     memory_.next_step = now + kStep;
 }
 
@@ -45,6 +46,7 @@ flight::FrameInput FlightTracker::input_at(base::Time now, flight::TerrainHeight
     read_until(now);
     flight::FrameInput input{memory_.assembler.snapshot(now).state, memory_.monitor.status(), now, &memory_.trail};
     ask_for_height(input.state, now, heights);
+    input.state[flight::Signal::airspeed_rate] = memory_.airspeed.rate();
     return input;
 }
 

@@ -1,9 +1,9 @@
 /// Tracks the aircraft from bus and switches: the one loop that both programs, the self-test and the tests run.
 ///
 /// Frames and switch edges are read up to each step of a fixed grid of the source's time (flight::PhaseMonitor::kStep). A step
-/// takes a snapshot of the aircraft, requests its height above the terrain, and advances phase and trail. An input at T holds
-/// what was received up to T and the phase of the last step at or before T, so it does not depend on how often inputs are
-/// requested.
+/// takes a snapshot of the aircraft, requests its height above the terrain, and advances phase, trail and airspeed trend. An
+/// input at T holds what was received up to T and the phase of the last step at or before T, so it does not depend on how often
+/// inputs are requested.
 ///
 /// The whole state is one plain TrackerMemory. A copy is a checkpoint: continuing from it, with sources at the same position,
 /// gives the same bits as the run that it was copied from.
@@ -22,6 +22,7 @@
 #include "bus/switches/switch_source.hpp"
 #include "bus/switches/switch_to_phase.hpp"
 #include "bus/tracker/frame_listener.hpp"
+#include "render_core/flight/airspeed_trend.hpp"
 #include "render_core/flight/frame_input.hpp"
 #include "render_core/flight/phase_monitor.hpp"
 #include "render_core/flight/terrain_heights.hpp"
@@ -37,6 +38,7 @@ struct TrackerMemory {
     std::optional<SwitchToPhase> switches;
     flight::PhaseMonitor monitor;
     flight::FlightTrail trail;
+    flight::AirspeedTrend airspeed;
     base::Time next_step;
 };
 static_assert(std::is_trivially_copyable_v<TrackerMemory>);

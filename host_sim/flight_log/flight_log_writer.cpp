@@ -19,6 +19,7 @@ constexpr std::int64_t kNanosecondsPerMillisecond = 1'000'000;
 constexpr std::int64_t kMillisecondsPerSecond = 1000;
 constexpr std::int64_t kAttitudePeriod_ms = 20;
 constexpr std::int64_t kProgressEvery_ms = 1000;
+constexpr std::int64_t kNewsPeriod_ms = 20, kNewsOffset_ms = 19;  // when changes of what is selected are looked for
 /// Within a second: when the first aircraft is reported, and how much later the next one.
 constexpr std::int64_t kTrafficOffset_ms = 43, kTrafficApart_ms = 20;
 static_assert(kTrafficOffset_ms + bus::kTrafficNumbers * kTrafficApart_ms <= kMillisecondsPerSecond);
@@ -42,6 +43,7 @@ public:
           name_(settings.name),
           node_(settings.node),
           first_traffic_(settings.bus.traffic.first_identifier),
+          guidance_(settings.bus.guidance),
           encoder_(settings.bus, settings.node),
           sink_(stream),
           names_{settings.interface_name},
@@ -72,17 +74,38 @@ private:
         std::optional<SignalSample> sample;
         bool asked = false;
         for (const ScheduledMessage& message : message_schedule()) {
-            if (ms % message.period_ms != message.offset_ms) continue;
+            const bool may_be_news = is_selected(message) && ms % kNewsPeriod_ms == kNewsOffset_ms;
+            if (ms % message.period_ms != message.offset_ms && !may_be_news) continue;
             if (!asked) sample = flight_.at(time);
             asked = true;
             if (!sample) break;
-            if (!sample->has(message.signal)) continue;
-            send(encoder_.encode(message.identifier, (*sample)[message.signal], message.type, time, out()));
+            if (may_be_news && !is_news(message.signal, *sample)) continue;
+            send_value(message, *sample, time);
         }
         if (sample && ms % kMillisecondsPerSecond == 0) send_clock(time);
         if (asked && !sample && ms % kAttitudePeriod_ms == 0) counts_.silent_ms += kAttitudePeriod_ms;
         send_phase(ms, time);
         send_traffic(ms, time);
+    }
+
+    /// What is selected is also sent when it changes.
+    static bool is_selected(const ScheduledMessage& message) {
+        return message.is_guidance && message.period_ms == kMillisecondsPerSecond;
+    }
+    [[nodiscard]] bool is_news(flight::Signal signal, const SignalSample& sample) const {
+        return sample.has(signal) != last_sent_.has(signal) || (sample.has(signal) && sample[signal] != last_sent_[signal]);
+    }
+
+    void send_value(const ScheduledMessage& message, const SignalSample& sample, base::Time time) {
+        if (message.is_guidance && !guidance_.is_carried()) return;
+        const auto identifier =
+            static_cast<std::uint16_t>(message.identifier + (message.is_guidance ? guidance_.first_identifier : 0));
+        last_sent_[message.signal] = sample[message.signal];
+        if (message.signal == flight::Signal::magnetic_variation) encoder_.set_variation(sample[message.signal]);
+        if (sample.has(message.signal))
+            send(encoder_.encode(identifier, sample[message.signal], message.type, time, out()));
+        else if (message.is_guidance && flight_.states_guidance())
+            send(encoder_.encode_nothing_selected(identifier, time, out()));
     }
 
     void send_clock(base::Time time) {
@@ -138,6 +161,8 @@ private:
     std::string name_;
     std::uint8_t node_;
     std::uint16_t first_traffic_;  ///< 0: the bus carries none
+    bus::GuidanceSettings guidance_;
+    SignalSample last_sent_;
     bus::MessageEncoder encoder_;
     StreamSink sink_;
     std::array<std::string_view, 1> names_;

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] virtual std::optional<SignalSample> at(base::Time time) const = 0;
     /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
     [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
+    /// The aircraft states what its pilot has selected: an absent value then means that nothing is selected.
+    [[nodiscard]] virtual bool states_guidance() const { return false; }
     /// Other aircraft that are received at `time`.
     [[nodiscard]] virtual std::vector<ReceivedAircraft> traffic(base::Time) const { return {}; }
 };

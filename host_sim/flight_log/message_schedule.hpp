@@ -13,11 +13,12 @@
 namespace tedavis::host_sim {
 
 struct ScheduledMessage {
-    std::uint16_t identifier;
+    std::uint16_t identifier;  ///< of guidance: the distance from the bus file's first one
     flight::Signal signal;
     bus::DataType type;
     std::uint16_t period_ms;
     std::uint16_t offset_ms;  ///< within the period, so that messages of the same rate are spread
+    bool is_guidance = false;
 };
 
 [[nodiscard]] base::Span<const ScheduledMessage> message_schedule() noexcept;

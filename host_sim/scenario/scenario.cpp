@@ -61,6 +61,16 @@ AircraftLimits read_aircraft(ConfigSection section) {
     return aircraft;
 }
 
+Guidance read_guidance(ConfigSection& section, const LandingStrip& strip) {
+    Guidance guidance;
+    guidance.decision_height_m = section.number("decision_height_m", 0, 1000);
+    guidance.minimum_msl_m = section.number("minimum_msl_m", -500, 10000);
+    guidance.flaps_travel_s = section.number("flaps_travel_s", 0.1, 120);
+    if (guidance.minimum_msl_m < strip.elevation_msl_m)
+        section.fault("minimum_msl_m", "the minimum lies below the strip; give a height above mean sea level");
+    return guidance;
+}
+
 void read_target(ConfigSection& section, Leg& leg) {
     leg.speed_mps = section.number("speed_mps", 20, 300);
     leg.altitude_msl_m = section.number("altitude_msl_m", -500, 15000);
@@ -109,6 +119,7 @@ Leg read_leg(ConfigSection section) {
     const flight::ParsedPhase phase = flight::phase_from_name(section.text("phase"));
     if (!phase.ok) section.fault("phase", "no such flight phase; say for example takeoff.first_climb");
     leg.phase = phase.phase;
+    leg.flaps = section.number("flaps", 0, 1, 0);
     read_kind(section, leg);
     return leg;
 }
@@ -143,6 +154,8 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     scenario.aircraft = read_aircraft(root.section("aircraft"));
     scenario.scene = read_scene(root, file_name);
     if (ConfigSection weather = root.section("weather"); weather.present()) scenario.weather = read_weather(weather);
+    if (ConfigSection guidance = root.section("guidance"); guidance.present())
+        scenario.guidance = read_guidance(guidance, scenario.strip);
     const std::size_t aircraft = root.table_count("traffic");
     if (aircraft > kMaxTraffic) root.fault("traffic", "at most 32 tables [[traffic]]");
     for (std::size_t i = 0; i < aircraft && i < kMaxTraffic; ++i) {

@@ -67,6 +67,14 @@ struct Leg {
     double acceleration_mps2 = 0;                               ///< roll, and braking of land
     double glide_rad = 0;                                       ///< final_leg, land
     double until_height_m = 0;                                  ///< final_leg: of the wheels above the strip
+    double flaps = 0;                                           ///< lever, share of full travel
+};
+
+/// What the aircraft states of guidance; the rest follows from the legs.
+struct Guidance {
+    double decision_height_m = 0;  ///< above ground
+    double minimum_msl_m = 0;      ///< true altitude; stated as the altimeter shows it
+    double flaps_travel_s = 0;     ///< from up to full
 };
 
 struct Scenario {
@@ -79,6 +87,7 @@ struct Scenario {
     std::string switch_config;  ///< shipped name or path
     std::string scene;          ///< path of the scene file whose layers stand round the flight; empty: none
     std::optional<WeatherSettings> weather;
+    std::optional<Guidance> guidance;      ///< nothing: the bus carries none
     std::vector<TrafficSettings> traffic;  ///< other aircraft
     std::vector<Leg> legs;
 };

@@ -5,6 +5,7 @@
 
 #include "host_sim/flight_log/pressure_altitude.hpp"
 #include "host_sim/scenario/leg_pilot.hpp"
+#include "host_sim/scenario/scenario_guidance.hpp"
 #include "host_sim/scenario/seeded_random.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
@@ -20,8 +21,6 @@ constexpr int kWaves = 6;
 constexpr double kRollAmplitude_rad = base::radians(1.2);  // sum of all waves at turbulence 1
 constexpr double kPitchAmplitude_rad = base::radians(0.5);
 constexpr double kSlowestWave_radps = 0.8, kFastestWave_radps = 5.0;
-constexpr double kGasConstant = 287.05287;                        // of air, J/(kg K)
-constexpr double kSeaLevelDensity = 1.225;                        // kg/m^3
 constexpr double kGnssHorizontal_m = 3.0, kGnssVertical_m = 5.0;  // figures of merit of a good receiver
 constexpr double kRateStep_s = 0.02;                              // of the differences that give body rates
 
@@ -120,23 +119,23 @@ std::optional<SignalSample> ScenarioFlight::at(base::Time time) const {
     sample[Signal::magnetic_variation] = scenario_.environment.magnetic_variation_rad;
     add_air_data(state, sample);
     add_motion(t, state, sample);
+    if (scenario_.guidance) ScenarioGuidance(scenario_, *this, instruments_of_air()).add(t, sample);
     return sample;
+}
+
+AirInstruments ScenarioFlight::instruments_of_air() const {
+    return {scenario_.strip.elevation_msl_m, air_.qnh_pa, air_.temperature_deviation_k};
 }
 
 /// The altimeter shows the field's elevation on the ground; above it the air column is warmer or colder than standard.
 void ScenarioFlight::add_air_data(const State& state, SignalSample& sample) const {
-    const double field_m = scenario_.strip.elevation_msl_m, above_m = state.altitude_msl_m - field_m;
-    const double standard_k = standard_temperature_k(field_m + above_m / 2);
+    const AirInstruments instruments = instruments_of_air();
     sample[Signal::baro_setting] = air_.qnh_pa;
-    sample[Signal::baro_altitude] = field_m + above_m * standard_k / (standard_k + air_.temperature_deviation_k);
+    sample[Signal::baro_altitude] = instruments.baro_altitude_m(state.altitude_msl_m);
     sample[Signal::standard_altitude] = standard_altitude(sample[Signal::baro_altitude], air_.qnh_pa);
-    sample[Signal::outside_temperature] =
-        standard_temperature_k(sample[Signal::standard_altitude]) + air_.temperature_deviation_k;
-    const double density =
-        standard_pressure_pa(sample[Signal::standard_altitude]) / (kGasConstant * sample[Signal::outside_temperature]);
+    sample[Signal::outside_temperature] = instruments.outside_temperature_k(state.altitude_msl_m);
     sample[Signal::true_airspeed] = state.airspeed_mps;
-    sample[Signal::calibrated_airspeed] =
-        state.airspeed_mps * std::sqrt(density / kSeaLevelDensity);  // far below the speed of sound
+    sample[Signal::calibrated_airspeed] = state.airspeed_mps * instruments.airspeed_ratio(state.altitude_msl_m);
     sample[Signal::indicated_airspeed] = sample[Signal::calibrated_airspeed];
     sample[Signal::wind_speed] = state.wind_share * air_.wind_speed_mps;
     sample[Signal::wind_direction] = earth::wrap_heading(air_.wind_from_rad);
@@ -150,6 +149,7 @@ void ScenarioFlight::add_motion(double time_s, const State& state, SignalSample&
     const double roll_rate = (after.roll_rad - before.roll_rad) / kRateStep_s;
     const double cr = std::cos(state.roll_rad), sr = std::sin(state.roll_rad), cp = std::cos(state.pitch_rad),
                  sp = std::sin(state.pitch_rad);
+    sample[Signal::heading_rate] = heading_rate;
     sample[Signal::roll_rate] = roll_rate - heading_rate * sp;
     sample[Signal::pitch_rate] = pitch_rate * cr + heading_rate * cp * sr;
     sample[Signal::yaw_rate] = heading_rate * cp * cr - pitch_rate * sr;

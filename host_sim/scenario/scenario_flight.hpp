@@ -22,6 +22,8 @@ struct FlownAir {
     double qnh_pa = 0, temperature_deviation_k = 0, wind_speed_mps = 0, wind_from_rad = 0;
 };
 
+struct AirInstruments;
+
 class ScenarioFlight final : public FlightSource {
 public:
     struct State {
@@ -43,6 +45,7 @@ public:
     [[nodiscard]] std::optional<SignalSample> at(base::Time time) const override;
     [[nodiscard]] std::optional<flight::FlightPhase> stated_phase(base::Time time) const override;
 
+    [[nodiscard]] bool states_guidance() const override { return scenario_.guidance.has_value(); }
     [[nodiscard]] std::vector<ReceivedAircraft> traffic(base::Time time) const override { return traffic_.at(time); }
 
     [[nodiscard]] const FlownAir& air() const { return air_; }
@@ -59,6 +62,7 @@ private:
     void draw_random(std::uint64_t seed);
     void add_turbulence();
     [[nodiscard]] State state_at(double time_s) const;
+    [[nodiscard]] AirInstruments instruments_of_air() const;
     void add_air_data(const State& state, SignalSample& sample) const;
     void add_motion(double time_s, const State& state, SignalSample& sample) const;
 

@@ -28,6 +28,23 @@ enum class Element : std::uint8_t {
     map_up,    ///< direction at the top of the map; `source` is true_track, else the heading of the view, else count_ for north
     wind,      ///< measured on board
     outside_temperature,
+    slip,
+    turn_rate,
+    flaps,
+    navigation_source,   ///< which receiver the course and its deviations come from
+    course,              ///< of the navigation source
+    lateral_deviation,   ///< from the course; `source` says of which receiver
+    vertical_deviation,  ///< from the path; `source` says of which receiver
+    waypoint_bearing,
+    flight_path_reference,  ///< the glide path angle that is selected
+    flight_director,        ///< as good as the worse of its two signals
+    selected_altitude,
+    selected_heading,
+    selected_airspeed,
+    selected_vertical_speed,
+    airspeed_trend,  ///< beside an airspeed that is not substituted; normal or absent
+    radio_minimum,   ///< minimum of the approach above ground
+    baro_minimum,    ///< minimum of the approach on the altimeter
     count_
 };
 inline constexpr std::size_t kElementCount = static_cast<std::size_t>(Element::count_);
@@ -39,6 +56,15 @@ enum class ElementShow : std::uint8_t {
     failed,       ///< a red cross and a text replace the value
     absent,       ///< nothing is shown: the aircraft does not supply the value, or the value has no meaning now
 };
+
+/// Where the own ship is relative to the minimum of an approach: the radio minimum where it is shown, else that of the altimeter.
+enum class MinimumsState : std::uint8_t {
+    none,   ///< no minimum is shown, or no approach is flown
+    above,  ///< more than kNearMinimum_m above it
+    near,   ///< at most so much above it
+    at_or_below,
+};
+inline constexpr double kNearMinimum_m = 30.48;  ///< 100 ft
 
 struct ElementDecision {
     ElementShow show = ElementShow::failed;
@@ -65,9 +91,12 @@ struct DisplayDecisions {
     /// Signal that states the view's azimuth: true_heading, magnetic_heading (plus variation) or true_track. count_: no signal
     /// states it, the view faces north, and the 3D view shows no terrain.
     flight::Signal view_heading = flight::Signal::count_;
+    /// Receiver that course and deviations come from; radio1 where the bus has never stated it.
+    flight::NavigationSource navigation_source = flight::NavigationSource::none;
+    MinimumsState minimums = MinimumsState::none;
     std::array<ElementDecision, kElementCount> elements{};
     base::FixedVector<Notice, 16> notices;               ///< most urgent first
-    base::FixedVector<base::FixedString<47>, 32> flags;  ///< "signal.state" or a name
+    base::FixedVector<base::FixedString<47>, 72> flags;  ///< "signal.state" or a name
 
     [[nodiscard]] const ElementDecision& operator[](Element element) const { return elements[static_cast<std::size_t>(element)]; }
     [[nodiscard]] ElementDecision& operator[](Element element) { return elements[static_cast<std::size_t>(element)]; }

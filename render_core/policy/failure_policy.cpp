@@ -6,91 +6,8 @@ namespace tedavis::policy {
 namespace {
 
 using base::SignalState;
+using flight::NavigationSource;
 using flight::Signal;
-
-constexpr std::uint8_t kNoTerrain = kRemoveTerrain | kFlag;
-constexpr std::uint8_t kNoTerrainFailed = kRemoveTerrain | kFailElement | kFlag;
-constexpr std::uint8_t kUncertain = kRemoveWarningColors | kDegradeTerrain | kFlag;
-constexpr std::uint8_t kFailed = kFailElement | kFlag;
-
-/// In the order of the signals: missing, stale, lost, invalid.
-constexpr SignalRule kRules[] = {
-    {Signal::latitude, SignalGroup::latitude, kNoTerrain, kNoTerrain, kNoTerrain, kNoTerrain},
-    {Signal::longitude, SignalGroup::longitude, kNoTerrain, kNoTerrain, kNoTerrain, kNoTerrain},
-    {Signal::ellipsoid_height, SignalGroup::geometric_height, kUncertain, kUncertain, kUncertain, kUncertain},
-    {Signal::ground_speed, SignalGroup::airspeed, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::true_track, SignalGroup::view_heading, kNoConsequence, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::horizontal_accuracy, SignalGroup::horizontal_accuracy, kNoConsequence, kUncertain, kUncertain, kUncertain},
-    {Signal::vertical_accuracy, SignalGroup::vertical_accuracy, kNoConsequence, kUncertain, kUncertain, kUncertain},
-    {Signal::pitch, SignalGroup::pitch, kNoTerrainFailed, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::roll, SignalGroup::roll, kNoTerrainFailed, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::true_heading, SignalGroup::view_heading, kNoTerrainFailed, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::magnetic_heading, SignalGroup::view_heading, kNoConsequence, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::magnetic_variation, SignalGroup::view_heading, kNoConsequence, kNoTerrain, kNoTerrain, kNoTerrain},
-    {Signal::sideslip, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::pitch_rate, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::roll_rate, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::yaw_rate, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::longitudinal_acceleration, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::lateral_acceleration, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::normal_acceleration, SignalGroup::not_shown, 0, 0, 0, 0},
-    {Signal::indicated_airspeed, SignalGroup::airspeed, kFailed, kFlag, kFailed, kFailed},
-    {Signal::true_airspeed, SignalGroup::airspeed, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::calibrated_airspeed, SignalGroup::airspeed, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::standard_altitude, SignalGroup::altitude, kNoConsequence, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::baro_altitude, SignalGroup::altitude, kNoTerrainFailed, kNoTerrain, kNoTerrainFailed, kNoTerrainFailed},
-    {Signal::baro_setting, SignalGroup::baro_setting, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::vertical_speed, SignalGroup::vertical_speed, kFailed, kFlag, kFailed, kFailed},
-    {Signal::radio_height, SignalGroup::ground_height, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::wind_speed, SignalGroup::wind_speed, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::wind_direction, SignalGroup::wind_direction, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::outside_temperature, SignalGroup::outside_temperature, kNoConsequence, kFlag, kFailed, kFailed},
-    {Signal::true_altitude, SignalGroup::geometric_height, kNoConsequence, kUncertain, kUncertain, kUncertain},
-    {Signal::height_above_terrain, SignalGroup::ground_height, kNoConsequence, kFlag, kFailed, kFailed},
-};
-static_assert(sizeof kRules / sizeof kRules[0] == flight::kSignalCount);
-constexpr bool in_order() {
-    for (std::size_t i = 0; i < flight::kSignalCount; ++i)
-        if (kRules[i].signal != static_cast<Signal>(i)) return false;
-    return true;
-}
-static_assert(in_order());
-
-/// Where a piece of information may come from, the first choice first. `equals` of them are as good as the first.
-struct SourceChain {
-    SignalGroup group;
-    std::uint8_t count, equals;
-    Signal sources[4];
-};
-constexpr SourceChain kLatitude{SignalGroup::latitude, 1, 1, {Signal::latitude}};
-constexpr SourceChain kLongitude{SignalGroup::longitude, 1, 1, {Signal::longitude}};
-constexpr SourceChain kGeometricHeight{SignalGroup::geometric_height, 2, 2, {Signal::ellipsoid_height, Signal::true_altitude}};
-constexpr SourceChain kPitch{SignalGroup::pitch, 1, 1, {Signal::pitch}};
-constexpr SourceChain kRoll{SignalGroup::roll, 1, 1, {Signal::roll}};
-constexpr SourceChain kHeading{
-    SignalGroup::view_heading, 3, 2, {Signal::true_heading, Signal::magnetic_heading, Signal::true_track}};
-constexpr SourceChain kAltitude{
-    SignalGroup::altitude,
-    4,
-    1,
-    {Signal::baro_altitude, Signal::true_altitude, Signal::ellipsoid_height, Signal::standard_altitude}};
-constexpr SourceChain kAirspeed{
-    SignalGroup::airspeed,
-    4,
-    2,
-    {Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed, Signal::ground_speed}};
-constexpr SourceChain kVerticalSpeed{SignalGroup::vertical_speed, 1, 1, {Signal::vertical_speed}};
-constexpr SourceChain kBaroSetting{SignalGroup::baro_setting, 1, 1, {Signal::baro_setting}};
-constexpr SourceChain kGroundHeight{SignalGroup::ground_height, 2, 2, {Signal::radio_height, Signal::height_above_terrain}};
-constexpr SourceChain kHorizontalAccuracy{SignalGroup::horizontal_accuracy, 1, 1, {Signal::horizontal_accuracy}};
-constexpr SourceChain kVerticalAccuracy{SignalGroup::vertical_accuracy, 1, 1, {Signal::vertical_accuracy}};
-constexpr SourceChain kWindSpeed{SignalGroup::wind_speed, 1, 1, {Signal::wind_speed}};
-constexpr SourceChain kWindDirection{SignalGroup::wind_direction, 1, 1, {Signal::wind_direction}};
-constexpr SourceChain kTemperature{SignalGroup::outside_temperature, 1, 1, {Signal::outside_temperature}};
-constexpr const SourceChain* kChains[] = {
-    &kLatitude,         &kLongitude, &kGeometricHeight, &kPitch,       &kRoll,         &kHeading,
-    &kAltitude,         &kAirspeed,  &kVerticalSpeed,   &kBaroSetting, &kGroundHeight, &kHorizontalAccuracy,
-    &kVerticalAccuracy, &kWindSpeed, &kWindDirection,   &kTemperature};
 
 constexpr double kSlowestFlightPath_mps = 10;  // below, the direction of motion on the ground is noise
 
@@ -102,17 +19,21 @@ public:
         : state_(state), now_(now), conditions_(conditions), design_(design) {}
 
     DisplayDecisions decide() {
-        for (const SourceChain* chain : kChains) apply(*chain);
+        for (std::size_t i = 0; i < kGroupCount; ++i)
+            if (counts(static_cast<SignalGroup>(i))) apply(static_cast<SignalGroup>(i));
         decide_attitude();
         decide_heading();
         decide_map();
-        decide_element(Element::airspeed, kAirspeed);
-        decide_element(Element::altitude, kAltitude);
-        decide_element(Element::vertical_speed, kVerticalSpeed);
-        decide_element(Element::baro_setting, kBaroSetting);
-        decide_element(Element::ground_height, kGroundHeight);
+        decide_element(Element::airspeed, SignalGroup::airspeed);
+        decide_element(Element::altitude, SignalGroup::altitude);
+        decide_airspeed_trend();
+        decide_element(Element::vertical_speed, SignalGroup::vertical_speed);
+        decide_element(Element::baro_setting, SignalGroup::baro_setting);
+        decide_element(Element::ground_height, SignalGroup::ground_height);
         decide_wind();
-        decide_element(Element::outside_temperature, kTemperature);
+        decide_element(Element::outside_temperature, SignalGroup::outside_temperature);
+        decide_guidance();
+        decide_minimums();
         check_own_ship();
         check_accuracy(Signal::horizontal_accuracy, design_.degradation.horizontal_accuracy_m);
         check_accuracy(Signal::vertical_accuracy, design_.degradation.vertical_accuracy_m);
@@ -136,13 +57,14 @@ private:
         return state_.own_ship.height_is_on_qnh && valid(Signal::baro_altitude) && valid(Signal::baro_setting);
     }
     /// The first source in this state; count_ for none.
-    [[nodiscard]] Signal first_in(const SourceChain& chain, SignalState wanted) const {
+    [[nodiscard]] Signal first_in(SignalGroup group, SignalState wanted) const {
+        const SourceChain& chain = source_chain(group);
         for (std::size_t i = 0; i < chain.count; ++i)
             if (state_of(chain.sources[i]) == wanted) return chain.sources[i];
         return Signal::count_;
     }
-    [[nodiscard]] bool has_valid(const SourceChain& chain) const {
-        if (chain.group != SignalGroup::view_heading) return first_in(chain, SignalState::valid) != Signal::count_;
+    [[nodiscard]] bool has_valid(SignalGroup group) const {
+        if (group != SignalGroup::view_heading) return first_in(group, SignalState::valid) != Signal::count_;
         return turns_view(Signal::true_heading) || turns_view(Signal::magnetic_heading) || turns_view(Signal::true_track);
     }
 
@@ -155,34 +77,35 @@ private:
     }
 
     /// Gathers the consequences of all signals of the group and names those that went bad.
-    void apply(const SourceChain& chain) {
-        const bool served = has_valid(chain);
-        for (const SignalRule& rule : kRules) {
-            if (rule.group != chain.group) continue;
+    void apply(SignalGroup group) {
+        const bool served = has_valid(group);
+        for (const SignalRule& rule : signal_rules()) {
+            if (rule.group != group) continue;
             const SignalState state = state_of(rule.signal);
             std::uint8_t bits = consequences(rule, state);
             if (state_.is_posed && state == SignalState::missing && (bits & kRemoveTerrain) == 0) bits = kNoConsequence;
-            if (chain.group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
-            if (conditions_.is_map && aims_view(chain.group)) bits &= ~kRemoveTerrain;
-            if (!served) gathered_[static_cast<std::size_t>(chain.group)] |= bits;
+            if (group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
+            if (conditions_.is_map && aims_view(group)) bits &= ~kRemoveTerrain;
+            if (!served) gathered_[static_cast<std::size_t>(group)] |= bits;
             if ((bits & kFlag) != 0 && (!served || state != SignalState::missing)) flag(to_string(rule.signal), to_string(state));
         }
-        all_gathered_ |= gathered_[static_cast<std::size_t>(chain.group)];
+        all_gathered_ |= gathered_[static_cast<std::size_t>(group)];
     }
     [[nodiscard]] std::uint8_t gathered(SignalGroup group) const { return gathered_[static_cast<std::size_t>(group)]; }
 
-    [[nodiscard]] ElementDecision decision(const SourceChain& chain) const {
-        const Signal source = first_in(chain, SignalState::valid);
+    [[nodiscard]] ElementDecision decision(SignalGroup group) const {
+        const SourceChain& chain = source_chain(group);
+        const Signal source = first_in(group, SignalState::valid);
         for (std::size_t i = 0; i < chain.count; ++i)
             if (chain.sources[i] == source) return {i < chain.equals ? ElementShow::normal : ElementShow::substituted, source};
-        const Signal stale = first_in(chain, SignalState::stale);
+        const Signal stale = first_in(group, SignalState::stale);
         if (stale != Signal::count_) return {ElementShow::flagged, stale};
-        return {(gathered(chain.group) & kFailElement) != 0 ? ElementShow::failed : ElementShow::absent, Signal::count_};
+        return {(gathered(group) & kFailElement) != 0 ? ElementShow::failed : ElementShow::absent, Signal::count_};
     }
-    void decide_element(Element element, const SourceChain& chain) { out_[element] = decision(chain); }
+    void decide_element(Element element, SignalGroup group) { out_[element] = decision(group); }
 
     void decide_attitude() {
-        const ElementDecision pitch = decision(kPitch), roll = decision(kRoll);
+        const ElementDecision pitch = decision(SignalGroup::pitch), roll = decision(SignalGroup::roll);
         out_[Element::attitude] = pitch.show == ElementShow::failed ? pitch : roll.show == ElementShow::normal ? pitch : roll;
         if (out_[Element::attitude].show == ElementShow::failed) return;
         const double pitch_rad = state_[Signal::pitch].value_or(0), roll_rad = state_[Signal::roll].value_or(0);
@@ -193,14 +116,135 @@ private:
         if (out_.unusual_attitude) flag("attitude", "unusual");
     }
 
-    /// As good as the worse of its two signals: a speed without a direction is no wind.
-    void decide_wind() {
-        const ElementDecision speed = decision(kWindSpeed), direction = decision(kWindDirection);
-        out_[Element::wind] = speed.show < direction.show ? direction : speed;
+    /// Only of the airspeed that is shown.
+    void decide_airspeed_trend() {
+        const ElementDecision& airspeed = out_[Element::airspeed];
+        const bool fits = airspeed.show == ElementShow::normal && valid(Signal::airspeed_rate);
+        out_[Element::airspeed_trend] = {fits ? ElementShow::normal : ElementShow::absent,
+                                         fits ? Signal::airspeed_rate : Signal::count_};
+    }
+
+    /// As good as the worse of two signals that state nothing without each other.
+    [[nodiscard]] ElementDecision worse_of(SignalGroup a, SignalGroup b) const {
+        const ElementDecision first = decision(a), second = decision(b);
+        return first.show < second.show ? second : first;
+    }
+    void decide_wind() { out_[Element::wind] = worse_of(SignalGroup::wind_speed, SignalGroup::wind_direction); }
+
+    /// A bus that does not state the source has at most one receiver: the first.
+    [[nodiscard]] NavigationSource navigation_source() const {
+        const base::Stamped<double>& stated = state_[Signal::navigation_source];
+        if (!stated.received()) return NavigationSource::radio1;
+        const double code = stated.value_or(0);
+        if (!(code >= 0 && code <= flight::kMaxNavigationSource)) return NavigationSource::none;
+        return static_cast<NavigationSource>(static_cast<std::uint8_t>(code));
+    }
+
+    /// Of the groups of guidance only those of the navigation source count: a receiver that is not used may be silent.
+    [[nodiscard]] bool counts(SignalGroup group) const {
+        const NavigationSource source = navigation_source();
+        switch (group) {
+            case SignalGroup::radio1_lateral:
+            case SignalGroup::radio1_vertical: return source == NavigationSource::radio1;
+            case SignalGroup::radio2_lateral:
+            case SignalGroup::radio2_vertical: return source == NavigationSource::radio2;
+            case SignalGroup::radio_course: return source == NavigationSource::radio1 || source == NavigationSource::radio2;
+            case SignalGroup::gnss_lateral:
+            case SignalGroup::gnss_vertical:
+            case SignalGroup::gnss_course: return source == NavigationSource::gnss;
+            default: return true;
+        }
+    }
+
+    void decide_guidance() {
+        decide_element(Element::slip, SignalGroup::slip);
+        decide_element(Element::turn_rate, SignalGroup::turn_rate);
+        decide_element(Element::flaps, SignalGroup::flaps);
+        decide_element(Element::waypoint_bearing, SignalGroup::waypoint_bearing);
+        decide_path_reference();
+        out_[Element::flight_director] = worse_of(SignalGroup::director_pitch, SignalGroup::director_roll);
+        decide_element(Element::selected_altitude, SignalGroup::selected_altitude);
+        decide_element(Element::selected_heading, SignalGroup::selected_heading);
+        decide_element(Element::selected_airspeed, SignalGroup::selected_airspeed);
+        decide_element(Element::selected_vertical_speed, SignalGroup::selected_vertical_speed);
+        decide_element(Element::navigation_source, SignalGroup::navigation_source);
+        out_.navigation_source = navigation_source();
+        switch (out_.navigation_source) {
+            case NavigationSource::none: break;
+            case NavigationSource::radio1:
+                decide_deviations(SignalGroup::radio_course, SignalGroup::radio1_lateral, SignalGroup::radio1_vertical);
+                return;
+            case NavigationSource::radio2:
+                decide_deviations(SignalGroup::radio_course, SignalGroup::radio2_lateral, SignalGroup::radio2_vertical);
+                return;
+            case NavigationSource::gnss:
+                decide_deviations(SignalGroup::gnss_course, SignalGroup::gnss_lateral, SignalGroup::gnss_vertical);
+                return;
+        }
+        for (const Element element : {Element::course, Element::lateral_deviation, Element::vertical_deviation})
+            out_[element].show =
+                out_[Element::navigation_source].show == ElementShow::failed ? ElementShow::failed : ElementShow::absent;
+    }
+
+    /// A glide path is flown on approaches only; an unknown phase may be one.
+    void decide_path_reference() {
+        decide_element(Element::flight_path_reference, SignalGroup::selected_glidepath);
+        const flight::Scenario scenario = conditions_.phase.phase.scenario;
+        if (scenario != flight::Scenario::approach && scenario != flight::Scenario::unknown)
+            out_[Element::flight_path_reference] = {ElementShow::absent, Signal::count_};
+    }
+
+    /// A deviation is as good as the statement which receiver it comes from.
+    void decide_deviations(SignalGroup course, SignalGroup lateral, SignalGroup vertical) {
+        decide_element(Element::course, course);
+        decide_element(Element::lateral_deviation, lateral);
+        decide_element(Element::vertical_deviation, vertical);
+        const ElementShow source = out_[Element::navigation_source].show;
+        if (source != ElementShow::flagged && source != ElementShow::failed) return;
+        for (const Element element : {Element::course, Element::lateral_deviation, Element::vertical_deviation}) {
+            ElementDecision& decided = out_[element];
+            if (decided.show == ElementShow::absent || decided.show >= source) continue;
+            decided.show = source;
+            if (source == ElementShow::failed) decided.source = Signal::count_;
+        }
+    }
+
+    /// A minimum in the ground below the own ship is wrong, wherever it is near enough to matter.
+    void decide_minimums() {
+        constexpr double kNear_m = 100;
+        decide_element(Element::radio_minimum, SignalGroup::radio_minimum);
+        decide_element(Element::baro_minimum, SignalGroup::baro_minimum);
+        ElementDecision& minimum = out_[Element::baro_minimum];
+        const ElementDecision ground = decision(SignalGroup::ground_height);
+        const bool knows_ground = ground.show == ElementShow::normal && valid(Signal::baro_altitude);
+        const double height_m = knows_ground ? state_[ground.source].value_or(0) : 0;
+        const double ground_msl_m = state_[Signal::baro_altitude].value_or(0) - height_m;
+        if (minimum.source != Signal::count_ && knows_ground && height_m < kNear_m &&
+            state_[minimum.source].value_or(0) < ground_msl_m) {
+            minimum = {ElementShow::failed, Signal::count_};
+            flag(to_string(Signal::minimum_altitude), "below_ground");
+        }
+        out_.minimums = minimums_state(ground);
+    }
+
+    /// Only on an approach and in the air: before take-off every aircraft is below its minimum.
+    [[nodiscard]] MinimumsState minimums_state(const ElementDecision& ground) const {
+        constexpr double kOnGround_m = 5;
+        if (conditions_.phase.phase.scenario != flight::Scenario::approach) return MinimumsState::none;
+        if (ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m) return MinimumsState::none;
+        double above_m = 0;
+        if (out_[Element::radio_minimum].show == ElementShow::normal && ground.show == ElementShow::normal)
+            above_m = state_[ground.source].value_or(0) - state_[Signal::decision_height].value_or(0);
+        else if (out_[Element::baro_minimum].show == ElementShow::normal && valid(Signal::baro_altitude))
+            above_m = state_[Signal::baro_altitude].value_or(0) - state_[Signal::minimum_altitude].value_or(0);
+        else
+            return MinimumsState::none;
+        if (above_m > kNearMinimum_m) return MinimumsState::above;
+        return above_m > 0 ? MinimumsState::near : MinimumsState::at_or_below;
     }
 
     void decide_heading() {
-        decide_element(Element::heading, kHeading);
+        decide_element(Element::heading, SignalGroup::view_heading);
         for (Signal heading : {Signal::true_heading, Signal::magnetic_heading, Signal::true_track})
             if (out_.view_heading == Signal::count_ && turns_view(heading)) out_.view_heading = heading;
     }
@@ -306,7 +350,7 @@ private:
         const SignalState position = state_.own_ship.state;
         if (position == SignalState::stale)
             notice(NoticeLevel::caution, "GPS POSITION STALE");
-        else if (position != SignalState::valid || !has_valid(kLatitude) || !has_valid(kLongitude))
+        else if (position != SignalState::valid || !has_valid(SignalGroup::latitude) || !has_valid(SignalGroup::longitude))
             notice(NoticeLevel::caution, "NO GPS POSITION");
         if (conditions_.terrain == TerrainSource::none) notice(NoticeLevel::caution, "NO TERRAIN DATA");
         if (conditions_.terrain == TerrainSource::outside) notice(NoticeLevel::caution, "OUTSIDE DATABASE");
@@ -320,6 +364,7 @@ private:
             notice(NoticeLevel::caution, "TERRAIN OFF");
         if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
             notice(NoticeLevel::caution, "MAP NORTH UP");
+        if (out_.minimums == MinimumsState::at_or_below) notice(NoticeLevel::caution, "MINIMUMS");
         add_phase_notices();
         if (out_.show_terrain && conditions_.data_are_out_of_date) notice(NoticeLevel::caution, "DATA OUT OF DATE");
         if (shows_measure()) notice(NoticeLevel::caution, "ANALYSIS OVERLAY");
@@ -351,29 +396,12 @@ private:
     base::Time now_;
     const DisplayConditions& conditions_;
     const design::DesignSettings& design_;
-    std::array<std::uint8_t, static_cast<std::size_t>(SignalGroup::not_shown)> gathered_{};
+    std::array<std::uint8_t, kGroupCount> gathered_{};
     std::uint8_t all_gathered_ = 0;
     DisplayDecisions out_;
 };
 
 }  // namespace
-
-const SignalRule& signal_rule(Signal signal) noexcept {
-    const auto index = static_cast<std::size_t>(signal);
-    TEDAVIS_CHECK(index < flight::kSignalCount);
-    return kRules[index];
-}
-
-std::uint8_t consequences(const SignalRule& rule, SignalState state) noexcept {
-    switch (state) {
-        case SignalState::valid: return kNoConsequence;
-        case SignalState::missing: return rule.missing;
-        case SignalState::stale: return rule.stale;
-        case SignalState::lost: return rule.lost;
-        case SignalState::invalid: return rule.invalid;
-    }
-    return rule.invalid;
-}
 
 DisplayDecisions decide_display(const flight::AircraftState& state, base::Time now, const DisplayConditions& conditions,
                                 const design::DesignSettings& design) noexcept {

@@ -26,6 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     static StateAssembler assembler;
     BusSettings settings;
     settings.traffic.first_identifier = 1840;
+    settings.guidance.first_identifier = 1832;
     assembler = StateAssembler(settings);
     CanFrame frame;
     while (source.read({std::numeric_limits<std::int64_t>::max()}, {&frame, 1}) == 1) {

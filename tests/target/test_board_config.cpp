@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "bus/canaerospace/identifier_table.hpp"
@@ -218,6 +219,17 @@ TEST(BusFilters, PassWhatTheDecoderKnowsAndNothingElse) {
     EXPECT_TRUE(passes(1840) && passes(1851) && passes(1830));
     EXPECT_FALSE(passes(1839) || passes(1852));
     bus.traffic = {};
+
+    bus.guidance.first_identifier = 1832;
+    bus::SocketCanSettings with_guidance;
+    add_bus_filters(with_guidance, bus);
+    const auto passes_guidance = [&](std::uint32_t id) {
+        return std::any_of(with_guidance.filters.begin(), with_guidance.filters.end(),
+                           [&](const bus::CanFilter& filter) { return (id & filter.mask) == (filter.identifier & filter.mask); });
+    };
+    EXPECT_TRUE(passes_guidance(1832) && passes_guidance(1839));
+    EXPECT_FALSE(passes_guidance(1840));
+    bus.guidance = {};
 
     bus.dialect.glider_identifiers = true;
     bus::SocketCanSettings glider;

@@ -141,7 +141,7 @@ struct FrameStatement {
     double altitude_msl_m = 0;
     double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
     std::array<base::SignalState, flight::kSignalCount> signals{};
-    base::FixedVector<Name, 32> flags;
+    base::FixedVector<Name, 80> flags;
     ViewRecord view;
     DistortionRecords distortion;
     policy::TerrainLight light;

@@ -2,6 +2,9 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/bank_scale.hpp"
+#include "render_core/draw/symbology/compass_text.hpp"
+#include "render_core/draw/symbology/ladder_frame.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 
 namespace tedavis::draw {
@@ -10,50 +13,15 @@ namespace {
 using base::radians;
 using policy::ElementShow;
 
-constexpr int kArcSteps = 24;
-
-/// The view turned to look at ladder places: a direction by elevation and sideways offset from the aircraft's heading.
-class Ladder {
-public:
-    Ladder(const SymbologyInput& input) : view_(input.view), heading_rad_(input.view_heading_rad) {}
-
-    /// `aside`: tangent of the angle to the right of the heading's vertical plane.
-    [[nodiscard]] ProjectedPoint at(double elevation_rad, double aside) const {
-        const glm::dvec3 right{-std::sin(heading_rad_), std::cos(heading_rad_), 0};
-        return project(view_, direction_of(heading_rad_, elevation_rad) + right * aside);
-    }
-    /// Sideways offset that spans so many pixels near the middle of the screen.
-    [[nodiscard]] double tangent_of(float pixels) const { return static_cast<double>(pixels) / view_.focal_px; }
-
-private:
-    const ViewFrame& view_;
-    double heading_rad_;
-};
-
-Point offset(Point from, Point direction, float along, float across) {
-    return {from.x + direction.x * along - direction.y * across, from.y + direction.y * along + direction.x * across};
-}
-
-float roll_radius(const Layout& layout) {
-    const Rect& box = layout.attitude;
-    const Point center = layout.screen.center();
-    const float up = center.y - box.y - 1.6f * layout.text_px;
-    const float down = box.bottom() - center.y;  // where the sky pointer stands in inverted flight
-    // The arc with its marks reaches 60 degrees to either side, sin 60 = 0.87; the sky pointer goes all the way around.
-    const float room = std::fmin(center.x - box.x, box.right() - center.x);
-    const float aside = std::fmin((room - layout.text_px) / 0.87f, room);
-    return std::fmin(std::fmin(up, down), aside);
-}
-
 /// Box of the ladder: within the arc of the roll scale.
 Rect ladder_box(const Layout& layout) {
-    const float radius = roll_radius(layout), t = layout.text_px;
+    const float radius = bank_scale_radius(layout), t = layout.text_px;
     const Point center = layout.screen.center();
     const float top = center.y - radius + 1.2f * t, bottom = std::fmin(center.y + radius, layout.attitude.bottom() - 1.6f * t);
     return {center.x - 0.8f * radius, top, 1.6f * radius, bottom - top};
 }
 
-void build_rung(const Painter& painter, const Ladder& ladder, int degrees) {
+void build_rung(const Painter& painter, const LadderFrame& ladder, int degrees) {
     const float t = painter.text_px();
     const bool ten = degrees % 10 == 0;
     const double half = ladder.tangent_of(ten ? 2.6f * t : 1.2f * t), inner = ladder.tangent_of(0.5f * t);
@@ -73,16 +41,16 @@ void build_rung(const Painter& painter, const Ladder& ladder, int degrees) {
     if (!ten) return;
     // Ends turn towards the horizon.
     const float hook = (degrees > 0 ? 0.4f : -0.4f) * t;
-    painter.line(left.at, offset(left.at, along, 0, hook));
-    painter.line(right.at, offset(right.at, along, 0, hook));
+    painter.line(left.at, along_and_across(left.at, along, 0, hook));
+    painter.line(right.at, along_and_across(right.at, along, 0, hook));
     const ShortText number = whole_number(std::abs(degrees));
     const float angle = std::atan2(along.y, along.x);
-    painter.text(number.view(), offset(left.at, along, -0.3f * t, 0), TextAnchor::right, 0.75f, kScaleColor, angle);
-    painter.text(number.view(), offset(right.at, along, 0.3f * t, 0), TextAnchor::left, 0.75f, kScaleColor, angle);
+    painter.text(number.view(), along_and_across(left.at, along, -0.3f * t, 0), TextAnchor::right, 0.75f, kScaleColor, angle);
+    painter.text(number.view(), along_and_across(right.at, along, 0.3f * t, 0), TextAnchor::left, 0.75f, kScaleColor, angle);
 }
 
 /// Red chevrons that point to the horizon at steep pitch.
-void build_chevron(const Painter& painter, const Ladder& ladder, int degrees) {
+void build_chevron(const Painter& painter, const LadderFrame& ladder, int degrees) {
     const float t = painter.text_px();
     const int outwards = degrees > 0 ? 1 : -1;
     const ProjectedPoint tip = ladder.at(radians(degrees - 4 * outwards), 0);
@@ -93,17 +61,40 @@ void build_chevron(const Painter& painter, const Ladder& ladder, int degrees) {
     painter.polyline(corners, kWarningColor, 3);
 }
 
-/// Where the picture's own horizon is seen: above and below the ladder too, and through the heading's tape, but not behind
+/// Where the picture's own horizon is seen: across the whole screen, also behind the tapes and the heading, but not behind
 /// legends that stand below the attitude.
 Rect horizon_box(const Layout& layout) {
     const Rect& box = layout.attitude;
     const bool has_legends_below = layout.data_legends[1].y >= box.bottom();
-    return {box.x, layout.screen.y, box.width, (has_legends_below ? box : layout.heading).bottom() - layout.screen.y};
+    return {layout.screen.x, layout.screen.y, layout.screen.width,
+            (has_legends_below ? box : layout.heading).bottom() - layout.screen.y};
+}
+
+/// Headings on the horizon line within the attitude: a tick every ten degrees, a label every thirty, in the reference of the
+/// heading that is shown. Without a known variation a magnetic display has none.
+void build_horizon_headings(const Painter& painter, const SymbologyInput& input, const LadderFrame& ladder) {
+    const bool is_known = input.decisions[policy::Element::heading].source != flight::Signal::count_;
+    if (!is_known || !std::isfinite(input.from_true_rad)) return;
+    const float t = painter.text_px();
+    const Rect room = painter.layout().attitude.shrunk(0.5f * t);
+    for (int degrees = 0; degrees < 360; degrees += 10) {
+        const double direction = radians(degrees) - input.from_true_rad;
+        const ProjectedPoint at = ladder.on_horizon(direction), next = ladder.on_horizon(direction + radians(1));
+        if (!at.in_front || !next.in_front || !room.contains(at.at)) continue;
+        const float length = std::hypot(next.at.x - at.at.x, next.at.y - at.at.y);
+        if (!(length > 0)) continue;
+        const Point along{(next.at.x - at.at.x) / length, (next.at.y - at.at.y) / length};
+        painter.line(at.at, along_and_across(at.at, along, 0, -0.35f * t));
+        const Point label = along_and_across(at.at, along, 0, -0.85f * t);
+        if (degrees % 30 == 0 && room.contains(label))
+            painter.text(compass_text(degrees).view(), label, TextAnchor::center, 0.75f, kScaleColor,
+                         std::atan2(along.y, along.x));
+    }
 }
 
 /// A long line at elevation zero wherever it is seen.
 void build_horizon(const Painter& painter, const SymbologyInput& input) {
-    const Ladder ladder(input);
+    const LadderFrame ladder(input);
     const ProjectedPoint middle = ladder.at(0, 0);
     if (!middle.in_front) return;
     const double wide = ladder.tangent_of(painter.layout().screen.width + painter.layout().screen.height);
@@ -112,6 +103,7 @@ void build_horizon(const Painter& painter, const SymbologyInput& input) {
     painter.batch().set_clip(horizon_box(painter.layout()));
     painter.line(left.at, right.at);
     painter.batch().lift_clip();
+    if (!input.decisions.unusual_attitude) build_horizon_headings(painter, input, ladder);
 }
 
 /// From the middle of the screen to the nearest side of a box, however the horizon lies.
@@ -156,7 +148,7 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
 }
 
 void build_ladder(const Painter& painter, const SymbologyInput& input) {
-    const Ladder ladder(input);
+    const LadderFrame ladder(input);
     painter.batch().set_clip(ladder_box(painter.layout()));
     const int nearest = 5 * static_cast<int>(std::lround(base::degrees(limited(input.pitch_rad, -2, 2)) / 5));
     for (int degrees = nearest - 40; degrees <= nearest + 40; degrees += 5)
@@ -164,36 +156,6 @@ void build_ladder(const Painter& painter, const SymbologyInput& input) {
     if (input.decisions.unusual_attitude)
         for (int degrees : {-75, -55, -35, 35, 55, 75}) build_chevron(painter, ladder, degrees);
     painter.batch().lift_clip();
-}
-
-/// Fixed scale of bank with the sky pointer that turns against it.
-void build_roll_scale(const Painter& painter, const SymbologyInput& input) {
-    const float t = painter.text_px(), radius = roll_radius(painter.layout());
-    const Point center = painter.layout().screen.center();
-    const auto on_circle = [&](double angle_rad, float r) {
-        return Point{center.x + r * static_cast<float>(std::sin(angle_rad)),
-                     center.y - r * static_cast<float>(std::cos(angle_rad))};
-    };
-    Point arc[kArcSteps + 1];
-    for (int i = 0; i <= kArcSteps; ++i) arc[i] = on_circle(radians(-60.0 + 120.0 * i / kArcSteps), radius);
-    painter.polyline(arc);
-    for (int degrees : {-60, -45, -30, -20, -10, 10, 20, 30, 45, 60})
-        painter.line(on_circle(radians(degrees), radius),
-                     on_circle(radians(degrees), radius + (degrees % 30 == 0 ? 0.8f : 0.45f) * t));
-    const Point mark[3] = {on_circle(0, radius),
-                           {center.x - 0.4f * t, center.y - radius - 0.7f * t},
-                           {center.x + 0.4f * t, center.y - radius - 0.7f * t}};
-    painter.batch().triangle(mark[0], mark[1], mark[2], kScaleColor);
-    // Right bank turns the sky to the left.
-    const double sky = -input.roll_rad;
-    const bool beyond = std::fabs(input.roll_rad) > input.unusual.roll_rad;
-    const design::Color color = beyond ? kCautionColor : kReferenceColor;
-    const Point tip = on_circle(sky, radius - 0.15f * t);
-    const Point up{static_cast<float>(std::sin(sky)), -static_cast<float>(std::cos(sky))};
-    const Point left = offset(tip, up, -0.9f * t, -0.5f * t), right = offset(tip, up, -0.9f * t, 0.5f * t);
-    painter.batch().triangle(tip, left, right, color);
-    const Point rim[3] = {tip, left, right};
-    painter.batch().polyline(rim, painter.stroke_px(), kRimColor, true);
 }
 
 /// Fixed wings and nose: what the ladder is read against.
@@ -221,7 +183,7 @@ void build_attitude(const Painter& painter, const SymbologyInput& input) {
     build_horizon(painter, input);
     build_ladder(painter, input);
     build_permanent_horizon(painter, input);
-    build_roll_scale(painter, input);
+    build_bank_scale(painter, input);
     build_aircraft_symbol(painter);
     if (show != ElementShow::flagged) return;
     const float t = painter.text_px();

@@ -16,6 +16,8 @@ inline constexpr design::Color kScaleColor{255, 255, 255};
 inline constexpr design::Color kWarningColor{255, 48, 48};
 inline constexpr design::Color kCautionColor{255, 176, 0};
 inline constexpr design::Color kEngagedColor{64, 240, 96};
+inline constexpr design::Color kSelectedColor{0, 224, 255};     ///< what the pilot has selected
+inline constexpr design::Color kGnssCourseColor{255, 96, 255};  ///< course and deviations of GNSS; of radio: kEngagedColor
 inline constexpr design::Color kReferenceColor{255, 224, 0};
 inline constexpr design::Color kRimColor{0, 0, 0};
 inline constexpr design::Color kTapeGround{16, 20, 28, 150};

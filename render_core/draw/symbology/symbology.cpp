@@ -1,5 +1,6 @@
 #include "render_core/draw/symbology/symbology.hpp"
 
+#include "render_core/draw/symbology/flight_director.hpp"
 #include "render_core/draw/symbology/map_symbols.hpp"
 
 namespace tedavis::draw {
@@ -9,7 +10,11 @@ void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout
     const Painter painter(batch, layout);
     const bool ahead = input.over == SymbolGround::perspective;
     if (input.shown.attitude && ahead) build_attitude(painter, input);
-    if (input.shown.flight_path && ahead) build_flight_path(painter, input);
+    if (input.shown.flight_path && ahead) {
+        build_path_reference(painter, input);
+        build_flight_director(painter, input);
+        build_flight_path(painter, input);
+    }
     if (input.shown.map && input.over == SymbolGround::map) build_map_symbols(painter, input);
     if (input.shown.airspeed) build_airspeed(painter, input);
     if (input.shown.altitude) build_altitude(painter, input);

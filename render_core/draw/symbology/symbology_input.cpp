@@ -39,6 +39,38 @@ void take_air(const flight::AircraftState& state, base::Time now, SymbologyInput
     input.temperature_age = age(Signal::outside_temperature);
 }
 
+GuidanceInput make_guidance_input(const flight::AircraftState& state, const policy::DisplayDecisions& decisions) {
+    const auto value = [&](Element element) { return shown_value(state, decisions, element); };
+    GuidanceInput guidance;
+    guidance.slip_mps2 = value(Element::slip);
+    guidance.turn_rate_radps = value(Element::turn_rate);
+    guidance.course_rad = value(Element::course);
+    guidance.waypoint_bearing_rad = value(Element::waypoint_bearing);
+    guidance.selected_heading_rad = value(Element::selected_heading);
+    guidance.lateral_deviation = value(Element::lateral_deviation);
+    guidance.vertical_deviation = value(Element::vertical_deviation);
+    guidance.navigation_source = decisions.navigation_source;
+    guidance.path_reference_rad = value(Element::flight_path_reference);
+    if (decisions[Element::flight_director].source != Signal::count_) {
+        guidance.director_pitch_rad = state[Signal::flight_director_pitch].value_or(0);
+        guidance.director_roll_rad = state[Signal::flight_director_roll].value_or(0);
+    }
+    guidance.selected_altitude_m = value(Element::selected_altitude);
+    guidance.selected_airspeed_mps = value(Element::selected_airspeed);
+    guidance.selected_vertical_speed_mps = value(Element::selected_vertical_speed);
+    guidance.airspeed_rate_mps2 = value(Element::airspeed_trend);
+    guidance.radio_minimum_m = value(Element::radio_minimum);
+    guidance.baro_minimum_m = value(Element::baro_minimum);
+    return guidance;
+}
+
+/// A magnetic heading needs the variation; the others are true.
+double from_true_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions, base::Time now) {
+    if (decisions[Element::heading].source != Signal::magnetic_heading) return 0;
+    const double unknown = std::nan("");
+    return state.is_valid(Signal::magnetic_variation, now) ? -state[Signal::magnetic_variation].value_or(0) : unknown;
+}
+
 double true_direction_rad(const flight::AircraftState& state, Signal source) {
     if (source == Signal::count_) return 0;
     const double direction = state[source].value_or(0);
@@ -80,6 +112,10 @@ SymbologyInput make_symbology_input(const flight::AircraftState& state, const po
     input.baro_setting_pa = shown_value(state, decisions, Element::baro_setting);
     input.ground_height_m = shown_value(state, decisions, Element::ground_height);
     take_air(state, now, input);
+    input.guidance = make_guidance_input(state, decisions);
+    input.shows_track = state.is_valid(Signal::true_track, now);
+    input.track_rad = state[Signal::true_track].value_or(0);
+    input.from_true_rad = from_true_rad(state, decisions, now);
     input.velocity_north_mps = state.own_ship.velocity_north_mps;
     input.velocity_east_mps = state.own_ship.velocity_east_mps;
     input.velocity_up_mps = state.own_ship.velocity_up_mps;

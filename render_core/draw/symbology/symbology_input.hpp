@@ -61,21 +61,44 @@ struct MapInput {
     [[nodiscard]] double top_rad() const { return up_rad + turn_rad; }
 };
 
+/// What guides the pilot. A value means something where the element's decision shows it, and comes from the decision's source.
+/// Directions are relative to true north.
+struct GuidanceInput {
+    double slip_mps2 = 0;        ///< acceleration to the right
+    double turn_rate_radps = 0;  ///< to the right
+    double course_rad = 0, waypoint_bearing_rad = 0, selected_heading_rad = 0;
+    double lateral_deviation = 0;   ///< rad (radio) or m (GNSS); positive: the own ship is right of the course
+    double vertical_deviation = 0;  ///< rad (radio) or m (GNSS); positive: the own ship is above the path
+    flight::NavigationSource navigation_source = flight::NavigationSource::none;
+    double path_reference_rad = 0;                         ///< of the selected glide path, descending positive
+    double director_pitch_rad = 0, director_roll_rad = 0;  ///< by which the attitude must change: nose up, right wing down
+    double selected_altitude_m = 0, selected_airspeed_mps = 0, selected_vertical_speed_mps = 0;
+    double airspeed_rate_mps2 = 0;
+    double radio_minimum_m = 0;  ///< above ground
+    double baro_minimum_m = 0;   ///< as the altimeter shows it
+};
+
 struct SymbologyInput {
     policy::DisplayDecisions decisions;
     design::SymbologySettings shown;
     design::UnusualAttitudeLimits unusual;
-    design::Color sky, ground;  ///< of the permanent horizon
+    double excessive_bank_rad = base::radians(45);  ///< beyond, the bank is said to be excessive
+    design::Color sky, ground;                      ///< of the permanent horizon
     flight::PhaseStatus phase;
     ViewFrame view;               ///< as terrain and sky are drawn
     double view_heading_rad = 0;  ///< true
     double pitch_rad = 0, roll_rad = 0;
     double heading_rad = 0;  ///< as shown: true, magnetic or track, by decisions[heading].source
+    double track_rad = 0;    ///< true; means something where `shows_track`
+    bool shows_track = false;
+    /// To be added to a true direction for the reference of `heading_rad`; NaN where the variation is not known.
+    double from_true_rad = 0;
     double airspeed_mps = 0;
     double altitude_m = 0;  ///< above MSL (or pressure altitude), by decisions[altitude].source
     double vertical_speed_mps = 0;
     double baro_setting_pa = 0;
     double ground_height_m = 0;
+    GuidanceInput guidance;
     double wind_speed_mps = 0, wind_from_rad = 0, outside_temperature_k = 0;
     base::Duration wind_age, temperature_age;  ///< of the older of the wind's two signals
     LegendInput legend;

@@ -37,7 +37,11 @@ TEST(BusSettings, ShippedStandardFileStatesTheDefaults) {
     EXPECT_EQ(loaded.phase.timeout, defaults.phase.timeout);
     EXPECT_EQ(loaded.utc_timeout, defaults.utc_timeout);
     EXPECT_FALSE(defaults.traffic.is_carried());
-    EXPECT_EQ(loaded.traffic.first_identifier, 1840) << "the one that has no default";
+    EXPECT_EQ(loaded.traffic.first_identifier, 1840) << "has no default";
+    EXPECT_FALSE(defaults.guidance.is_carried());
+    EXPECT_EQ(loaded.guidance.first_identifier, 1832) << "has no default";
+    EXPECT_EQ(loaded.dialect.deviation, defaults.dialect.deviation);
+    EXPECT_EQ(loaded.dialect.directions, defaults.dialect.directions);
     EXPECT_EQ(loaded.node.node, defaults.node.node);
     EXPECT_EQ(loaded.own_ship.extrapolation_limit, defaults.own_ship.extrapolation_limit);
     EXPECT_EQ(loaded.own_ship.acceleration_mps2, defaults.own_ship.acceleration_mps2);
@@ -80,6 +84,14 @@ TEST(BusSettings, FaultsNameFileLineAndRemedy) {
     EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1820\n").find("phase of flight"), std::string::npos);
     EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1989\n").find("bus.toml:2"), std::string::npos);
     EXPECT_EQ(error_of("[traffic]\nfirst_identifier = 1988\n"), "accepted");
+    EXPECT_EQ(error_of("[guidance]\nfirst_identifier = 1037\n"),
+              "bus.toml:2: one of the eight identifiers from here on has a meaning in the standard; choose others");
+    EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1840\n[guidance]\nfirst_identifier = 1833\n")
+                  .find("bus.toml:4: one of the eight"),
+              std::string::npos);
+    EXPECT_EQ(error_of("[traffic]\nfirst_identifier = 1840\n[guidance]\nfirst_identifier = 1832\n"), "accepted");
+    EXPECT_NE(error_of("[guidance]\nfirst_identifier = 1825\n").find("phase of flight"), std::string::npos);
+    EXPECT_NE(error_of("[dialect]\ndeviation_states = \"needle\"\n").find("own_ship, path"), std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nextrapolation_limit_s = 3.0\n").find("lost_after_s"), std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nposition_noise_m = -1\n").find("bus.toml:2"), std::string::npos);
     EXPECT_NE(error_of("[node]\nid = 0\n").find("bus.toml:2"), std::string::npos);

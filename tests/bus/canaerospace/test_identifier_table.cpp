@@ -33,11 +33,15 @@ TEST(IdentifierTable, EachIdentifierOnceAndFound) {
 
 TEST(IdentifierTable, EverySignalOfTheBusHasOnePreferredIdentifier) {
     std::map<flight::Signal, std::multiset<int>> ranks;
-    for (const IdentifierEntry& entry : identifier_table())
-        if (entry.signal != flight::Signal::count_) ranks[entry.signal].insert(entry.rank);
+    for (std::uint16_t place = 0; place < place_count(); ++place)
+        if (const IdentifierEntry& entry = entry_at(place); entry.signal != flight::Signal::count_)
+            ranks[entry.signal].insert(entry.rank);
     for (std::size_t i = 0; i < flight::kSignalCount; ++i) {
         const auto signal = static_cast<flight::Signal>(i);
-        if (signal == flight::Signal::height_above_terrain) continue;  // the display computes it
+        if (is_computed(signal)) {
+            EXPECT_EQ(ranks.count(signal), 0u) << flight::to_string(signal);
+            continue;
+        }
         ASSERT_EQ(ranks.count(signal), 1u) << flight::to_string(signal);
         EXPECT_EQ(ranks[signal].count(0), 1u) << flight::to_string(signal);
         for (const int rank : ranks[signal]) EXPECT_EQ(ranks[signal].count(rank), 1u);
@@ -59,6 +63,35 @@ TEST(IdentifierTable, ConversionsThereAndBack) {
                 const SignalBinding binding = bind(entry, dialect);
                 EXPECT_NEAR(from_si(binding, to_si(binding, number)), number, 1e-9) << entry.name;
             }
+}
+
+TEST(IdentifierTable, GuidanceStandsWhereTheBusFilePutsIt) {
+    const GuidanceSettings absent, moved{1700};
+    EXPECT_EQ(place_of(1832, absent), kNotInTable);
+    EXPECT_EQ(place_of(0, absent), kNotInTable) << "without the section no identifier is guidance, also not its distances";
+    EXPECT_EQ(place_of(311, moved), identifier_index(311)) << "the standard's stay";
+    for (const IdentifierEntry& row : guidance_table()) {
+        const std::uint16_t place = place_of(static_cast<std::uint16_t>(1700 + row.identifier), moved);
+        ASSERT_LT(place, place_count());
+        EXPECT_EQ(&entry_at(place), &row);
+    }
+    EXPECT_EQ(place_of(1699, moved), kNotInTable);
+    EXPECT_EQ(place_of(1708, moved), kNotInTable);
+}
+
+TEST(IdentifierTable, DeviationsHaveTheSignOfTheDialectAndDirectionsItsNorth) {
+    BusDialect dialect;
+    dialect.deviation = DeviationSign::path;
+    dialect.directions = HeadingReference::magnetic;
+    for (const std::uint16_t identifier : {1042, 1044, 1087, 1088, 1091, 1092}) {
+        const IdentifierEntry& entry = entry_of(identifier);
+        EXPECT_EQ(to_si(bind(entry, dialect), 1), -to_si(bind(entry, {}), 1)) << entry.name;
+        EXPECT_GT(to_si(bind(entry, {}), 1), 0) << entry.name;
+    }
+    EXPECT_EQ(to_si(bind(entry_of(1095), dialect), 1), to_si(bind(entry_of(1095), {}), 1)) << "a command is no deviation";
+    for (const std::uint16_t identifier : {1120, 1125}) EXPECT_TRUE(bind(entry_of(identifier), dialect).is_magnetic);
+    EXPECT_FALSE(bind(entry_of(1040), dialect).is_magnetic) << "the track is true by its name";
+    EXPECT_FALSE(bind(entry_of(1125), {}).is_magnetic);
 }
 
 TEST(IdentifierTable, DialectsChangeUnitsSignsAndReferences) {
@@ -119,7 +152,14 @@ TEST(IdentifierTable, ShippedDbcAgrees) {
     }
     EXPECT_EQ(names.count(1830) + names.count(1831), 2u);
     for (int part = 0; part < kTrafficIdentifiers; ++part) EXPECT_EQ(names.count(1840 + part), 1u);
-    EXPECT_EQ(names.size(), 2u + kTrafficIdentifiers) << "the phase, other aircraft, and nothing else";
+    for (const IdentifierEntry& entry : guidance_table()) {
+        const int identifier = 1832 + entry.identifier;
+        EXPECT_EQ(names.count(identifier), 1u) << entry.name;
+        EXPECT_EQ(units[identifier], to_string(entry.unit)) << entry.name;
+        EXPECT_EQ(floats.count(identifier) == 1, (entry.types & type_bit(DataType::float32)) != 0) << entry.name;
+    }
+    EXPECT_EQ(names.size(), 2u + kTrafficIdentifiers + kGuidanceIdentifiers)
+        << "the phase, guidance, other aircraft, and nothing else";
 }
 
 }  // namespace

@@ -254,11 +254,32 @@ TEST(MessageDecoder, IdentificationRequestsAreRecognised) {
     EXPECT_EQ(decode_one("080#00010000").kind, MessageKind::alien);
 }
 
+TEST(MessageDecoder, WhatIsSelectedOutOfRangeIsRefused) {
+    BusSettings settings;
+    settings.guidance.first_identifier = 1832;
+    MessageDecoder decoder(settings);
+    std::uint8_t code = 0;
+    const auto decode = [&](std::uint16_t identifier, TypedValue value) {
+        CanFrame frame;
+        set_message_id(frame, identifier, 0);
+        write_header(frame, {9, static_cast<std::uint8_t>(value.type), 0, ++code});
+        frame.length = static_cast<std::uint8_t>(4 + encode_value(value, frame.data.data() + 4));
+        return decoder.decode(frame);
+    };
+    EXPECT_EQ(decode(1832, {DataType::uchar8, 1, 0, {3}}).value, 3);
+    EXPECT_FALSE(decode(1832, {DataType::uchar8, 1, 0, {4}}).healthy) << "there is no fourth source";
+    EXPECT_EQ(decode(1832, {DataType::float32, 1, 1.0f, {}}).kind, MessageKind::alien) << "a code is an integer";
+    EXPECT_FALSE(decode(1833, {DataType::float32, 1, 40000.0f, {}}).healthy);
+    EXPECT_FALSE(decode(1099, {DataType::float32, 1, -50.0f, {}}).healthy) << "a minimum below ground";
+    EXPECT_EQ(decode(1840, {DataType::float32, 1, 1.0f, {}}).kind, MessageKind::alien) << "behind the last of the eight";
+}
+
 /// Any bytes at all: every value that comes out healthy is finite and in its range.
 TEST(MessageDecoder, RandomFramesNeverGiveWildValues) {
     BusSettings settings;
     settings.dialect.redundancy_channels = kMaxRedundancyChannels;
     settings.dialect.glider_identifiers = true;
+    settings.guidance.first_identifier = 1832;
     MessageDecoder decoder(settings);
     std::mt19937_64 random(99);
     std::uint64_t healthy = 0;
@@ -267,7 +288,9 @@ TEST(MessageDecoder, RandomFramesNeverGiveWildValues) {
         frame.time.ns = static_cast<std::int64_t>(random() % 1000) * 10 * kMs;
         frame.kind = random() % 50 == 0 ? static_cast<FrameKind>(random() % 4) : FrameKind::data;
         const bool known = random() % 4 != 0;
-        frame.id = known ? identifier_table()[random() % identifier_table().size()].identifier
+        const IdentifierEntry& row = entry_at(static_cast<std::uint16_t>(random() % place_count()));
+        const bool is_guidance = row.identifier < kGuidanceIdentifiers;
+        frame.id = known ? std::uint32_t{row.identifier} + (is_guidance ? settings.guidance.first_identifier : 0u)
                          : static_cast<std::uint32_t>(random() & 0x1FFFFFFF);
         frame.extended = !known || random() % 8 == 0;
         frame.length = static_cast<std::uint8_t>(random() % 9);
@@ -280,7 +303,7 @@ TEST(MessageDecoder, RandomFramesNeverGiveWildValues) {
         ++healthy;
         ASSERT_TRUE(std::isfinite(message.value));
         ASSERT_LT(message.channel, kMaxRedundancyChannels);
-        const IdentifierEntry& entry = identifier_table()[identifier_index(message.identifier)];
+        const IdentifierEntry& entry = entry_at(place_of(message.identifier, settings.guidance));
         ASSERT_LE(std::fabs(message.value), std::fmax(std::fabs(entry.low), std::fabs(entry.high)) * 1.001 + 0.01) << entry.name;
     }
     EXPECT_GT(healthy, 1000u);

@@ -71,17 +71,23 @@ TEST(MessageEncoder, EveryIdentifierAndTypeGoesRound) {
     other.dialect.wind = WindDirection::to;
     other.dialect.variation = VariationSign::west_positive;
     other.dialect.heading = HeadingReference::magnetic;
+    other.dialect.deviation = DeviationSign::path;
     for (BusSettings settings : {BusSettings(), other}) {
         settings.dialect.glider_identifiers = true;
+        settings.guidance.first_identifier = 1832;
         MessageEncoder encoder(settings, 3);
         MessageDecoder decoder(settings);
         int round_trips = 0;
-        for (const IdentifierEntry& entry : identifier_table())
+        for (std::uint16_t identifier = 0; identifier < 2048; ++identifier)
             for (std::uint8_t code = 0; code < kDataTypeCount; ++code)
                 for (const double part : {0.0, 0.25, 0.6, 0.999}) {
+                    const std::uint16_t place = place_of(identifier, settings.guidance);
+                    if (place == kNotInTable) continue;
+                    const IdentifierEntry& entry = entry_at(place);
                     const auto type = static_cast<DataType>(code);
                     const bool clock = entry.unit == BusUnit::time_of_day || entry.unit == BusUnit::date;
                     if ((entry.types & type_bit(type)) == 0 || type == DataType::double_low || clock) continue;
+                    if (type == DataType::nodata) continue;  // no number
                     const SignalBinding binding = bind(entry, settings.dialect);
                     const TypeLayout layout = type_layout(code);
                     const bool real = type == DataType::float32 || type == DataType::short16x2 || type == DataType::double_high;
@@ -94,7 +100,7 @@ TEST(MessageEncoder, EveryIdentifierAndTypeGoesRound) {
                     if (low > high) continue;  // the dialect's unit does not fit the type
                     const double number = low + part * (high - low);
                     CanFrame frames[2];
-                    const std::size_t count = encoder.encode(entry.identifier, to_si(binding, number), type, {}, frames);
+                    const std::size_t count = encoder.encode(identifier, to_si(binding, number), type, {}, frames);
                     ASSERT_GE(count, 1u) << entry.name << ' ' << int{code} << ' ' << number;
                     DecodedMessage message;
                     for (std::size_t i = 0; i < count; ++i) message = decoder.decode(frames[i]);
@@ -143,6 +149,37 @@ TEST(MessageEncoder, DatesCountMonthsAsTheDialectDoes) {
     ASSERT_EQ(encoder.encode_date(31, 12, 2026, {}, frame), 1u);
     EXPECT_EQ(frame[0].data[5], 11);
     EXPECT_EQ(decoder.decode(frame[0]).clock, (std::array<std::uint8_t, 4>{31, 12, 20, 26}));
+}
+
+TEST(MessageEncoder, NothingSelectedIsAMessageWithoutData) {
+    BusSettings settings;
+    MessageEncoder without(settings, 3);
+    CanFrame frame;
+    EXPECT_EQ(without.encode_nothing_selected(1833, {}, {&frame, 1}), 0u) << "this bus carries no guidance";
+    settings.guidance.first_identifier = 1832;
+    MessageEncoder encoder(settings, 3);
+    EXPECT_EQ(encoder.encode_nothing_selected(1832, {}, {&frame, 1}), 0u) << "the navigation source has a code for it";
+    EXPECT_EQ(encoder.encode_nothing_selected(320, {}, {&frame, 1}), 0u) << "a measurement is not selected";
+    ASSERT_EQ(encoder.encode_nothing_selected(1833, {}, {&frame, 1}), 1u);
+    EXPECT_EQ(frame.length, 4);
+    const DecodedMessage message = MessageDecoder(settings).decode(frame);
+    EXPECT_EQ(message.kind, MessageKind::signal);
+    EXPECT_EQ(message.signal, flight::Signal::selected_altitude);
+    EXPECT_TRUE(message.nothing_selected && message.healthy);
+}
+
+TEST(MessageEncoder, MagneticDirectionsNeedTheVariation) {
+    BusSettings settings;
+    settings.dialect.directions = HeadingReference::magnetic;
+    MessageEncoder encoder(settings, 3);
+    CanFrame frame;
+    constexpr std::uint16_t kSelectedCourse = 1125;
+    EXPECT_EQ(encoder.encode(kSelectedCourse, 1, DataType::float32, {}, {&frame, 1}), 0u);
+    encoder.set_variation(0.1);
+    ASSERT_EQ(encoder.encode(kSelectedCourse, 1, DataType::float32, {}, {&frame, 1}), 1u);
+    const DecodedMessage message = MessageDecoder(settings).decode(frame);
+    EXPECT_TRUE(message.is_magnetic);
+    EXPECT_NEAR(message.value, 0.9, 1e-6);
 }
 
 }  // namespace

@@ -190,6 +190,38 @@ TEST(StateAssembler, UtcComesFromTheBusAndIsLostWithIt) {
     EXPECT_TRUE(time_at(15).is_confirmed);
 }
 
+TEST(StateAssembler, WhatIsNoLongerSelectedIsAbsentAndSilenceIsLost) {
+    BusSettings settings;
+    settings.guidance.first_identifier = 1832;
+    Bus bus(settings);
+    bus.send(1833, 1500, 0);
+    EXPECT_EQ(bus.state(Signal::selected_altitude, 1), SignalState::valid);
+    EXPECT_EQ(bus.state(Signal::selected_altitude, 3.1), SignalState::stale);
+    EXPECT_EQ(bus.state(Signal::selected_altitude, 10.1), SignalState::lost);
+    CanFrame frame;
+    ASSERT_EQ(bus.encoder.encode_nothing_selected(1833, at(1), {&frame, 1}), 1u);
+    bus.assembler.feed({&frame, 1});
+    EXPECT_EQ(bus.state(Signal::selected_altitude, 1), SignalState::missing);
+    EXPECT_EQ(bus.state(Signal::selected_altitude, 100), SignalState::missing);
+    bus.send(1833, 1600, 2);
+    EXPECT_NEAR(bus.value(Signal::selected_altitude, 2), 1600, 1e-3);
+}
+
+TEST(StateAssembler, MagneticDirectionsBecomeTrueByTheVariationOfTheirTime) {
+    BusSettings settings;
+    settings.dialect.directions = HeadingReference::magnetic;
+    Bus bus(settings);
+    bus.encoder.set_variation(radians(-5.5));
+    bus.send(1125, radians(240), 0);
+    EXPECT_EQ(bus.state(Signal::selected_course, 0), SignalState::invalid) << "the display does not know the variation";
+    bus.send(1121, radians(-5.5), 1);
+    bus.send(1125, radians(240), 1);
+    EXPECT_EQ(bus.state(Signal::selected_course, 1), SignalState::valid);
+    EXPECT_NEAR(bus.value(Signal::selected_course, 1), radians(240), 1e-6);
+    bus.send(1125, radians(2), 700);
+    EXPECT_EQ(bus.state(Signal::selected_course, 700), SignalState::invalid) << "the variation is lost";
+}
+
 TEST(StateAssembler, ForeignTrafficLeavesTheStateAlone) {
     std::mt19937_64 random(3);
     StateAssembler assembler;

@@ -41,6 +41,7 @@ Recording recorded_flight() {
         put(encoder.encode(1039, 70, DataType::float32, at_ms(ms), out));
         put(encoder.encode(1040, 0, DataType::float32, at_ms(ms), out));
         put(encoder.encode(314, climb, DataType::float32, at_ms(ms), out));
+        put(encoder.encode(315, 70 + 0.25 * t, DataType::float32, at_ms(ms), out));
         if (ms > 50'000) put(encoder.encode_phase(flight::kApproachFinal, PhaseOrigin::pilot, 100, true, at_ms(ms), out));
     }
     return recording;
@@ -195,6 +196,15 @@ TEST(FlightTracker, TheHeightIsAskedForAtEachStepAndReachesStateAndPhase) {
     EXPECT_EQ(below.state[Signal::height_above_terrain].value_or(0), 3);
     EXPECT_EQ(above.phase.phase.scenario, Scenario::takeoff) << "a climb at 2500 m";
     EXPECT_EQ(below.phase.phase.scenario, Scenario::unknown) << "a climb that flies three metres above the ground";
+}
+
+TEST(FlightTracker, TheChangeOfTheAirspeedIsASignalOfTheInput) {
+    const Recording recording = recorded_flight();
+    Tracked flight(recording);
+    EXPECT_FALSE(flight.to(1000).state[Signal::airspeed_rate].received());
+    const flight::FrameInput input = flight.fly(1020, 20'000, 20);
+    EXPECT_NEAR(input.state[Signal::airspeed_rate].value_or(0), 0.25, 1e-3);
+    EXPECT_TRUE(input.state.is_valid(Signal::airspeed_rate, input.time));
 }
 
 TEST(FlightTracker, TheTrailIsOfTheSteps) {

@@ -177,5 +177,44 @@ TEST(FlightLogWriter, ReportsAStreamThatFails) {
 
 TEST(FlightLogWriter, WritesTheSameBytesAgain) { EXPECT_EQ(write(KnownFlight()).text, write(KnownFlight()).text); }
 
+/// Selects another altitude after 5.43 s, and none after 7.21 s.
+class SelectingFlight final : public FlightSource {
+public:
+    base::Time begin() const override { return kBegin; }
+    base::Time end() const override { return kBegin + base::Duration::seconds(10); }
+    std::optional<SignalSample> at(base::Time time) const override {
+        const double s = (time - kBegin).to_seconds();
+        SignalSample sample;
+        sample[Signal::pitch] = 0;
+        if (s < 7.21) sample[Signal::selected_altitude] = s < 5.43 ? 1000 : 2000;
+        return sample;
+    }
+    bool states_guidance() const override { return true; }
+};
+
+TEST(FlightLogWriter, WhatIsSelectedIsSentAgainWhenItChanges) {
+    FlightLogSettings settings;
+    std::ostringstream without;
+    (void)write_flight_log(SelectingFlight(), settings, without, [](double) { return true; });
+    EXPECT_EQ(without.str().find(" 729#"), std::string::npos) << "this bus carries no guidance";
+
+    settings.bus.guidance.first_identifier = 1832;
+    std::ostringstream stream;
+    (void)write_flight_log(SelectingFlight(), settings, stream, [](double) { return true; });
+    const auto frames = read_back(stream.str());
+    const auto assembler = std::make_unique<bus::StateAssembler>(settings.bus);
+    std::size_t next = 0;
+    const auto state_at = [&](std::int64_t ms) {
+        const base::Time now = kBegin + base::Duration::milliseconds(ms);
+        for (; next < frames.size() && frames[next].time <= now; ++next) assembler->feed({&frames[next], 1});
+        return assembler->snapshot(now).state;
+    };
+    EXPECT_NEAR(state_at(5420)[Signal::selected_altitude].value_or(0), 1000, 1e-3);
+    EXPECT_NEAR(state_at(5460)[Signal::selected_altitude].value_or(0), 2000, 1e-3);
+    EXPECT_TRUE(state_at(7200)[Signal::selected_altitude].received());
+    EXPECT_FALSE(state_at(7250)[Signal::selected_altitude].received());
+    EXPECT_FALSE(state_at(9900)[Signal::selected_altitude].received());
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_flight_log_writer

@@ -10,14 +10,16 @@ namespace tedavis::host_sim::test_message_schedule {
 namespace {
 
 TEST(MessageSchedule, AgreesWithTheIdentifierTable) {
+    constexpr bus::GuidanceSettings kGuidance{1832};
     std::set<std::uint16_t> seen;
     for (const ScheduledMessage& message : message_schedule()) {
-        const std::uint16_t index = bus::identifier_index(message.identifier);
-        ASSERT_NE(index, bus::kNotInTable) << message.identifier;
-        const bus::IdentifierEntry& entry = bus::identifier_table()[index];
+        const int first = message.is_guidance ? kGuidance.first_identifier : 0;
+        const std::uint16_t place = bus::place_of(static_cast<std::uint16_t>(first + message.identifier), kGuidance);
+        ASSERT_NE(place, bus::kNotInTable) << message.identifier;
+        const bus::IdentifierEntry& entry = bus::entry_at(place);
         EXPECT_EQ(entry.signal, message.signal) << message.identifier;
         EXPECT_NE(entry.types & bus::type_bit(message.type), 0u) << message.identifier;
-        EXPECT_TRUE(seen.insert(message.identifier).second) << message.identifier << " stands twice";
+        EXPECT_TRUE(seen.insert(place).second) << message.identifier << " stands twice";
     }
 }
 

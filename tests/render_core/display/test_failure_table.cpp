@@ -34,9 +34,36 @@ struct Row {
     std::array<std::string, 4> without_peers;  ///< no other source of the same information received
 };
 
-constexpr const char* kElementNames[] = {"attitude",       "heading",      "airspeed",      "altitude",
-                                         "vertical_speed", "baro_setting", "ground_height", "flight_path",
-                                         "position",       "map_up",       "wind",          "outside_temperature"};
+constexpr const char* kElementNames[] = {"attitude",
+                                         "heading",
+                                         "airspeed",
+                                         "altitude",
+                                         "vertical_speed",
+                                         "baro_setting",
+                                         "ground_height",
+                                         "flight_path",
+                                         "position",
+                                         "map_up",
+                                         "wind",
+                                         "outside_temperature",
+                                         "slip",
+                                         "turn_rate",
+                                         "flaps",
+                                         "navigation_source",
+                                         "course",
+                                         "lateral_deviation",
+                                         "vertical_deviation",
+                                         "waypoint_bearing",
+                                         "flight_path_reference",
+                                         "flight_director",
+                                         "selected_altitude",
+                                         "selected_heading",
+                                         "selected_airspeed",
+                                         "selected_vertical_speed",
+                                         "airspeed_trend",
+                                         "radio_minimum",
+                                         "baro_minimum"};
+static_assert(sizeof kElementNames / sizeof kElementNames[0] == policy::kElementCount);
 
 std::vector<std::string> cells_of(const std::string& line) {
     std::vector<std::string> cells;
@@ -95,6 +122,7 @@ std::vector<Signal> peers_of(Signal signal) {
         {Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed, Signal::ground_speed},
         {Signal::radio_height, Signal::height_above_terrain},
         {Signal::ellipsoid_height, Signal::true_altitude},
+        {Signal::flaps_position, Signal::flaps_lever},
     };
     std::vector<Signal> peers;
     if (signal == Signal::baro_altitude) return {Signal::true_altitude, Signal::ellipsoid_height, Signal::standard_altitude};

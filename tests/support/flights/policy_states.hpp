@@ -30,6 +30,7 @@ inline double plausible_value(flight::Signal signal) {
         case flight::Signal::ground_speed:
         case flight::Signal::indicated_airspeed: return 60;
         case flight::Signal::baro_setting: return 101'325;
+        case flight::Signal::navigation_source: return static_cast<double>(flight::NavigationSource::radio1);
         default: return 0.1;
     }
 }

@@ -91,7 +91,7 @@ TEST(Symbology, EveryPieceStaysInItsBoxInEveryPicture) {
                         piece.build(Painter(store.batch, layout), input);
                         // The horizon's line alone is drawn wherever the picture's own is seen.
                         const Rect& box = layout.*piece.box;
-                        const Rect seen{box.x, 0, box.width, layout.heading.bottom()};
+                        const Rect seen{0, 0, layout.screen.width, layout.heading.bottom()};
                         expect_inside(store.batch, piece.build == build_attitude ? seen : box, piece.name);
                         EXPECT_EQ(store.batch.use().refused, 0u);
                     }
@@ -260,7 +260,7 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
                 BatchStore store;
                 build_attitude(Painter(store.batch, layout), input);
                 // Either the line at zero elevation is seen, behind the heading's tape too, or a strip of the other side is.
-                const Rect seen{layout.attitude.x, 0, layout.attitude.width, layout.heading.bottom()};
+                const Rect seen{0, 0, layout.screen.width, layout.heading.bottom()};
                 int line_inside = 0;
                 for (double azimuth = -90; azimuth <= 90; azimuth += 0.5) {
                     const ProjectedPoint at = project(input.view, direction_of(base::radians(10 + azimuth), 0));

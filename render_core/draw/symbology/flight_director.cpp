@@ -1,0 +1,78 @@
+#include "render_core/draw/symbology/flight_director.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/bank_scale.hpp"
+#include "render_core/draw/symbology/ladder_frame.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using policy::Element;
+using policy::ElementShow;
+
+constexpr float kHalfBar = 2.6f;                   // texts
+constexpr float kDashFrom = 2.2f, kDashTo = 4.2f;  // texts from the middle of the ladder
+constexpr double kMaxReference_rad = base::radians(30);
+
+bool attitude_is_shown(const SymbologyInput& input) {
+    const ElementShow attitude = input.decisions[Element::attitude].show;
+    return attitude != ElementShow::failed && attitude != ElementShow::absent && !input.decisions.unusual_attitude;
+}
+
+/// In the lower left corner of the attitude, above the flight-path vector's own.
+Rect failure_place(const Painter& painter, float rows) {
+    const float t = painter.text_px();
+    const Rect& attitude = painter.layout().attitude;
+    return {attitude.x, attitude.bottom() - (1.4f + 1.5f * rows) * t, 2.6f * t, 1.4f * t};
+}
+
+void build_dash(const Painter& painter, const LadderFrame& ladder, double elevation_rad, float from, float to,
+                design::Color color) {
+    const float t = painter.text_px();
+    const ProjectedPoint a = ladder.at(elevation_rad, ladder.tangent_of(std::fabs(from) * t) * (from < 0 ? -1 : 1));
+    const ProjectedPoint b = ladder.at(elevation_rad, ladder.tangent_of(std::fabs(to) * t) * (to < 0 ? -1 : 1));
+    if (a.in_front && b.in_front) painter.line(a.at, b.at, color, 1.5f);
+}
+
+}  // namespace
+
+void build_flight_director(const Painter& painter, const SymbologyInput& input) {
+    const ElementShow show = input.decisions[Element::flight_director].show;
+    if (show == ElementShow::absent || !attitude_is_shown(input)) return;
+    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 1), "FD");
+    const float t = painter.text_px(), reach = kMaxBarTexts * t;
+    const Point c = painter.layout().screen.center();
+    const double up_px = input.view.focal_px * std::tan(limited(input.guidance.director_pitch_rad, -0.5, 0.5));
+    const double right_px = limited(input.guidance.director_roll_rad, -1, 1) * static_cast<double>(kBarTexts_per_rad * t);
+    const float y = c.y - std::clamp(static_cast<float>(up_px), -reach, reach);
+    const float x = c.x + std::clamp(static_cast<float>(right_px), -reach, reach);
+    const design::Color color = show == ElementShow::flagged ? kCautionColor : kEngagedColor;
+    painter.line({c.x - kHalfBar * t, y}, {c.x + kHalfBar * t, y}, color, 2);
+    painter.line({x, c.y - kHalfBar * t}, {x, c.y + kHalfBar * t}, color, 2);
+    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 1), "FD OLD", 0.8f, kCautionColor);
+}
+
+void build_path_reference(const Painter& painter, const SymbologyInput& input) {
+    const ElementShow show = input.decisions[Element::flight_path_reference].show;
+    if (show == ElementShow::absent || !attitude_is_shown(input)) return;
+    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 2), "PATH");
+    const LadderFrame ladder(input);
+    const double descent_rad = limited(input.guidance.path_reference_rad, -kMaxReference_rad, kMaxReference_rad);
+    const design::Color color = show == ElementShow::flagged ? kCautionColor : kSelectedColor;
+    painter.batch().set_clip(painter.layout().attitude);
+    build_dash(painter, ladder, -descent_rad, -kDashTo, -kDashFrom, color);
+    build_dash(painter, ladder, -descent_rad, kDashFrom, kDashTo, color);
+    const ProjectedPoint label = ladder.at(-descent_rad, ladder.tangent_of((kDashTo + 0.3f) * painter.text_px()));
+    char text[16];
+    std::snprintf(text, sizeof text, "%.1f\xC2\xB0", base::degrees(descent_rad));
+    const auto roll = static_cast<float>(-limited(input.roll_rad, -base::kPi, base::kPi));
+    if (label.in_front) painter.text(text, label.at, TextAnchor::left, 0.75f, color, roll);
+    painter.batch().lift_clip();
+    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 2), "PATH OLD", 0.8f, kCautionColor);
+}
+
+}  // namespace tedavis::draw
