@@ -23,6 +23,7 @@ public:
         take(root, "device", settings_.device, &effects::read_device_settings);
         read_design(root);
         take(root, "bus", settings_.bus, &bus::load_bus_settings);
+        if (root.has("aircraft")) take(root, "aircraft", settings_.aircraft, &design::load_aircraft);
         read_switches(root.section("switches"));
         read_database(root.section("terrain"), settings_.terrain);
         read_database(root.section("scene"), settings_.scene);

@@ -6,6 +6,7 @@
 ///     palettes = "palettes"      folder of the palettes that the design names; absent: the board file's own
 ///                                (designs that it names for phases, or is based on, lie beside it)
 ///     bus = "canaerospace.toml"
+///     aircraft = "own.toml"      speeds and eye point; absent: none are known
 ///     [terrain]                  absent: no terrain, the display says so
 ///     database = "area.tdb"
 ///     [scene]                    absent: no spatial data
@@ -44,6 +45,7 @@
 #include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
+#include "render_core/design/aircraft_settings.hpp"
 #include "render_core/design/phase_designs.hpp"
 #include "render_core/effects/device.hpp"
 
@@ -57,6 +59,7 @@ struct BoardSettings {
     design::DesignSettings design;
     design::PhaseDesigns phases;
     bus::BusSettings bus;
+    design::AircraftSettings aircraft;  ///< none without the key
     bus::SocketCanSettings can;
     bool has_switches = false;
     bus::SwitchConfig switches;

@@ -30,6 +30,7 @@
 #include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/toml_text.hpp"
 #include "host_sim/user_error.hpp"
+#include "render_core/design/aircraft_settings.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/effects/calibration.hpp"
 #include "render_core/effects/device.hpp"
@@ -90,6 +91,11 @@ std::string check_palette(const std::string& path) {
 std::string check_device(const std::string& path) {
     require(effects::read_device_settings(read_file(path), path));
     return kDevice;
+}
+
+std::string check_aircraft(const std::string& path) {
+    require(design::load_aircraft(read_file(path), path));
+    return "an aircraft";
 }
 
 std::string check_costs(const std::string& path) {
@@ -168,12 +174,13 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 15> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 16> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "based_on =", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
                                                       {"devices", "[[budget]]", check_device},
+                                                      {"aircraft", "[speeds]", check_aircraft},
                                                       {"buses", "[dialect]", check_bus},
                                                       {"switches", "[[pattern]]", check_switches},
                                                       {"scenarios", "[[leg]]", check_scenario},
@@ -200,8 +207,8 @@ FileChecker config_checker(const std::string& path) {
     }
     throw UserError(
         path +
-        ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, buses, switches, "
-        "scenarios, scenes, sheets, orderings or contracts");
+        ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, aircraft, buses, "
+        "switches, scenarios, scenes, sheets, orderings or contracts");
 }
 
 CheckedFile check_file(const std::string& path, const CheckOptions& options) {

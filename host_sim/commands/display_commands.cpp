@@ -17,6 +17,9 @@ void add_surface_options(CLI::App* command, PictureOptions& picture) {
     command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
     command->add_option("--scene", picture.scene, "spatial data: scene database (.sdb)");
     command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
+    command->add_option(
+        "--aircraft", picture.aircraft,
+        "aircraft file or shipped name: speeds for the airspeed tape and the pilot's eye point; default: none is known");
     command->add_option_function<std::string>(
         "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
     command

@@ -75,6 +75,13 @@ private:
                 visit(index(column, row));
     }
 
+    /// A layer in front covers what lies beside the pixel.
+    [[nodiscard]] bool borders_on_cover(std::size_t pixel) const {
+        bool has_cover = false;
+        visit_near(pixel, 1, [&](std::size_t at) { has_cover = has_cover || mask_.layers[at] > layer_; });
+        return has_cover;
+    }
+
     [[nodiscard]] bool is_at_border(std::size_t pixel) const {
         bool is_one = false;
         visit_near(pixel, 1, [&](std::size_t at) { is_one = is_one || mask_.layers[at] != layer_; });
@@ -107,8 +114,10 @@ private:
         ++patches_;
         std::vector<double> own, around;
         std::size_t in_front = 0;
+        bool is_edge = true;
         for (const std::size_t pixel : patch_) {
             own.push_back(luminance(pixel));
+            is_edge = is_edge && borders_on_cover(pixel);
             if (!is_at_border(pixel)) continue;  // what lies near it lies near one that is
             visit_near(pixel, kSurroundings_px, [&](std::size_t at) {
                 if (mask_.layers[at] == layer_ || seen_[at] == patches_) return;
@@ -117,7 +126,7 @@ private:
                 around.push_back(luminance(at));
             });
         }
-        if (2 * in_front > around.size()) return false;
+        if (is_edge || 2 * in_front > around.size()) return false;
         const Quantiles parts = quantiles(own, kOwnParts);
         sign = {box(), static_cast<std::uint32_t>(patch_.size()), contrast_ratio(parts.low, parts.high)};
         if (!around.empty()) sign.ratio = std::max(sign.ratio, against(parts, quantiles(around, kAroundParts)));

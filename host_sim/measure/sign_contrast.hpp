@@ -10,8 +10,8 @@
 ///
 /// So light writing on light ground fails, white writing with a dark rim stands on any ground, and a plain sign must differ from
 /// everything that borders on it. A sign of whose surroundings more than half belong to layers in front of its own is covered by
-/// them, and is none. What a patch holds is judged by its strongest parts: weak writing on a panel beside strong
-/// writing is not found.
+/// them, and is none; nor is a patch of which every pixel borders on them: it is the edge of a sign that they cover. What a patch
+/// holds is judged by its strongest parts: weak writing on a panel beside strong writing is not found.
 #pragma once
 
 #include <cstdint>

@@ -29,6 +29,7 @@ struct PictureOptions {
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
+    std::string aircraft;             ///< aircraft file; empty: none
     std::optional<PictureSize> size;  ///< nothing: the device's size
     GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
     std::optional<double> tau_px;     ///< nothing: the design's

@@ -90,6 +90,7 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.design = text_of(section, "design", picture.design);
     picture.device = text_of(section, "device", picture.device);
     picture.bus = text_of(section, "bus", picture.bus);
+    picture.aircraft = text_of(section, "aircraft", "");
     section.choose("gl", kGlNames, picture.gl);
     picture.tau_px = optional_number(section, "tau_px");
     if (section.has("weights")) picture.weights = weights_from(text_of(section, "weights", ""));
@@ -129,6 +130,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.config("design", picture.design, "designs");
     toml.config("device", picture.device, "devices");
     toml.config("bus", picture.bus, "buses");
+    if (!picture.aircraft.empty()) toml.config("aircraft", picture.aircraft, "aircraft");
     if (picture.size) {
         toml.integer("width", picture.size->width);
         toml.integer("height", picture.size->height);

@@ -59,7 +59,7 @@ std::string design_calling_for(Effect effect) {
 }
 
 DeskBench::DeskBench(const PictureOptions& picture, Events events)
-    : picture_(picture), events_(std::move(events)), device_(load_device(picture)) {
+    : picture_(picture), events_(std::move(events)), device_(load_device(picture)), aircraft_(load_aircraft(picture)) {
     for (const char* const design : {picture.design.c_str(), kGlyphDesign, kElementDesign, kBlurDesign}) load(design);
     for (const CallingDesign& calling : kCallingDesigns) load(calling.design);
     const PictureSize size = picture.size.value_or(PictureSize{device_.width_px, device_.height_px});
@@ -106,6 +106,7 @@ void DeskBench::quality_picture(std::size_t n, BenchPicture& picture) const {
 platform::DisplayHostSettings DeskBench::settings_of(const BenchPicture& picture) const {
     platform::DisplayHostSettings settings = host_settings(picture_, device_);
     settings.display.design = picture.design;
+    settings.display.aircraft = aircraft_;
     if (!picture.has_terrain) settings.terrain.path = "";
     if (!picture.has_scene) settings.scene.path = "";
     return settings;

@@ -51,6 +51,7 @@ private:
     PictureOptions picture_;
     Events events_;
     effects::DeviceSettings device_;
+    design::AircraftSettings aircraft_;
     std::map<std::string, design::DesignSettings> designs_;
     std::vector<std::uint8_t> pixels_;  ///< read back, as in a replay
 };

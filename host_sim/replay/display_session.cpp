@@ -33,6 +33,14 @@ effects::DeviceSettings load_device(const PictureOptions& options) {
     return device.value();
 }
 
+design::AircraftSettings load_aircraft(const PictureOptions& options) {
+    if (options.aircraft.empty()) return {};
+    const std::string path = resolve_config(options.aircraft, "aircraft");
+    const auto aircraft = design::load_aircraft(read_file(path), path);
+    if (!aircraft.ok()) throw UserError(std::string(aircraft.error().message.view()));
+    return aircraft.value();
+}
+
 platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device) {
     platform::DisplayHostSettings settings;
     settings.display.device = device;
@@ -87,6 +95,7 @@ void DisplaySession::open(const PictureOptions& options, bool generated_flight, 
     platform::DisplayHostSettings settings = host_settings(options, device_);
     settings.display.design = designs->design;
     settings.display.phases = &designs->phases;
+    settings.display.aircraft = load_aircraft(options);
     settings.display.generated_flight = generated_flight;
     settings.display.programs = programs;
     settings.surface = surface;

@@ -17,7 +17,9 @@ using SurfaceMaker = std::function<base::Result<std::unique_ptr<base::Surface>, 
 
 /// The device of the options, without the effects that they forbid. Throws UserError.
 [[nodiscard]] effects::DeviceSettings load_device(const PictureOptions& options);
-/// What a display without a screen is started with, but for designs and programs. The options must outlive it.
+/// The aircraft of the options; none where they name no file. Throws UserError.
+[[nodiscard]] design::AircraftSettings load_aircraft(const PictureOptions& options);
+/// What a display without a screen is started with, but for designs, aircraft and programs. The options must outlive it.
 [[nodiscard]] platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device);
 /// The sentence for the user where a display could not be started.
 [[nodiscard]] std::string host_fault_text(const platform::HostFault& fault, const PictureOptions& options);

@@ -139,6 +139,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.gl_calls_outside_device = session_.display().gl().denied().total;
     s.device = options_.picture.device;
     s.design = options_.picture.design;
+    s.aircraft = options_.picture.aircraft;
     s.terrain = options_.picture.terrain;
     s.scene = options_.picture.scene;
     s.log = options_.log;

@@ -52,6 +52,7 @@ std::string summary_table(const RunSummary& s) {
     row("switches", s.switches);
     row("scene", s.scene);
     row("design", s.design);
+    row("aircraft", s.aircraft);
     row("device", s.device);
     row("size", std::to_string(s.width) + " x " + std::to_string(s.height));
     row("surface", s.gl);

@@ -76,6 +76,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["gl_calls_outside_device"] = summary.gl_calls_outside_device;
     json["device"] = summary.device;
     json["design"] = summary.design;
+    json["aircraft"] = summary.aircraft;
     json["terrain"] = summary.terrain;
     json["scene"] = summary.scene;
     json["log"] = summary.log;

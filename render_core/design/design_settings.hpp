@@ -53,7 +53,7 @@ struct ViewSettings {
     double flat_msl_m = 0;                                      ///< (-500 .. 9000) height of the plane
     double transition_s = 1;                                    ///< (0.5 .. 2) duration of the camera's motion to another mode
     double horizontal_field_of_view_rad = base::radians(60);    ///< (10 .. 120 degrees), over the whole width
-    double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0;  ///< eye point in body axes, from the own ship's reference point
+    double eye_forward_m = 0, eye_right_m = 0, eye_down_m = 0;  ///< eye point in body axes, from the aircraft's (EyePoint)
     double dpi = 96;  ///< pixels per inch of the panel; it sets the least legible text size
 };
 

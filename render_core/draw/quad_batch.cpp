@@ -75,9 +75,10 @@ void QuadBatch::clear() {
     set_distance(0);
 }
 
-void QuadBatch::set_clip(const Rect& clip) {
+void QuadBatch::set_clip(const Rect& clip, ClippedText texts) {
     clip_ = clip;
     clipped_ = true;
+    clipped_text_ = texts;
 }
 
 /// For a shape, whose run begins here unless the last one goes on.
@@ -182,7 +183,8 @@ bool QuadBatch::text(std::string_view text, Point anchor_point, TextAnchor ancho
     const float down = font_atlas().cap_height_em * style.size_px / 2;
     const Point along{std::cos(angle_rad), std::sin(angle_rad)};
     const Point pen{anchor_point.x - along.x * back - along.y * down, anchor_point.y - along.y * back + along.x * down};
-    if (clipped_ && is_cut(text, pen, style, along)) return true;
+    const bool may_be_cut = clipped_text_ == ClippedText::cut && along.y == 0;
+    if (clipped_ && !may_be_cut && is_cut(text, pen, style, along)) return true;
     bool fits = true;
     if (style.halo_px > 0) fits = glyphs(text, pen, style, style.halo_px, style.halo_color, along);
     return glyphs(text, pen, style, 0, style.color, along) && fits;

@@ -42,6 +42,12 @@ struct TextStyle {
 };
 enum class TextAnchor : std::uint8_t { left, center, right };
 
+/// What becomes of a text that a clip's edge crosses.
+enum class ClippedText : std::uint8_t {
+    left_out,  ///< because a number without its last digit is another number
+    cut,       ///< for digits that roll through a window; a turned text is left out all the same
+};
+
 /// Consecutive triangles that one program draws.
 struct QuadRun {
     std::uint32_t first_index = 0;
@@ -64,9 +70,9 @@ public:
     /// Empties the batch, lifts the clip and sets the distance to 0. The count of refused shapes stays.
     void clear();
     /// Limits shapes to this box, until the next call of set_clip(), lift_clip() or clear(). Lines and boxes are cut at the box
-    /// (a cut line loses its smoothed end). Triangles and texts that would reach beyond it are left out, because a number without
-    /// its last digit is another number.
-    void set_clip(const Rect& clip);
+    /// (a cut line loses its smoothed end). Triangles that would reach beyond it are left out, and so are texts unless `texts`
+    /// says otherwise.
+    void set_clip(const Rect& clip, ClippedText texts = ClippedText::left_out);
     void lift_clip() { clipped_ = false; }
     /// Sets the distance of the next shapes from the eye, along the view: lines lead from `from_m` to `to_m`, and other shapes
     /// are at `from_m`. It is 0 in an empty batch.
@@ -111,6 +117,7 @@ private:
     std::size_t index_count_ = 0;
     Rect clip_;
     bool clipped_ = false;
+    ClippedText clipped_text_ = ClippedText::left_out;
     float from_m_ = 0, to_m_ = 0;
     base::ResourceUse use_;
 };

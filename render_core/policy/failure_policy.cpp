@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render_core/policy/notice_table.hpp"
+
 namespace tedavis::policy {
 namespace {
 
@@ -10,6 +12,18 @@ using flight::NavigationSource;
 using flight::Signal;
 
 constexpr double kSlowestFlightPath_mps = 10;  // below, the direction of motion on the ground is noise
+
+/// Of a position that is not valid.
+RecordFlag own_ship_flag(SignalState state) {
+    switch (state) {
+        case SignalState::missing: return RecordFlag::own_ship_missing;
+        case SignalState::stale: return RecordFlag::own_ship_stale;
+        case SignalState::lost: return RecordFlag::own_ship_lost;
+        case SignalState::valid:
+        case SignalState::invalid: break;
+    }
+    return RecordFlag::own_ship_invalid;
+}
 
 /// The states of one frame, and the decisions as they are made.
 class Policy {
@@ -35,8 +49,10 @@ public:
         decide_guidance();
         decide_minimums();
         check_own_ship();
-        check_accuracy(Signal::horizontal_accuracy, design_.degradation.horizontal_accuracy_m);
-        check_accuracy(Signal::vertical_accuracy, design_.degradation.vertical_accuracy_m);
+        check_accuracy(Signal::horizontal_accuracy, design_.degradation.horizontal_accuracy_m,
+                       RecordFlag::horizontal_accuracy_above_limit);
+        check_accuracy(Signal::vertical_accuracy, design_.degradation.vertical_accuracy_m,
+                       RecordFlag::vertical_accuracy_above_limit);
         decide_terrain();
         decide_flight_path();
         add_notices();
@@ -68,12 +84,16 @@ private:
         return turns_view(Signal::true_heading) || turns_view(Signal::magnetic_heading) || turns_view(Signal::true_track);
     }
 
-    void flag(std::string_view name, std::string_view what) {
-        base::FixedString<47> text(name);
-        text.append(".");
-        text.append(what);
-        const bool added = out_.flags.try_push_back(text);
+    void add_flag(std::string_view name) {
+        const bool added = out_.flags.try_push_back(name);
         TEDAVIS_CHECK(added);
+    }
+    void flag(RecordFlag flag) { add_flag(name_of(flag)); }
+    void flag(Signal signal, SignalState state) {
+        base::FixedString<47> name(to_string(signal));
+        name.append(".");
+        name.append(to_string(state));
+        add_flag(name.view());
     }
 
     /// Gathers the consequences of all signals of the group and names those that went bad.
@@ -87,7 +107,7 @@ private:
             if (group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
             if (conditions_.is_map && aims_view(group)) bits &= ~kRemoveTerrain;
             if (!served) gathered_[static_cast<std::size_t>(group)] |= bits;
-            if ((bits & kFlag) != 0 && (!served || state != SignalState::missing)) flag(to_string(rule.signal), to_string(state));
+            if ((bits & kFlag) != 0 && (!served || state != SignalState::missing)) flag(rule.signal, state);
         }
         all_gathered_ |= gathered_[static_cast<std::size_t>(group)];
     }
@@ -113,7 +133,7 @@ private:
         // The recovery picture is of the attitude, which the map does not show.
         out_.unusual_attitude = !conditions_.is_map && (pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad ||
                                                         std::fabs(roll_rad) > limits.roll_rad);
-        if (out_.unusual_attitude) flag("attitude", "unusual");
+        if (out_.unusual_attitude) flag(RecordFlag::attitude_unusual);
     }
 
     /// Only of the airspeed that is shown.
@@ -222,7 +242,7 @@ private:
         if (minimum.source != Signal::count_ && knows_ground && height_m < kNear_m &&
             state_[minimum.source].value_or(0) < ground_msl_m) {
             minimum = {ElementShow::failed, Signal::count_};
-            flag(to_string(Signal::minimum_altitude), "below_ground");
+            flag(RecordFlag::minimum_below_ground);
         }
         out_.minimums = minimums_state(ground);
     }
@@ -260,25 +280,25 @@ private:
         up.source = valid(Signal::true_track) ? Signal::true_track : out_.view_heading;
         if (up.source == Signal::true_track) return;
         up.show = up.source == Signal::count_ ? ElementShow::flagged : ElementShow::substituted;
-        if (conditions_.is_map) flag("map", up.source == Signal::count_ ? "north_up" : "heading_up");
+        if (conditions_.is_map) flag(up.source == Signal::count_ ? RecordFlag::map_north_up : RecordFlag::map_heading_up);
     }
 
     void check_own_ship() {
         const SignalState state = state_.own_ship.state;
         if (state != SignalState::valid) {
             all_gathered_ |= kRemoveTerrain;
-            flag("own_ship", to_string(state));
+            flag(own_ship_flag(state));
         } else if (!state_.own_ship.height_is_geometric) {
             all_gathered_ |= kRemoveWarningColors;
             if (!height_is_on_qnh()) all_gathered_ |= kDegradeTerrain;
-            flag("own_ship", height_is_on_qnh() ? "height_on_qnh" : "height_not_geometric");
+            flag(height_is_on_qnh() ? RecordFlag::own_ship_height_on_qnh : RecordFlag::own_ship_height_not_geometric);
         }
     }
 
-    void check_accuracy(Signal accuracy, double limit_m) {
+    void check_accuracy(Signal accuracy, double limit_m, RecordFlag above_limit) {
         if (!valid(accuracy) || state_[accuracy].value_or(0) <= limit_m) return;
         all_gathered_ |= kRemoveWarningColors | kDegradeTerrain;
-        flag(to_string(accuracy), "above_limit");
+        flag(above_limit);
     }
 
     void decide_terrain() {
@@ -290,21 +310,21 @@ private:
         out_.plain_horizon = !conditions_.is_map && !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
         out_.below_terrain = conditions_.terrain == TerrainSource::above_own_ship && !is_parked();
         out_.terrain_ahead = knows_terrain_ahead() ? conditions_.terrain_ahead : TerrainAhead::none;
-        if (out_.terrain_ahead != TerrainAhead::none) flag("terrain", "ahead");
-        if (out_.terrain_degraded) flag("terrain", "degraded");
+        if (out_.terrain_ahead != TerrainAhead::none) flag(RecordFlag::terrain_ahead);
+        if (out_.terrain_degraded) flag(RecordFlag::terrain_degraded);
         ElementDecision& ground = out_[Element::ground_height];
         if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::substituted;
-        if (conditions_.terrain == TerrainSource::none) flag("terrain", "missing");
-        if (conditions_.terrain == TerrainSource::outside) flag("terrain", "outside_database");
-        if (conditions_.terrain == TerrainSource::failed) flag("terrain", "failed");
-        if (conditions_.terrain == TerrainSource::over_budget) flag("terrain", "over_budget");
-        if (conditions_.terrain == TerrainSource::too_coarse) flag("terrain", "too_coarse");
-        if (conditions_.terrain == TerrainSource::above_own_ship) flag("terrain", "above_own_ship");
-        if (out_.show_terrain && conditions_.terrain_is_coarse) flag("terrain", "coarse");
-        if (out_.show_terrain && conditions_.image_is_missing) flag("terrain", "no_image");
-        if (is_flat()) flag("terrain", "flat");
-        if (state_.traffic.is_cut) flag("traffic", "cut");
-        if (out_.show_terrain && conditions_.data_are_out_of_date) flag("data", "out_of_date");
+        if (conditions_.terrain == TerrainSource::none) flag(RecordFlag::terrain_missing);
+        if (conditions_.terrain == TerrainSource::outside) flag(RecordFlag::terrain_outside_database);
+        if (conditions_.terrain == TerrainSource::failed) flag(RecordFlag::terrain_failed);
+        if (conditions_.terrain == TerrainSource::over_budget) flag(RecordFlag::terrain_over_budget);
+        if (conditions_.terrain == TerrainSource::too_coarse) flag(RecordFlag::terrain_too_coarse);
+        if (conditions_.terrain == TerrainSource::above_own_ship) flag(RecordFlag::terrain_above_own_ship);
+        if (out_.show_terrain && conditions_.terrain_is_coarse) flag(RecordFlag::terrain_coarse);
+        if (out_.show_terrain && conditions_.image_is_missing) flag(RecordFlag::terrain_no_image);
+        if (is_flat()) flag(RecordFlag::terrain_flat);
+        if (state_.traffic.is_cut) flag(RecordFlag::traffic_cut);
+        if (out_.show_terrain && conditions_.data_are_out_of_date) flag(RecordFlag::data_out_of_date);
     }
 
     /// Heights of the database are known whatever is shown of it; the own ship's place and height must be trustworthy.
@@ -337,59 +357,63 @@ private:
             path.show = speed_mps < kSlowestFlightPath_mps || out_.unusual_attitude ? ElementShow::absent : ElementShow::normal;
     }
 
-    void notice(NoticeLevel level, std::string_view text) {
-        const bool added = out_.notices.try_push_back({level, text});
+    void notice_if(bool holds, NoticeId id) {
+        if (!holds) return;
+        const NoticeRow& row = notice_row(id);
+        const bool added = out_.notices.try_push_back({row.level, row.text});
         TEDAVIS_CHECK(added);
     }
 
+    /// In the order of their ids.
     void add_notices() {
-        if (conditions_.terrain == TerrainSource::failed) notice(NoticeLevel::warning, "TERRAIN FAIL");
-        if (out_.below_terrain) notice(NoticeLevel::warning, "BELOW TERRAIN");
-        if (out_.terrain_ahead != TerrainAhead::none)
-            notice(out_.terrain_ahead == TerrainAhead::warning ? NoticeLevel::warning : NoticeLevel::caution, "TERRAIN AHEAD");
-        const SignalState position = state_.own_ship.state;
-        if (position == SignalState::stale)
-            notice(NoticeLevel::caution, "GPS POSITION STALE");
-        else if (position != SignalState::valid || !has_valid(SignalGroup::latitude) || !has_valid(SignalGroup::longitude))
-            notice(NoticeLevel::caution, "NO GPS POSITION");
-        if (conditions_.terrain == TerrainSource::none) notice(NoticeLevel::caution, "NO TERRAIN DATA");
-        if (conditions_.terrain == TerrainSource::outside) notice(NoticeLevel::caution, "OUTSIDE DATABASE");
-        if (conditions_.terrain == TerrainSource::above_own_ship && !out_.below_terrain)
-            notice(NoticeLevel::caution, "BELOW TERRAIN");
-        if (out_.terrain_degraded) notice(NoticeLevel::caution, "TERRAIN DEGRADED");
-        if (out_.show_terrain && conditions_.terrain_is_coarse) notice(NoticeLevel::caution, "TERRAIN COARSE");
         const TerrainSource source = conditions_.terrain;
-        const bool removed_by_signal = source == TerrainSource::ready && !out_.show_terrain;
-        if (removed_by_signal || source == TerrainSource::over_budget || source == TerrainSource::too_coarse)
-            notice(NoticeLevel::caution, "TERRAIN OFF");
-        if (conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged)
-            notice(NoticeLevel::caution, "MAP NORTH UP");
-        if (out_.minimums == MinimumsState::at_or_below) notice(NoticeLevel::caution, "MINIMUMS");
+        notice_if(source == TerrainSource::failed, NoticeId::terrain_failed);
+        notice_if(out_.below_terrain, NoticeId::below_terrain_flying);
+        notice_if(out_.terrain_ahead == TerrainAhead::warning, NoticeId::terrain_ahead_warning);
+        notice_if(out_.terrain_ahead == TerrainAhead::caution, NoticeId::terrain_ahead_caution);
+        add_position_notices();
+        notice_if(source == TerrainSource::none, NoticeId::no_terrain_data);
+        notice_if(source == TerrainSource::outside, NoticeId::outside_database);
+        notice_if(source == TerrainSource::above_own_ship && !out_.below_terrain, NoticeId::below_terrain_parked);
+        notice_if(out_.terrain_degraded, NoticeId::terrain_degraded);
+        notice_if(out_.show_terrain && conditions_.terrain_is_coarse, NoticeId::terrain_coarse);
+        const bool is_removed_by_signal = source == TerrainSource::ready && !out_.show_terrain;
+        notice_if(is_removed_by_signal || source == TerrainSource::over_budget || source == TerrainSource::too_coarse,
+                  NoticeId::terrain_off);
+        notice_if(conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged, NoticeId::map_north_up);
+        notice_if(out_.minimums == MinimumsState::at_or_below, NoticeId::minimums);
         add_phase_notices();
-        if (out_.show_terrain && conditions_.data_are_out_of_date) notice(NoticeLevel::caution, "DATA OUT OF DATE");
-        if (shows_measure()) notice(NoticeLevel::caution, "ANALYSIS OVERLAY");
-        if (state_.traffic.is_cut) notice(NoticeLevel::caution, "TRAFFIC INCOMPLETE");
-        if (out_.show_terrain && conditions_.image_is_missing) notice(NoticeLevel::information, "NO TERRAIN IMAGE");
-        if (conditions_.is_map && design_.view.mode == design::ViewMode::orthographic)
-            notice(NoticeLevel::information, "ORTHOGRAPHIC VIEW");
-        if (is_flat()) notice(NoticeLevel::information, "FLAT - NO RELIEF");
-        if (conditions_.is_reduced) notice(NoticeLevel::information, "GRAPHICS REDUCED");
-        if (conditions_.generated_flight) notice(NoticeLevel::information, "GENERATED FLIGHT");
-        notice(NoticeLevel::information, "NOT FOR NAVIGATION");
+        notice_if(out_.show_terrain && conditions_.data_are_out_of_date, NoticeId::data_out_of_date);
+        notice_if(shows_measure(), NoticeId::analysis_overlay);
+        notice_if(state_.traffic.is_cut, NoticeId::traffic_incomplete);
+        add_information();
+    }
+
+    void add_position_notices() {
+        const SignalState position = state_.own_ship.state;
+        const bool has_position =
+            position == SignalState::valid && has_valid(SignalGroup::latitude) && has_valid(SignalGroup::longitude);
+        notice_if(position == SignalState::stale, NoticeId::position_stale);
+        notice_if(position != SignalState::stale && !has_position, NoticeId::no_position);
     }
 
     /// Nothing lies over the recovery picture.
     [[nodiscard]] bool shows_measure() const { return conditions_.shows_measure && out_.show_terrain && !out_.unusual_attitude; }
 
     void add_phase_notices() {
-        if (conditions_.phase.switch_fault) {
-            flag("phase", "switch_fault");
-            notice(NoticeLevel::caution, "PHASE SWITCH FAULT");
-        }
-        if (conditions_.phase.disagreement) {
-            flag("phase", "disagreement");
-            notice(NoticeLevel::caution, "PHASE DISAGREE");
-        }
+        if (conditions_.phase.switch_fault) flag(RecordFlag::phase_switch_fault);
+        notice_if(conditions_.phase.switch_fault, NoticeId::phase_switch_fault);
+        if (conditions_.phase.disagreement) flag(RecordFlag::phase_disagreement);
+        notice_if(conditions_.phase.disagreement, NoticeId::phase_disagreement);
+    }
+
+    void add_information() {
+        notice_if(out_.show_terrain && conditions_.image_is_missing, NoticeId::no_terrain_image);
+        notice_if(conditions_.is_map && design_.view.mode == design::ViewMode::orthographic, NoticeId::orthographic_view);
+        notice_if(is_flat(), NoticeId::flat_ground);
+        notice_if(conditions_.is_reduced, NoticeId::graphics_reduced);
+        notice_if(conditions_.generated_flight, NoticeId::generated_flight);
+        notice_if(true, NoticeId::not_for_navigation);
     }
 
     const flight::AircraftState& state_;

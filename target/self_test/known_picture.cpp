@@ -65,7 +65,7 @@ struct KnownSymbol {
 };
 constexpr KnownSymbol kSymbols[] = {
     {"text_phase", 8, 8, 222, 27, &is_green, 536},         {"text_airspeed", 6, 221, 90, 249, &is_white, 400},
-    {"text_altitude", 466, 221, 564, 249, &is_white, 478}, {"text_heading", 294, 401, 346, 427, &is_white, 328},
+    {"text_altitude", 466, 221, 564, 249, &is_white, 478}, {"text_heading", 294, 341, 346, 366, &is_white, 328},
     {"text_advisory", 240, 456, 400, 474, &is_white, 430}, {"attitude_reference", 240, 230, 400, 255, &is_yellow, 198},
 };
 

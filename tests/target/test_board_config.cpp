@@ -153,6 +153,17 @@ TEST(BoardConfig, TheShippedExamplesAreRight) {
     EXPECT_EQ(board.value().terrain.view(), "/var/lib/tedavis/area.tdb");
 }
 
+TEST(BoardConfig, AnAircraftFileMayBeNamed) {
+    Board board;
+    const std::string can = "[can]\ninterface = 'can0'\n";
+    EXPECT_FALSE(board.settings(can).aircraft.is_stated());
+    EXPECT_EQ(board.settings("aircraft = '" + kRoot + "/configs/aircraft/jet.toml'\n" + can).aircraft.name.view(), "jet");
+    EXPECT_THAT(board.load_with("aircraft = 'none.toml'\n" + can), StartsWith(board.path + ":6: "));
+    board.folder.write("own.toml", "name = 'own'\n[speeds]\nvne = 160\n");
+    EXPECT_THAT(board.load_with("aircraft = 'own.toml'\n" + can),
+                StartsWith(board.folder.file("own.toml") + ":3: 'vne' has no unit"));
+}
+
 TEST(BoardConfig, DesignsOfPhasesLieBesideTheDesignThatNamesThem) {
     Board board;
     const auto with = [&board](const std::string& phases) {

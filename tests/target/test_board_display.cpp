@@ -40,6 +40,13 @@ TEST(BoardDisplay, StartsWithItsTerrain) {
     EXPECT_FALSE(has_flag(drawn(board), "terrain.failed"));
 }
 
+TEST(BoardDisplay, HasTheBoardsAircraft) {
+    BoardSettings settings = board_settings();
+    EXPECT_FALSE(board_host_settings(settings).display.aircraft.is_stated());
+    settings.aircraft.name = "own";
+    EXPECT_EQ(board_host_settings(settings).display.aircraft.name.view(), "own");
+}
+
 TEST(BoardDisplay, WithoutTerrainThatThereShouldBeItSaysTerrainFail) {
     const test_support::TemporaryFolder folder;
     const std::string sound(embedded_inputs().terrain.begin(), embedded_inputs().terrain.end());

@@ -57,8 +57,8 @@ void aim(terrain::View& view, const earth::Geodetic& place, double heading_rad, 
 terrain::View perspective_view(const CameraInput& input, const design::ViewSettings& design) {
     terrain::View view;
     aim(view, input.own_ship, input.heading_rad, input.pitch_rad, input.roll_rad);
-    view.eye = earth::to_ecef(input.own_ship) + glm::dmat3(view.forward, view.right, view.down) *
-                                                    glm::dvec3(design.eye_forward_m, design.eye_right_m, design.eye_down_m);
+    const glm::dvec3 seat = input.eye_m + glm::dvec3(design.eye_forward_m, design.eye_right_m, design.eye_down_m);
+    view.eye = earth::to_ecef(input.own_ship) + glm::dmat3(view.forward, view.right, view.down) * seat;
     view.focal_px = 0.5 * input.width_px / std::tan(0.5 * design.horizontal_field_of_view_rad);
     view.near_m = std::fmin(std::fmax(kNearPlaneOfHeight * input.above_ground_m, kNearestPlane_m), kFarthestNearPlane_m);
     view.far_m = std::fmin(kFar_m, horizon_m(input.msl_m));

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <type_traits>
 
 #include "render_core/design/design_settings.hpp"
@@ -29,8 +30,9 @@ struct CameraInput {
     double msl_m = 0;           ///< own ship's height above MSL
     double above_ground_m = 0;  ///< own ship's height above the terrain; above MSL where that is not known
     double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
-    double map_up_rad = 0;  ///< true direction at the top of the map
-    double map_share = 0;   ///< of the way from 3D (0) to the map, or the orthographic view (1)
+    glm::dvec3 eye_m{0, 0, 0};  ///< the aircraft's eye point from there, forward, right, down; the design's is added
+    double map_up_rad = 0;      ///< true direction at the top of the map
+    double map_share = 0;       ///< of the way from 3D (0) to the map, or the orthographic view (1)
     std::uint32_t width_px = 1, height_px = 1;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render_core/base/ports/program_store.hpp"
+#include "render_core/design/aircraft_settings.hpp"
 #include "render_core/design/phase_designs.hpp"
 #include "render_core/effects/device.hpp"
 
@@ -11,6 +12,7 @@ struct DisplaySettings {
     effects::DeviceSettings device;
     design::DesignSettings design;                 ///< where no phase has another
     const design::PhaseDesigns* phases = nullptr;  ///< null: none has; copied at start()
+    design::AircraftSettings aircraft;             ///< not stated: no speeds are known, and the eye point is the antenna
     std::uint32_t width_px = 0, height_px = 0;
     bool generated_flight = false;           ///< said on the display
     bool expects_scene = false;              ///< one may come later, by take_scene()

@@ -63,9 +63,11 @@ void flag(std::string_view name, FrameStatement& record) {
     static_cast<void>(record.flags.try_push_back(Name(name)));
 }
 
+void flag(policy::RecordFlag raised, FrameStatement& record) { flag(policy::name_of(raised), record); }
+
 void record_stale(std::string_view layer, base::Duration age, FrameStatement& record) {
     if (age.ns <= 0) return;
-    flag("data.stale", record);
+    flag(policy::RecordFlag::data_stale, record);
     for (const StaleRecord& known : record.stale)
         if (known.layer.view() == layer) return;
     static_cast<void>(record.stale.try_push_back({layer, age.to_seconds()}));
@@ -89,10 +91,10 @@ void record_terrain(const TerrainPlan& plan, FrameStatement& record) {
     terrain.limit = Name(terrain::to_string(plan.lod.reason));
     terrain.pending = plan.pending;
     terrain.triangles = plan.lod.triangles;
-    if (plan.lod.tau_reached_px > terrain.tau_px) flag("terrain.tau_raised", record);
-    if (plan.has_void) flag("terrain.void", record);
-    if (plan.is_late) flag("terrain.late", record);
-    if (plan.is_failing) flag("terrain.failing", record);
+    if (plan.lod.tau_reached_px > terrain.tau_px) flag(policy::RecordFlag::terrain_tau_raised, record);
+    if (plan.has_void) flag(policy::RecordFlag::terrain_void, record);
+    if (plan.is_late) flag(policy::RecordFlag::terrain_late, record);
+    if (plan.is_failing) flag(policy::RecordFlag::terrain_failing, record);
     if (plan.lod.worst_chunk == terrain::kNoChunk) return;
     const terrain::ChunkKey& worst = plan.lod.worst_chunk;
     terrain.worst_chunk.append(base::digits(worst.level).view());
@@ -107,12 +109,13 @@ void record_renderer(design::TerrainRenderer asked, draw::TraceState state, Fram
     record.terrain.renderer = Name(design::kTerrainRendererNames[static_cast<std::size_t>(drawn)]);
     if (drawn == asked) return;
     record.terrain.renderer_reason.append(draw::reason_of(state));
-    flag("terrain.not_traced", record);
+    flag(policy::RecordFlag::terrain_not_traced, record);
 }
 
 void record_elements(const ElementReports& reports, FrameRecord& record) {
     for (const ElementReport& report : reports) {
-        if (report.state != ElementState::shown && report.state != ElementState::not_measured) flag("data.missing", record);
+        if (report.state != ElementState::shown && report.state != ElementState::not_measured)
+            flag(policy::RecordFlag::data_missing, record);
         record_effect(report, record);
         record_aspects(report, record);
         if (report.layer == nullptr) continue;
@@ -139,7 +142,7 @@ void record_budget(const effects::BudgetReport& report, FrameRecord& record) {
                        report.quality.tau_factor,
                        report.quality.detail_factor,
                        report.quality.given_up};
-    if (report.is_missed) flag("deadline.missed", record);
+    if (report.is_missed) flag(policy::RecordFlag::deadline_missed, record);
 }
 
 void record_work(const EffectWorkTable& work, FrameRecord& record) {

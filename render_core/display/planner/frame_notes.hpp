@@ -9,11 +9,13 @@
 #include "render_core/display/planner/terrain_planner.hpp"
 #include "render_core/draw/terrain_draw_result.hpp"
 #include "render_core/effects/frame_budget.hpp"
+#include "render_core/policy/flag_table.hpp"
 
 namespace tedavis::display {
 
 /// Once, however often it is raised. A full list counts what it refuses.
 void flag(std::string_view name, FrameStatement& record);
+void flag(policy::RecordFlag raised, FrameStatement& record);
 
 /// Once a layer, with the flag data.stale; an age of 0 is none.
 void record_stale(std::string_view layer, base::Duration age, FrameStatement& record);

@@ -227,7 +227,7 @@ void FramePlanner::state_frame() {
         frame_->signals[n] = frame_->state.state_of(static_cast<Signal>(n), frame_->time);
     frame_->scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
     frame_->flight_time = flight::flight_time(frame_->state.utc, frame_->time);
-    if (frame_->state.utc.state == base::SignalState::lost) flag("utc.lost", *frame_);
+    if (frame_->state.utc.state == base::SignalState::lost) flag(policy::RecordFlag::utc_lost, *frame_);
     frame_->light = policy::terrain_light(look_.terrain.style.shade, frame_->state.own_ship.position, frame_->flight_time.utc);
     for (const auto& name : frame_->decisions.flags) flag(name.view(), *frame_);
 }
@@ -286,8 +286,8 @@ void FramePlanner::widen_bands() {
         accuracy.position_m = frame_->state[Signal::vertical_accuracy].value_or(0);
     accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
     frame_->bands = design::band_widening(look_.widening, band_deviations_, accuracy);
-    if (frame_->bands.position_assumed) flag("vertical_accuracy.assumed", *frame_);
-    if (frame_->bands.terrain_assumed) flag("terrain.accuracy_assumed", *frame_);
+    if (frame_->bands.position_assumed) flag(policy::RecordFlag::vertical_accuracy_assumed, *frame_);
+    if (frame_->bands.terrain_assumed) flag(policy::RecordFlag::terrain_accuracy_assumed, *frame_);
 }
 
 void FramePlanner::put_symbology() {
@@ -297,9 +297,9 @@ void FramePlanner::put_symbology() {
                                     : frame_->conditions.is_map  ? draw::SymbolGround::map
                                                                  : draw::SymbolGround::perspective;
     const FrameContext frame = context_of(*frame_, frame_->picture.camera);
-    frame_->maps_beside = plan_symbology(
-        {frame, frame_->state, settings_.width_px, settings_.height_px, over, data_, frame_->data, elements_.reports()},
-        symbology_, *frame_);
+    frame_->maps_beside = plan_symbology({frame, frame_->state, settings_.aircraft, settings_.width_px, settings_.height_px, over,
+                                          data_, frame_->data, elements_.reports()},
+                                         symbology_, *frame_);
 }
 
 void FramePlanner::plan_data() {
@@ -307,11 +307,11 @@ void FramePlanner::plan_data() {
     frame_->ground_key = data_.ground_key();
     frame_->ground_slice = data_.ground();
     if (frame_->data.ground == GroundDataState::not_asked_for) return;
-    if (frame_->data.ground != GroundDataState::shown) flag("ground_data.missing", *frame_);
-    if (!frame_->flight_time.is_date) flag("ground_data.no_date", *frame_);
+    if (frame_->data.ground != GroundDataState::shown) flag(policy::RecordFlag::ground_data_missing, *frame_);
+    if (!frame_->flight_time.is_date) flag(policy::RecordFlag::ground_data_no_date, *frame_);
     const scene::GridSlice* const slice = data_.ground();
     if (slice != nullptr && is_in_another_unit(look_.data.ground.scale.palette, *slice->attribute()->entry))
-        flag("ground_data.unit", *frame_);
+        flag(policy::RecordFlag::ground_data_unit, *frame_);
 }
 
 }  // namespace tedavis::display

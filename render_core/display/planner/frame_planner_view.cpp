@@ -35,6 +35,8 @@ void FramePlanner::plan_view() {
     input.heading_rad = frame_->heading_rad;
     input.pitch_rad = frame_->pitch_rad;
     input.roll_rad = frame_->roll_rad;
+    const design::EyePoint& eye = settings_.aircraft.eye;
+    input.eye_m = {eye.forward_m, eye.right_m, -eye.up_m};
     input.map_up_rad = draw::map_up_rad(frame_->state, frame_->decisions);
     input.map_share = free_view_active_ ? 0 : memory_->view.map_share();
     input.width_px = settings_.width_px;

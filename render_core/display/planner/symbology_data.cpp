@@ -1,10 +1,13 @@
 #include "render_core/display/planner/symbology_data.hpp"
 
+#include "render_core/base/units.hpp"
 #include "render_core/display/planner/adjacent_data.hpp"
 #include "render_core/display/planner/element_legends.hpp"
 #include "render_core/display/planner/frame_notes.hpp"
 
 namespace tedavis::display {
+
+using flight::Signal;
 
 GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyInput& symbology) noexcept {
     const design::DesignSettings& design = frame.design;
@@ -17,19 +20,37 @@ GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyIn
     return adjacent.state;
 }
 
+policy::SpeedBands shown_speed_bands(const design::AircraftSettings& aircraft, const flight::AircraftState& state,
+                                     const policy::DisplayDecisions& decisions, base::Time now) noexcept {
+    const Signal speed = decisions[policy::Element::airspeed].source;
+    if (speed != Signal::indicated_airspeed && speed != Signal::calibrated_airspeed) return {};
+    policy::SpeedConditions conditions;
+    // The lever says where the flaps will be, not where they are. A position that went bad may be any; an aircraft that never
+    // states one has the markings of a plain indicator: speeds with the flaps up, and the white range.
+    const bool is_stated = state[Signal::flaps_position].received();
+    if (!is_stated || state.is_valid(Signal::flaps_position, now))
+        conditions.flaps.least = conditions.flaps.most = is_stated ? state[Signal::flaps_position].value_or(0) : 0;
+    if (state.is_valid(Signal::normal_acceleration, now))
+        conditions.load_factor = state[Signal::normal_acceleration].value_or(0) / base::kStandardGravity;
+    if (state.is_valid(Signal::standard_altitude, now))
+        conditions.pressure_altitude_m = state[Signal::standard_altitude].value_or(0);
+    return policy::speed_bands(aircraft, conditions);
+}
+
 std::uint32_t maps_drawn(const draw::SymbologyInput& symbology, const draw::Layout& layout) noexcept {
     return layout.adjacent.empty() || symbology.decisions.unusual_attitude ? 0 : draw::map_count(symbology.adjacent);
 }
 
 void flag_symbology_data(const draw::SymbologyInput& symbology, const draw::Layout& layout, GroundDataState maps,
                          FrameStatement& record) noexcept {
-    if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0) flag("legend.cut", record);
+    if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0)
+        flag(policy::RecordFlag::legend_cut, record);
     if (maps == GroundDataState::not_asked_for || symbology.decisions.unusual_attitude) return;
-    if (maps != GroundDataState::shown) return flag("adjacent.missing", record);
-    if (maps_drawn(symbology, layout) == 0) flag("adjacent.cut", record);
+    if (maps != GroundDataState::shown) return flag(policy::RecordFlag::adjacent_missing, record);
+    if (maps_drawn(symbology, layout) == 0) flag(policy::RecordFlag::adjacent_cut, record);
     if (is_in_another_unit(symbology.adjacent.view.scale.palette, *symbology.adjacent.attribute->entry) &&
         symbology.adjacent.view.shows != design::AdjacentShows::uncertainty)
-        flag("adjacent.unit", record);
+        flag(policy::RecordFlag::adjacent_unit, record);
 }
 
 }  // namespace tedavis::display

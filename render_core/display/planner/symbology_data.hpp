@@ -1,10 +1,13 @@
-/// What the symbology of a frame tells of its spatial data: legends, and maps beside the picture. Pure; any thread.
+/// What the symbology of a frame tells of its spatial data (legends, and maps beside the picture) and of the aircraft's speeds.
+/// Pure; any thread.
 #pragma once
 
+#include "render_core/design/aircraft_settings.hpp"
 #include "render_core/display/planner/element_planner.hpp"
 #include "render_core/display/planner/frame_record.hpp"
 #include "render_core/display/planner/spatial_data.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
+#include "render_core/policy/speed_bands.hpp"
 
 namespace tedavis::display {
 
@@ -25,6 +28,10 @@ struct SymbologyData {
 };
 /// Fills `symbology`, and says whether there are maps beside the picture.
 [[nodiscard]] GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyInput& symbology) noexcept;
+
+/// The bands of the airspeed tape. None beside another speed than an indicated or calibrated airspeed, of which they are.
+[[nodiscard]] policy::SpeedBands shown_speed_bands(const design::AircraftSettings& aircraft, const flight::AircraftState& state,
+                                                   const policy::DisplayDecisions& decisions, base::Time now) noexcept;
 
 /// Maps of the frame that have room.
 [[nodiscard]] std::uint32_t maps_drawn(const draw::SymbologyInput& symbology, const draw::Layout& layout) noexcept;

@@ -26,6 +26,8 @@ MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch,
         draw::make_symbology_input(planned.state, frame.decisions, frame.record.phase, frame.design, frame.record.time,
                                    planned.width, planned.height, frame.aircraft_msl_m);
     set_terrain_legend(frame, symbology.legend);
+    symbology.excessive_bank_rad = planned.aircraft.excessive_bank_rad;
+    symbology.bands = shown_speed_bands(planned.aircraft, planned.state, frame.decisions, frame.record.time);
     symbology.over = planned.over;
     symbology.map = make_map_input(frame, planned.state);
     MapsBeside maps;

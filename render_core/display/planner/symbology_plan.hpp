@@ -12,6 +12,7 @@ namespace tedavis::display {
 struct SymbologyFrame {
     const FrameContext& frame;
     const flight::AircraftState& state;
+    const design::AircraftSettings& aircraft;
     std::uint32_t width = 0, height = 0;
     draw::SymbolGround over = draw::SymbolGround::perspective;
     const SpatialData& data;

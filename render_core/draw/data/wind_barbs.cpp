@@ -19,11 +19,11 @@ struct Level {
     glm::dvec3 ahead, right;
 };
 Level level_of(const terrain::View& view, const LocalAxes& axes) {
-    constexpr double kSteep = 0.3;
+    constexpr double kSteepView = 0.3;
     const auto flat = [&](const glm::dvec3& v) { return v - axes.up * glm::dot(v, axes.up); };
     glm::dvec3 ahead = flat(view.forward);
     // Steeply down or up, where the picture's up leads says more.
-    if (glm::length(ahead) < kSteep) ahead = flat(-view.down) * (glm::dot(view.forward, axes.up) < 0 ? 1.0 : -1.0);
+    if (glm::length(ahead) < kSteepView) ahead = flat(-view.down) * (glm::dot(view.forward, axes.up) < 0 ? 1.0 : -1.0);
     const double length = glm::length(ahead);
     ahead = length > 0 ? ahead / length : axes.north;
     return {ahead, glm::cross(ahead, axes.up)};

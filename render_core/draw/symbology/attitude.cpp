@@ -61,13 +61,13 @@ void build_chevron(const Painter& painter, const LadderFrame& ladder, int degree
     painter.polyline(corners, kWarningColor, 3);
 }
 
-/// Where the picture's own horizon is seen: across the whole screen, also behind the tapes and the heading, but not behind
-/// legends that stand below the attitude.
+/// Where the picture's own horizon is seen: across the whole screen, also behind the tapes and the rose, but not behind legends
+/// that stand above the attitude.
 Rect horizon_box(const Layout& layout) {
-    const Rect& box = layout.attitude;
-    const bool has_legends_below = layout.data_legends[1].y >= box.bottom();
-    return {layout.screen.x, layout.screen.y, layout.screen.width,
-            (has_legends_below ? box : layout.heading).bottom() - layout.screen.y};
+    const Rect &box = layout.attitude, &legends = layout.data_legends[1];
+    const bool has_legends_above = !legends.empty() && legends.bottom() <= box.y;
+    const float top = has_legends_above ? box.y : layout.screen.y;
+    return {layout.screen.x, top, layout.screen.width, layout.heading.bottom() - top};
 }
 
 /// Headings on the horizon line within the attitude: a tick every ten degrees, a label every thirty, in the reference of the

@@ -89,7 +89,8 @@ float bank_scale_radius(const Layout& layout) noexcept {
     const Rect& box = layout.attitude;
     const Point center = layout.screen.center();
     const float up = center.y - box.y - 1.6f * layout.text_px;
-    const float down = box.bottom() - center.y;  // where the sky pointer stands in inverted flight
+    // Where the sky pointer stands in inverted flight: over the rose.
+    const float down = conformal_box(layout).bottom() - center.y;
     // The arc with its marks reaches 60 degrees to either side, sin 60 = 0.87; the sky pointer goes all the way around.
     const float room = std::fmin(center.x - box.x, box.right() - center.x);
     const float aside = std::fmin((room - layout.text_px) / 0.87f, room);

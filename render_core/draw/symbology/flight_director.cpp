@@ -14,8 +14,9 @@ namespace {
 using policy::Element;
 using policy::ElementShow;
 
-constexpr float kHalfBar = 2.6f;                   // texts
-constexpr float kDashFrom = 2.2f, kDashTo = 4.2f;  // texts from the middle of the ladder
+constexpr float kHalfBar = 2.6f;                         // texts
+constexpr float kDashFrom = 2.2f, kDashTo = 4.2f;        // texts from the middle of the ladder
+constexpr float kCrossWidth = 2.6f, kPlateWidth = 5.0f;  // texts
 constexpr double kMaxReference_rad = base::radians(30);
 
 bool attitude_is_shown(const SymbologyInput& input) {
@@ -24,10 +25,10 @@ bool attitude_is_shown(const SymbologyInput& input) {
 }
 
 /// In the lower left corner of the attitude, above the flight-path vector's own.
-Rect failure_place(const Painter& painter, float rows) {
+Rect failure_place(const Painter& painter, float rows, float width) {
     const float t = painter.text_px();
     const Rect& attitude = painter.layout().attitude;
-    return {attitude.x, attitude.bottom() - (1.4f + 1.5f * rows) * t, 2.6f * t, 1.4f * t};
+    return {attitude.x, attitude.bottom() - (1.4f + 1.5f * rows) * t, width * t, 1.4f * t};
 }
 
 void build_dash(const Painter& painter, const LadderFrame& ladder, double elevation_rad, float from, float to,
@@ -43,7 +44,7 @@ void build_dash(const Painter& painter, const LadderFrame& ladder, double elevat
 void build_flight_director(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::flight_director].show;
     if (show == ElementShow::absent || !attitude_is_shown(input)) return;
-    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 1), "FD");
+    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 1, kCrossWidth), "FD");
     const float t = painter.text_px(), reach = kMaxBarTexts * t;
     const Point c = painter.layout().screen.center();
     const double up_px = input.view.focal_px * std::tan(limited(input.guidance.director_pitch_rad, -0.5, 0.5));
@@ -53,17 +54,17 @@ void build_flight_director(const Painter& painter, const SymbologyInput& input) 
     const design::Color color = show == ElementShow::flagged ? kCautionColor : kEngagedColor;
     painter.line({c.x - kHalfBar * t, y}, {c.x + kHalfBar * t, y}, color, 2);
     painter.line({x, c.y - kHalfBar * t}, {x, c.y + kHalfBar * t}, color, 2);
-    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 1), "FD OLD", 0.8f, kCautionColor);
+    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 1, kPlateWidth), "FD STALE", 0.8f, kCautionColor);
 }
 
 void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::flight_path_reference].show;
     if (show == ElementShow::absent || !attitude_is_shown(input)) return;
-    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 2), "PATH");
+    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 2, kCrossWidth), "PATH");
     const LadderFrame ladder(input);
     const double descent_rad = limited(input.guidance.path_reference_rad, -kMaxReference_rad, kMaxReference_rad);
     const design::Color color = show == ElementShow::flagged ? kCautionColor : kSelectedColor;
-    painter.batch().set_clip(painter.layout().attitude);
+    painter.batch().set_clip(conformal_box(painter.layout()));
     build_dash(painter, ladder, -descent_rad, -kDashTo, -kDashFrom, color);
     build_dash(painter, ladder, -descent_rad, kDashFrom, kDashTo, color);
     const ProjectedPoint label = ladder.at(-descent_rad, ladder.tangent_of((kDashTo + 0.3f) * painter.text_px()));
@@ -72,7 +73,7 @@ void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const auto roll = static_cast<float>(-limited(input.roll_rad, -base::kPi, base::kPi));
     if (label.in_front) painter.text(text, label.at, TextAnchor::left, 0.75f, color, roll);
     painter.batch().lift_clip();
-    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 2), "PATH OLD", 0.8f, kCautionColor);
+    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 2, kPlateWidth), "PATH STALE", 0.8f, kCautionColor);
 }
 
 }  // namespace tedavis::draw

@@ -37,7 +37,7 @@ void build_flight_path(const Painter& painter, const SymbologyInput& input) {
     if (show != ElementShow::normal) return;
     const ProjectedPoint path = project(input.view, {input.velocity_north_mps, input.velocity_east_mps, -input.velocity_up_mps});
     if (!path.in_front) return;
-    const Rect room = attitude.shrunk(1.7f * t);
+    const Rect room = conformal_box(painter.layout()).shrunk(1.7f * t);
     const Point kept{std::clamp(path.at.x, room.x, room.right()), std::clamp(path.at.y, room.y, room.bottom())};
     build_symbol(painter, kept, room.contains(path.at));
 }

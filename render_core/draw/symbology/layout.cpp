@@ -24,6 +24,13 @@ constexpr float kInformation = 1.2f;
 constexpr float kTextsForSecondColumn =
     48.5f;                           // across the screen: the heading keeps 12 texts, the view's middle 6 to either side
 constexpr float kLegendRow = 2.65f;  // the shortest legends of data side by side
+constexpr float kDeviationWidth = 2.0f;
+constexpr float kDeviationHeight = 7.2f;       // below the ends of the scale of bank
+constexpr float kAttitudeBelowCenter = 6.02f;  // what the ladder and the scale of bank keep above the rose
+
+// The rose in shares of the screen's height, and of half its own width.
+constexpr float kMaxRoseOfHeight = 0.3f;
+constexpr float kMaxRoseOfHalfWidth = 1.7f;  // a whole rose with its readout
 
 float text_size(float width, float height, double dpi) {
     const float ordinary = std::min(width, height) / kTextsAcrossShortSide;
@@ -66,9 +73,21 @@ void add_data_legends(Layout& layout, const LegendNeed& need) {
         layout.attitude.x = layout.data_legends[1].right() + gap;
         layout.attitude.width = right - layout.attitude.x;
     } else if (data < need.data.shortest * t) {
+        layout.data_legends[1] = {layout.attitude.x, layout.attitude.y, layout.attitude.width, kLegendRow * t};
+        layout.attitude.y += kLegendRow * t + gap;
         layout.attitude.height -= kLegendRow * t + gap;
-        layout.data_legends[1] = {layout.attitude.x, layout.attitude.bottom() + gap, layout.attitude.width, kLegendRow * t};
     }
+}
+
+/// From where the attitude may end to the foot of the columns beside it.
+void add_rose(Layout& layout) {
+    const float t = layout.text_px, gap = kGap * t, bottom = layout.baro_setting.bottom();
+    const Point center = layout.screen.center();
+    const float half = std::min(center.x - layout.attitude.x, layout.altitude.x - gap - center.x);
+    const float room = bottom - gap - (center.y + kAttitudeBelowCenter * t);
+    const float height = std::min({room, kMaxRoseOfHeight * layout.screen.height, kMaxRoseOfHalfWidth * half});
+    layout.heading = {center.x - half, bottom - height, 2 * half, height};
+    layout.attitude.height = layout.heading.y - gap - layout.attitude.y;
 }
 
 }  // namespace
@@ -99,9 +118,15 @@ Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const 
     layout.baro_setting = {layout.altitude.x, bottom_row, w - margin - layout.altitude.x, kBottomRow * t};
     if (need.adjacent.maps > 0) add_adjacent(layout, need);
     if (need.data.entries > 0) add_data_legends(layout, need);
-    const float half = std::min(w / 2 - layout.attitude.x, layout.attitude.right() - w / 2);
-    layout.heading = {w / 2 - half, bottom_row, 2 * half, kBottomRow * t};
+    add_rose(layout);
+    layout.vertical_deviation = {layout.attitude.right() - kDeviationWidth * t, (h - kDeviationHeight * t) / 2,
+                                 kDeviationWidth * t, kDeviationHeight * t};
     return layout;
+}
+
+Rect conformal_box(const Layout& layout) noexcept {
+    const Rect& box = layout.attitude;
+    return {box.x, box.y, box.width, layout.heading.bottom() - box.y};
 }
 
 }  // namespace tedavis::draw

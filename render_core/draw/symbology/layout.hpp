@@ -33,17 +33,18 @@ struct Layout {
     float text_px = 0;    ///< pixels an em of ordinary text
     float stroke_px = 0;  ///< width of ordinary lines
     Rect screen;
-    Rect phase;           ///< top left
-    Rect notices;         ///< top right: warnings and cautions
-    Rect airspeed;        ///< left tape
-    Rect legend;          ///< right of the airspeed: what the colours mean; 5 x at least 19 texts
-    Rect attitude;        ///< around the middle of the screen; ladder, roll scale, flight path
-    Rect altitude;        ///< right tape
-    Rect vertical_speed;  ///< right of it
-    Rect ground_height;   ///< bottom left
-    Rect heading;         ///< bottom, centred on the screen
-    Rect baro_setting;    ///< bottom right
-    Rect information;     ///< last line: where the flight and the data come from
+    Rect phase;               ///< top left
+    Rect notices;             ///< top right: warnings and cautions
+    Rect airspeed;            ///< left tape
+    Rect legend;              ///< right of the airspeed: what the colours mean; 5 x at least 19 texts
+    Rect attitude;            ///< around the middle of the screen, above the rose; ladder, roll scale
+    Rect altitude;            ///< right tape
+    Rect vertical_speed;      ///< right of it
+    Rect ground_height;       ///< bottom left
+    Rect heading;             ///< compass rose with its readout: bottom, centred on the screen; compass_rose.hpp parts it
+    Rect baro_setting;        ///< bottom right
+    Rect vertical_deviation;  ///< at the right edge of the attitude and within it, at the height of the screen's middle
+    Rect information;         ///< last line: where the flight and the data come from
     /// Legends of data: the foot of the column of the legend, down to the last row; then, where these are too many for it, a
     /// column beside it, or on screens that are too narrow a row below the attitude. Empty where there is no need.
     std::array<Rect, kDataLegendAreas> data_legends{};
@@ -58,7 +59,7 @@ struct LayoutBox {
     const char* name;
     Rect Layout::*box;
 };
-/// All boxes but the screen.
+/// All boxes that share the screen.
 inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
     {"phase", &Layout::phase},
     {"notices", &Layout::notices},
@@ -72,6 +73,10 @@ inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
     {"baro_setting", &Layout::baro_setting},
     {"information", &Layout::information},
 };
+
+/// Where directions of the world are seen between the columns: the attitude's box and the rose below it, which has no ground of
+/// its own and is drawn over them.
+[[nodiscard]] Rect conformal_box(const Layout& layout) noexcept;
 
 /// `width`, `height` in pixels, at least 320 x 240 either way round; `dpi` pixels an inch.
 [[nodiscard]] Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& need = {}) noexcept;

@@ -127,7 +127,7 @@ Point foot_of(const Painter& painter, const MapInput& map) {
 
 /// Round the own ship's place on the ground.
 void build_ring(const Painter& painter, const MapInput& map) {
-    const Rect& box = painter.layout().attitude;
+    const Rect box = conformal_box(painter.layout());
     const Plane plane(map);
     const Point center = foot_of(painter, map);
     const float t = painter.text_px();
@@ -148,7 +148,7 @@ void build_ring(const Painter& painter, const MapInput& map) {
 
 /// From the own ship down to its place on the ground.
 void build_drop(const Painter& painter, const MapInput& map) {
-    const Rect& box = painter.layout().attitude;
+    const Rect box = conformal_box(painter.layout());
     const Point center = painter.layout().screen.center(), foot = foot_of(painter, map);
     if (!(foot.y > center.y)) return;
     const bool is_shown = foot.y < box.bottom();

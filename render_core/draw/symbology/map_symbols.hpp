@@ -6,7 +6,7 @@
 /// corner states them. The corner also says ORTHO, and FLAT where the ground is drawn without relief.
 ///
 /// Without a position a red cross replaces them; a stale position is amber with a text. Without a heading the own ship is a
-/// disc. They are drawn in the layout's box of the attitude.
+/// disc. They are drawn in the layout's box of the attitude; ring and line reach below the rose.
 #pragma once
 
 #include <string_view>

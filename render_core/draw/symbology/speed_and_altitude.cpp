@@ -12,6 +12,10 @@ using policy::Element;
 using policy::ElementShow;
 
 constexpr double kVerticalSpeedEnd_fpm = 2000;
+constexpr double kMaxVerticalSpeed_fpm = 9990;  // of the numbers
+constexpr double kLowestAltitude_ft = -2000, kHighestAltitude_ft = 99'999;
+constexpr double kTrend_s = 6;
+constexpr double kSlowestSpeedTrend_kt = 1, kSlowestAltitudeTrend_ft = 20;  // over kTrend_s
 
 std::string_view airspeed_label(Signal source) {
     switch (source) {
@@ -31,70 +35,170 @@ std::string_view altitude_label(Signal source) {
     }
 }
 
-/// Pointer and ticks of the vertical speed on its fixed scale.
-void build_vertical_speed_scale(const Painter& painter, const Rect& scale, double fpm) {
-    const float t = painter.text_px(), center = scale.center().y, reach = scale.height / 2 - 0.8f * t;
-    const auto y_of = [&](double value) { return center - static_cast<float>(value / kVerticalSpeedEnd_fpm) * reach; };
-    for (int hundreds = -20; hundreds <= 20; hundreds += 5) {
-        const float y = y_of(hundreds * 100.0);
-        const bool thousand = hundreds % 10 == 0;
-        painter.line({scale.x, y}, {scale.x + (thousand ? 0.7f : 0.4f) * t, y});
-        if (thousand && hundreds != 0)
-            painter.text(whole_number(std::abs(hundreds) / 10).view(), {scale.x + 0.95f * t, y}, TextAnchor::left, 0.85f);
+/// A selected value is said above its scale, and has a bug on a scale of the same reference: on that of a substitute its place
+/// would be wrong. `value` in display units.
+void put_selected(VerticalTape& tape, ElementShow show, double value, const ShortText& text, std::string_view name) {
+    tape.selected = {show, text.view(), name, kSelectedColor};
+    if (tape.show != ElementShow::substituted) tape.marks.bug = {show, value};
+}
+
+design::Color band_color(policy::SpeedBandRole role) {
+    switch (role) {
+        case policy::SpeedBandRole::low_caution: return kCautionColor;
+        case policy::SpeedBandRole::normal: return kEngagedColor;
+        case policy::SpeedBandRole::caution: return kReferenceColor;
+        case policy::SpeedBandRole::flaps_range: return kScaleColor;
+        case policy::SpeedBandRole::low_warning:
+        case policy::SpeedBandRole::above_limit: break;
     }
-    const float y = y_of(limited(fpm, -kVerticalSpeedEnd_fpm, kVerticalSpeedEnd_fpm));
-    painter.line({scale.x + 0.3f * t, center}, {scale.x + 0.3f * t, y}, kEngagedColor, 2);
-    painter.line({scale.x + 0.3f * t, y}, {scale.x + 2.2f * t, y}, kEngagedColor, 2);
+    return kWarningColor;
+}
+
+TapeBandLook band_look(const policy::SpeedBands& bands, policy::SpeedBandRole role) {
+    if (role == policy::SpeedBandRole::flaps_range) return TapeBandLook::half;
+    return role == policy::SpeedBandRole::above_limit && bands.has_pole ? TapeBandLook::pole : TapeBandLook::whole;
+}
+
+static_assert(policy::kSpeedBandRoles <= kMaxTapeBands && design::kMaxSpeedFlags <= kMaxTapeFlags);
+void put_bands(const policy::SpeedBands& bands, TapeMarks& marks) {
+    for (const policy::SpeedBand& band : bands.bands) {
+        const bool added = marks.bands.try_push_back({band.low_mps / base::kMpsPerKnot, band.high_mps / base::kMpsPerKnot,
+                                                      band_color(band.role), band_look(bands, band.role)});
+        TEDAVIS_CHECK(added);
+    }
+    for (const design::SpeedFlag& flag : bands.flags) {
+        const bool added = marks.flags.try_push_back({flag.speed_mps / base::kMpsPerKnot, flag.name, kScaleColor});
+        TEDAVIS_CHECK(added);
+    }
+}
+
+bool is_current(ElementShow show) { return show == ElementShow::normal || show == ElementShow::substituted; }
+
+/// The minimum's color follows the state of the minimum that counts: above ground where that is shown, else this one.
+design::Color baro_minimum_color(const policy::DisplayDecisions& decisions) {
+    const bool counts_above_ground =
+        decisions[Element::radio_minimum].show == ElementShow::normal && is_current(decisions[Element::ground_height].show);
+    if (counts_above_ground) return kSelectedColor;
+    switch (decisions.minimums) {
+        case policy::MinimumsState::near: return kScaleColor;
+        case policy::MinimumsState::at_or_below: return kCautionColor;
+        case policy::MinimumsState::none:
+        case policy::MinimumsState::above: break;
+    }
+    return kSelectedColor;
+}
+
+/// Numbers keep clear of the needle at `fpm`.
+void build_vertical_speed_ticks(const Painter& painter, const TapeScale& scale, double fpm) {
+    for (int hundreds = -20; hundreds <= 20; hundreds += 5) {
+        const float y = scale.y_of(hundreds * 100.0);
+        const bool is_thousand = hundreds % 10 == 0;
+        painter.line({scale.edge, y}, {scale.x_of(is_thousand ? 0.7f : 0.4f, painter), y});
+        if (is_thousand && hundreds != 0 && std::fabs(y - scale.y_of(fpm)) > 0.6f * painter.text_px())
+            painter.text(whole_number(std::fabs(0.1 * hundreds)).view(), {scale.x_of(kNumberInset, painter), y}, TextAnchor::left,
+                         kTapeTextSize);
+    }
+}
+
+void build_needle(const Painter& painter, const TapeScale& scale, double fpm) {
+    const float y = scale.y_of(fpm), half = 0.35f * painter.text_px(), base = scale.x_of(0.95f, painter);
+    painter.line({scale.x_of(0.7f, painter), y}, {scale.box.right(), y}, kScaleColor, 2);
+    painter.batch().triangle({scale.x_of(0.15f, painter), y}, {base, y - half}, {base, y + half}, kScaleColor);
+}
+
+/// Box and units of the fixed scale of vertical speeds.
+TapeScale vertical_speed_scale(const Painter& painter, const Rect& box) {
+    TapeScale scale;
+    scale.box = box;
+    scale.edge = box.x;
+    scale.px_per_unit = static_cast<double>(box.height / 2 - 0.8f * painter.text_px()) / kVerticalSpeedEnd_fpm;
+    return scale;
+}
+
+void build_vertical_speed_scale(const Painter& painter, const Rect& box, double fpm, const TapeBug& bug) {
+    const TapeScale scale = vertical_speed_scale(painter, box);
+    const double on_scale_fpm = limited(fpm, -kVerticalSpeedEnd_fpm, kVerticalSpeedEnd_fpm);
+    painter.batch().box(box, kTapeGround);
+    painter.batch().set_clip(box);
+    build_vertical_speed_ticks(painter, scale, on_scale_fpm);
+    build_tape_bug(painter, scale, bug);
+    build_needle(painter, scale, on_scale_fpm);
+    painter.batch().lift_clip();
+}
+
+/// Scale and readout of an altitude in feet.
+VerticalTape altitude_tape(const policy::ElementDecision& decision) {
+    VerticalTape tape;
+    tape.lowest = kLowestAltitude_ft;
+    tape.span = 1000;
+    tape.minor_step = 50;
+    tape.majors = 2;
+    tape.emphasis = 10;
+    tape.readout = {20, 2};
+    tape.label = altitude_label(decision.source);
+    tape.failure = "ALT FAIL";
+    tape.show = decision.show;
+    return tape;
 }
 
 }  // namespace
 
 void build_airspeed(const Painter& painter, const SymbologyInput& input) {
     const policy::ElementDecision& decision = input.decisions[Element::airspeed];
-    const Rect& box = painter.layout().airspeed;
-    if (decision.show == ElementShow::absent) return;
-    if (decision.show == ElementShow::failed) return painter.failed(box, "SPD FAIL");
+    const double selected_kt = input.guidance.selected_airspeed_mps / base::kMpsPerKnot;
+    const ShortText selected = whole_number(limited(selected_kt, 0, 999));
     VerticalTape tape;
-    tape.box = box;
+    tape.box = painter.layout().airspeed;
     tape.value = limited(input.airspeed_mps / base::kMpsPerKnot, 0, 999);
     tape.ticks_right = true;
     tape.label = airspeed_label(decision.source);
+    tape.failure = "SPD FAIL";
     tape.show = decision.show;
+    put_bands(input.bands, tape.marks);
+    put_selected(tape, input.decisions[Element::selected_airspeed].show, selected_kt, selected, "SPD SEL");
+    const double rate_kt_per_s = input.guidance.airspeed_rate_mps2 / base::kMpsPerKnot;
+    tape.marks.trend = {input.decisions[Element::airspeed_trend].show == ElementShow::normal,
+                        tape.value + kTrend_s * rate_kt_per_s, kSlowestSpeedTrend_kt};
     build_vertical_tape(painter, tape);
 }
 
 void build_altitude(const Painter& painter, const SymbologyInput& input) {
-    const policy::ElementDecision& decision = input.decisions[Element::altitude];
-    const Rect& box = painter.layout().altitude;
-    if (decision.show == ElementShow::absent) return;
-    if (decision.show == ElementShow::failed) return painter.failed(box, "ALT FAIL");
-    VerticalTape tape;
-    tape.box = box;
-    tape.value = limited(input.altitude_m / base::kMetresPerFoot, -2000, 99'999);
-    tape.lowest = -2000;
-    tape.span = 1000;
-    tape.minor_step = 50;
-    tape.majors = 4;
-    tape.readout_step = 10;
-    tape.label = altitude_label(decision.source);
-    tape.show = decision.show;
+    const policy::DisplayDecisions& decisions = input.decisions;
+    const double selected_ft = input.guidance.selected_altitude_m / base::kMetresPerFoot;
+    const double minimum_ft = input.guidance.baro_minimum_m / base::kMetresPerFoot;
+    const ShortText selected = whole_number(limited(selected_ft, kLowestAltitude_ft, kHighestAltitude_ft));
+    ShortText minimum("MIN ");
+    minimum.append(whole_number(limited(minimum_ft, kLowestAltitude_ft, kHighestAltitude_ft)).view());
+    VerticalTape tape = altitude_tape(decisions[Element::altitude]);
+    tape.box = painter.layout().altitude;
+    tape.value = limited(input.altitude_m / base::kMetresPerFoot, kLowestAltitude_ft, kHighestAltitude_ft);
+    put_selected(tape, decisions[Element::selected_altitude].show, selected_ft, selected, "ALT SEL");
+    tape.minimum = {decisions[Element::baro_minimum].show, minimum.view(), "MIN", baro_minimum_color(decisions)};
+    if (tape.show != ElementShow::substituted) tape.marks.minimum = {tape.minimum.show, minimum_ft, tape.minimum.color};
+    tape.marks.trend = {is_current(tape.show) && is_current(decisions[Element::vertical_speed].show),
+                        tape.value + kTrend_s * input.vertical_speed_mps / base::kMetresPerFoot, kSlowestAltitudeTrend_ft};
     build_vertical_tape(painter, tape);
 }
 
 void build_vertical_speed(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::vertical_speed].show;
-    const Rect& box = painter.layout().vertical_speed;
+    const ElementShow selected_show = input.decisions[Element::selected_vertical_speed].show;
     if (show == ElementShow::absent) return;
-    if (show == ElementShow::failed) return painter.failed(box, "VS FAIL");
     const float t = painter.text_px();
-    const Rect label{box.x, box.y, box.width, 1.3f * t}, number{box.x, box.bottom() - 1.8f * t, box.width, 1.8f * t};
-    const Rect scale{box.x, label.bottom(), box.width, number.y - label.bottom()};
-    const double fpm = limited(input.vertical_speed_mps / base::kMpsPerFootPerMinute, -9990, 9990);
-    const bool flagged = show == ElementShow::flagged;
-    painter.plate(label, flagged ? "STALE" : "FT/MIN", 0.8f, label_color(show));
-    painter.batch().box(scale, kTapeGround);
-    build_vertical_speed_scale(painter, scale, fpm);
-    painter.readout(number, whole_number(std::round(fpm / 10) * 10).view(), flagged);
+    const double selected_fpm = input.guidance.selected_vertical_speed_mps / base::kMpsPerFootPerMinute;
+    Rect rest = painter.layout().vertical_speed;
+    if (selected_show != ElementShow::absent) {
+        const ShortText text = whole_number(limited(selected_fpm, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm));
+        build_tape_row(painter, take_top(rest, kTapeRowHeight * t), {selected_show, text.view(), "VS SEL", kSelectedColor});
+    }
+    if (show == ElementShow::failed) return painter.failed(rest, "VS FAIL");
+    const bool is_flagged = show == ElementShow::flagged;
+    painter.plate(take_top(rest, kTapeRowHeight * t), is_flagged ? "STALE" : "FT/MIN", kTapeTextSize, label_color(show));
+    const Rect number{rest.x, rest.bottom() - 1.8f * t, rest.width, 1.8f * t};
+    const double fpm =
+        limited(input.vertical_speed_mps / base::kMpsPerFootPerMinute, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm);
+    build_vertical_speed_scale(painter, {rest.x, rest.y, rest.width, number.y - rest.y}, fpm, {selected_show, selected_fpm});
+    painter.readout(number, whole_number(std::round(fpm / 10) * 10).view(), is_flagged);
 }
 
 }  // namespace tedavis::draw

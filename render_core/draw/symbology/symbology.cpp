@@ -1,5 +1,6 @@
 #include "render_core/draw/symbology/symbology.hpp"
 
+#include "render_core/draw/symbology/course_deviation.hpp"
 #include "render_core/draw/symbology/flight_director.hpp"
 #include "render_core/draw/symbology/map_symbols.hpp"
 
@@ -20,6 +21,7 @@ void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout
     if (input.shown.altitude) build_altitude(painter, input);
     if (input.shown.vertical_speed) build_vertical_speed(painter, input);
     if (input.shown.heading) build_heading(painter, input);
+    if (input.shown.heading && !input.decisions.unusual_attitude) build_vertical_deviation(painter, input);
     if (input.shown.baro_setting) build_baro_setting(painter, input);
     if (input.shown.ground_height) build_ground_height(painter, input);
     if (input.shown.air) build_air(painter, input);

@@ -23,6 +23,7 @@ void build_flight_path(const Painter& painter, const SymbologyInput& input);
 void build_airspeed(const Painter& painter, const SymbologyInput& input);
 void build_altitude(const Painter& painter, const SymbologyInput& input);
 void build_vertical_speed(const Painter& painter, const SymbologyInput& input);
+/// The compass rose with course, lateral deviation, bearing, track and selected heading; in a recovery picture the rose alone.
 void build_heading(const Painter& painter, const SymbologyInput& input);
 void build_baro_setting(const Painter& painter, const SymbologyInput& input);
 void build_ground_height(const Painter& painter, const SymbologyInput& input);

@@ -13,6 +13,7 @@
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
 #include "render_core/policy/display_decisions.hpp"
+#include "render_core/policy/speed_bands.hpp"
 
 namespace tedavis::draw {
 
@@ -94,7 +95,8 @@ struct SymbologyInput {
     /// To be added to a true direction for the reference of `heading_rad`; NaN where the variation is not known.
     double from_true_rad = 0;
     double airspeed_mps = 0;
-    double altitude_m = 0;  ///< above MSL (or pressure altitude), by decisions[altitude].source
+    policy::SpeedBands bands;  ///< of that speed; none without an aircraft file
+    double altitude_m = 0;     ///< above MSL (or pressure altitude), by decisions[altitude].source
     double vertical_speed_mps = 0;
     double baro_setting_pa = 0;
     double ground_height_m = 0;

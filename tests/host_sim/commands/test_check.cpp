@@ -47,6 +47,7 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
     for (const auto& [shipped, kind] : {std::pair{"designs/cruise.toml", "a design"},
                                         {"palettes/slope.toml", "a palette of 6 colours"},
                                         {"devices/es3-mid.toml", "a device"},
+                                        {"aircraft/jet.toml", "an aircraft"},
                                         {"buses/canaerospace.toml", "a bus"},
                                         {"switches/one_hot.toml", "a switch panel"},
                                         {"scenarios/default.toml", "a scenario of 14 legs"},

@@ -111,5 +111,14 @@ TEST(SignContrast, WhatIsCoveredIsNoSign) {
     EXPECT_EQ(beside.signs().size(), 1u) << "a panel beside it covers nothing";
 }
 
+TEST(SignContrast, TheEdgeOfACoveredSignIsNoSign) {
+    Painting strip(kLight);
+    strip.sign(kWhite).fill(0, 0, 49, 60, kBlack, kFront);
+    EXPECT_TRUE(strip.signs(2).empty()) << "one column of it is left beside the bar";
+    Painting thin(kLight);
+    thin.sign(kWhite).fill(0, 0, 49, 60, kLight, 0);
+    EXPECT_EQ(thin.signs(2).size(), 1u) << "the control: as thin, and nothing in front";
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_sign_contrast

@@ -32,6 +32,7 @@ TEST(ReplayConfig, DefaultsStayDefaults) {
     EXPECT_EQ(loaded.switches, "");
     EXPECT_EQ(loaded.switch_config, "one_hot");
     EXPECT_EQ(loaded.picture.design, "default");
+    EXPECT_EQ(loaded.picture.aircraft, "");
     EXPECT_EQ(loaded.picture.terrain, "");
     EXPECT_FALSE(loaded.picture.size);
     EXPECT_FALSE(loaded.picture.tau_px);
@@ -55,6 +56,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.design = "cruise";
     options.picture.device = "es2-small";
     options.picture.bus = "glider";
+    options.picture.aircraft = "jet";
     options.picture.size = PictureSize{641, 483};
     options.picture.gl = GlChoice::osmesa;
     options.picture.tau_px = 0.3;
@@ -80,6 +82,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.picture.design, options.picture.design);
     EXPECT_EQ(loaded.picture.device, options.picture.device);
     EXPECT_EQ(loaded.picture.bus, options.picture.bus);
+    EXPECT_EQ(loaded.picture.aircraft, options.picture.aircraft);
     ASSERT_TRUE(loaded.picture.size);
     EXPECT_EQ(loaded.picture.size->width, 641u);
     EXPECT_EQ(loaded.picture.size->height, 483u);
@@ -139,17 +142,24 @@ int command(std::vector<std::string> words, std::string& notes) {
 TEST(ReplayConfig, ASavedRunLoadsToTheSameHashes) {
     const test_support::FlownFiles files;
     const std::string saved = files.folder.file("saved.toml"), first = files.folder.file("first"),
-                      second = files.folder.file("second");
+                      second = files.folder.file("second"), antenna = files.folder.file("antenna");
+    const std::vector<std::string> flown = {"replay", files.log, "--terrain", files.terrain, "--size",   "320x240",
+                                            "--from", "1",       "--to",      "4",           "--step",   "-0.75",
+                                            "--tau",  "3",       "--frames",  "hash",        "--design", "approach"};
+    const auto with = [&flown](const std::vector<std::string>& more) {
+        std::vector<std::string> words = flown;
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
     std::string notes;
-    ASSERT_EQ(command({"replay",   files.log,  "--terrain", files.terrain, "--size",        "320x240", "--from",   "1",
-                       "--to",     "4",        "--step",    "-0.75",       "--tau",         "3",       "--frames", "hash",
-                       "--design", "approach", "-o",        first,         "--save-config", saved},
-                      notes),
-              0)
-        << notes;
+    ASSERT_EQ(command(with({"--aircraft", "jet", "-o", first, "--save-config", saved}), notes), 0) << notes;
+    ASSERT_EQ(command(with({"-o", antenna}), notes), 0) << notes;
     ASSERT_EQ(command({"replay", "--config", saved, "-o", second}, notes), 0) << notes;
     EXPECT_EQ(test_support::hashes_by_time(first).size(), 5u);
     EXPECT_EQ(test_support::hashes_by_time(first), test_support::hashes_by_time(second));
+    EXPECT_NE(test_support::hashes_by_time(first), test_support::hashes_by_time(antenna)) << "the eye point is part of it";
+    EXPECT_EQ(test_support::summary_of(second).at("aircraft"), "jet");
+    EXPECT_EQ(test_support::summary_of(antenna).at("aircraft"), "");
     EXPECT_EQ(command({"check", saved}, notes), 0) << notes;
 }
 

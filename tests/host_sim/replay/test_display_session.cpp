@@ -72,6 +72,22 @@ TEST(DisplaySession, WhatCannotBeOpenedIsOneSentence) {
     options = picture();
     options.design = files().folder.write("bad.toml", "name = 3\n");
     refused(options, "bad.toml:1");
+    options = picture();
+    options.aircraft = files().folder.write("glider.toml", "name = \"glider\"\n[speeds]\nvne = 250\n");
+    refused(options, "glider.toml:3: 'vne' has no unit; write 'vne_kt'");
+    options.aircraft = "airship";
+    refused(options, "airship: no such file and no shipped one of aircraft; name a file, or one of these: jet, ");
+}
+
+TEST(DisplaySession, AnAircraftFileIsTheDisplays) {
+    PictureOptions options = picture();
+    EXPECT_FALSE(DisplaySession(options, false).display().planner().settings().aircraft.is_stated());
+    options.aircraft = "turboprop";
+    DisplaySession session(options, false);
+    const design::AircraftSettings& aircraft = session.display().planner().settings().aircraft;
+    EXPECT_EQ(aircraft.name.view(), "turboprop");
+    EXPECT_EQ(aircraft.eye.forward_m, load_aircraft(options).eye.forward_m);
+    EXPECT_NE(aircraft.eye.forward_m, 0);
 }
 
 TEST(DisplaySession, ADatabaseWithAFlippedBitIsFoundAndTheNextSessionWorks) {

@@ -59,6 +59,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                             "gl_calls_outside_device",
                             "device",
                             "design",
+                            "aircraft",
                             "terrain",
                             "scene",
                             "log",

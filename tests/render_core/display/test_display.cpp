@@ -229,6 +229,29 @@ TEST(Display, TheEyeIsWhereTheAircraftAndTheDesignPutIt) {
     EXPECT_NEAR(glm::dot(moved, ned[2]), -1.5, 1e-6);
 }
 
+TEST(Display, AnAircraftFileMovesTheEyeAndNothingElse) {
+    OverHills over;
+    const flight::AircraftState state = aircraft_over_hills(2000, 90, 0);
+    FramePlanner& planner = over.display.display().planner();
+    const HillsPicture without = hills_picture(over.display, state);
+    const glm::dvec3 antenna = over.display.display().planned().picture.camera.view.eye;
+    const FrameRecord before = over.display.display().record();
+    planner.settings().aircraft.eye = {4, -0.5, -300};
+    const HillsPicture with = hills_picture(over.display, state);
+    const glm::dmat3 ned = earth::north_east_down(radians(47.0), radians(9.7));
+    const glm::dvec3 moved = over.display.display().planned().picture.camera.view.eye - antenna;
+    EXPECT_NEAR(glm::dot(moved, ned[1]), 4, 1e-6) << "forward is east";
+    EXPECT_NEAR(glm::dot(moved, ned[0]), 0.5, 1e-6) << "left is north";
+    EXPECT_NEAR(glm::dot(moved, ned[2]), 300, 1e-6);
+    EXPECT_NE(with, without) << "hills are higher from below";
+    const FrameRecord& after = over.display.display().record();
+    EXPECT_EQ(after.altitude_msl_m, before.altitude_msl_m);
+    EXPECT_EQ(after.own_ship.position.height.m, before.own_ship.position.height.m);
+    EXPECT_EQ(after.flags.size(), before.flags.size()) << "alerts are those of the antenna";
+    planner.settings().aircraft = {};
+    EXPECT_EQ(hills_picture(over.display, state), without);
+}
+
 TEST(Display, TheRecordTellsWhatWasDrawn) {
     OverHills over;
     flight::PhaseStatus phase;

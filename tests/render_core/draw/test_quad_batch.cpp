@@ -307,5 +307,26 @@ TEST(QuadBatch, DistancesHoldUntilTheNextFrame) {
     EXPECT_EQ(store.batch.vertices()[0].distance_m, 0);
 }
 
+TEST(QuadBatch, TextIsCutAtTheClipOnlyWhereThatIsAskedFor) {
+    const TextStyle style{40, kWhite, 0, kBlack};
+    const Rect window{0, 30, 100, 40};
+    Store whole, left_out, cut, turned;
+    whole.batch.text("8", {50, 36}, TextAnchor::center, style);
+    left_out.batch.set_clip(window);
+    left_out.batch.text("8", {50, 36}, TextAnchor::center, style);
+    cut.batch.set_clip(window, ClippedText::cut);
+    cut.batch.text("8", {50, 36}, TextAnchor::center, style);
+    turned.batch.set_clip(window, ClippedText::cut);
+    turned.batch.text("8", {50, 36}, TextAnchor::center, style, 0.3f);
+    EXPECT_EQ(ink(left_out.batch), 0);
+    EXPECT_EQ(ink(turned.batch), 0) << "a box that is turned cannot be cut";
+    EXPECT_GT(ink(cut.batch), 0);
+    EXPECT_LT(ink(cut.batch), 0.9 * ink(whole.batch));
+    for (const QuadVertex& vertex : cut.batch.vertices()) EXPECT_GE(vertex.y, window.y);
+    cut.batch.set_clip(window);
+    cut.batch.text("8", {20, 36}, TextAnchor::center, style);
+    EXPECT_EQ(cut.batch.vertices().size(), 4u) << "the next clip leaves texts out again";
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_quad_batch

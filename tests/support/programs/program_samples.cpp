@@ -111,9 +111,10 @@ std::string ProgramSamples::program() { return test_support::binary_dir() + "/bi
 
 void ProgramSamples::make(const std::string& name) const {
     static const std::map<std::string, std::string> kShipped = {
-        {"scenario.toml", "scenarios/default.toml"}, {"design.toml", "designs/default.toml"},
-        {"palette.toml", "palettes/alpine.toml"},    {"device.toml", "devices/es3-mid.toml"},
-        {"panel.toml", "switches/one_hot.toml"},     {"bus.toml", "buses/canaerospace.toml"}};
+        {"scenario.toml", "scenarios/default.toml"},    {"design.toml", "designs/default.toml"},
+        {"palette.toml", "palettes/alpine.toml"},       {"device.toml", "devices/es3-mid.toml"},
+        {"panel.toml", "switches/one_hot.toml"},        {"bus.toml", "buses/canaerospace.toml"},
+        {"aircraft.toml", "aircraft/light_piston.toml"}};
     static const std::map<std::string, std::string (*)()> kWritten = {
         {"flight.igc", igc},           {"flight.gpx", gpx},   {"flight.json", json}, {"flight.csv", csv},
         {"flight.csv.gz", packed_csv}, {"sheet.toml", sheet}, {"image.ppm", image},  {"tour.csv", tour},

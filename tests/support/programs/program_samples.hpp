@@ -11,9 +11,9 @@ class ProgramSamples {
 public:
     /// The path of the built program.
     [[nodiscard]] static std::string program();
-    /// flight.igc .gpx .json .csv .csv.gz, raster.tif, terrain.tdb, scenario.toml, design.toml, device.toml, panel.toml,
-    /// bus.toml, sheet.toml, image.ppm, picture.png, gaze.csv, replay.toml, run.log, run.switches, frames.jsonl, and the folder
-    /// `run` of a replay.
+    /// flight.igc .gpx .json .csv .csv.gz, raster.tif, terrain.tdb, scenario.toml, design.toml, device.toml, aircraft.toml,
+    /// panel.toml, bus.toml, sheet.toml, image.ppm, picture.png, gaze.csv, replay.toml, run.log, run.switches, frames.jsonl, and
+    /// the folder `run` of a replay.
     [[nodiscard]] static std::string path(const std::string& name);
     [[nodiscard]] static std::string read(const std::string& name);
 

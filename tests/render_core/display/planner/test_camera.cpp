@@ -79,6 +79,32 @@ TEST(Camera, InThreeDItIsTheOwnShips) {
     EXPECT_EQ(make_camera(input, design, 60'000).view.forward, body[0]) << "the map's direction is not its own";
 }
 
+TEST(Camera, TheAircraftsEyePointTurnsWithIt) {
+    CameraInput input = own_ship_at(46.8, 9.9);
+    const design::ViewSettings design;
+    const terrain::View antenna = make_camera(input, design, 0).view;
+    EXPECT_EQ(antenna.eye, earth::to_ecef(input.own_ship)) << "without an eye point it is the antenna, to the bit";
+    input.eye_m = {4, -0.5, 1};
+    const glm::dmat3 body = earth::body_axes(radians(46.8), radians(9.9), radians(40), radians(-4), radians(12));
+    const terrain::View seat = make_camera(input, design, 0).view;
+    EXPECT_LT(glm::length(seat.eye - antenna.eye - (body[0] * 4.0 - body[1] * 0.5 + body[2])), 1e-6);
+    EXPECT_EQ(seat.forward, antenna.forward);
+    EXPECT_EQ(seat.near_m, antenna.near_m);
+    input.roll_rad = radians(90);
+    const glm::dvec3 moved = make_camera(input, design, 0).view.eye - antenna.eye;
+    const glm::dmat3 level = earth::body_axes(radians(46.8), radians(9.9), radians(40), radians(-4), 0);
+    EXPECT_NEAR(glm::dot(moved, level[1]), -1, 1e-6) << "what is below the antenna is left of it in a bank to the right";
+    EXPECT_NEAR(glm::dot(moved, level[2]), -0.5, 1e-6);
+    design::ViewSettings with_own;
+    with_own.eye_forward_m = 2;
+    const glm::dvec3 both = make_camera(input, with_own, 0).view.eye - antenna.eye;
+    EXPECT_NEAR(glm::dot(both - moved, body[0]), 2, 1e-6) << "the design's own is added";
+    input.map_share = 1;
+    const terrain::View map = make_camera(input, map_of(20'000), 0).view;
+    input.eye_m = {0, 0, 0};
+    EXPECT_LT(glm::length(map.eye - make_camera(input, map_of(20'000), 0).view.eye), 1e-6) << "the map's middle is the antenna";
+}
+
 TEST(Camera, OnTheMapPlacesLieAtTheirDistanceAndAzimuth) {
     for (const Place& place : kPlaces)
         for (const double range_m : {1000.0, 5000.0, 20'000.0, 60'000.0, 200'000.0})

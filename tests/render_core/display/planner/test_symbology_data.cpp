@@ -2,14 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/support/draw/data_legend_samples.hpp"
 #include "tests/support/draw/symbology_scene.hpp"
+#include "tests/support/files/device_files.hpp"
 #include "tests/support/scene/loaded_scene.hpp"
 
 namespace tedavis::display::test_symbology_data {
 namespace {
+
+using flight::Signal;
 
 class SymbologyDataOf : public ::testing::Test {
 protected:
@@ -58,6 +62,71 @@ TEST_F(SymbologyDataOf, WhatHasNoRoomNoDataOrAnotherUnitIsFlagged) {
     EXPECT_TRUE(layout().adjacent.empty());
     EXPECT_EQ(maps_drawn(symbology_, layout()), 0u);
     EXPECT_EQ(flags(), "adjacent.cut ") << "legends are never given up for maps";
+}
+
+/// The speed bands beside the airspeed of a scene.
+class SpeedBandsOf : public ::testing::Test {
+protected:
+    [[nodiscard]] policy::SpeedBands bands() const {
+        const policy::DisplayDecisions decisions = policy::decide_display(
+            state_, test_support::kSceneNow, test_support::scene_conditions(), design::default_design_settings());
+        return shown_speed_bands(aircraft_, state_, decisions, test_support::kSceneNow);
+    }
+    static design::AircraftSettings shipped(const std::string& name) {
+        const std::string path = "configs/aircraft/" + name + ".toml";
+        return design::load_aircraft(test_support::source_file(path), path).value();
+    }
+    void set(Signal signal, double value) { state_[signal] = {value, test_support::kSceneNow}; }
+
+    flight::AircraftState state_ = test_support::scene_state(30, 2, 0);
+    design::AircraftSettings aircraft_ = shipped("light_piston");
+};
+
+TEST_F(SpeedBandsOf, AreThoseOfIndicatedOrCalibratedAirspeedAlone) {
+    ASSERT_FALSE(bands().bands.empty());
+    EXPECT_EQ(bands().flags.size(), aircraft_.flags.size());
+    state_[Signal::indicated_airspeed] = state_[Signal::calibrated_airspeed] = {};
+    for (const Signal other : {Signal::true_airspeed, Signal::ground_speed}) {
+        set(other, 60);
+        EXPECT_TRUE(bands().bands.empty()) << to_string(other);
+        EXPECT_TRUE(bands().flags.empty()) << to_string(other);
+        state_[other] = {};
+    }
+    EXPECT_TRUE(bands().bands.empty()) << "no speed is known";
+    set(Signal::calibrated_airspeed, 60);
+    EXPECT_FALSE(bands().bands.empty());
+    aircraft_ = {};
+    EXPECT_TRUE(bands().bands.empty()) << "no aircraft file";
+}
+
+TEST_F(SpeedBandsOf, FollowTheLoadFactorAndTheFlaps) {
+    state_[Signal::normal_acceleration] = state_[Signal::flaps_position] = {};
+    const double level_mps = bands().bands[0].high_mps;
+    EXPECT_EQ(level_mps, aircraft_.flaps[0].stall_mps) << "with the flaps up";
+    const auto above = [](const policy::SpeedBands& shown) {
+        for (const policy::SpeedBand& band : shown.bands)
+            if (band.role == policy::SpeedBandRole::above_limit) return band.low_mps;
+        return 0.0;
+    };
+    EXPECT_EQ(above(bands()), aircraft_.flaps[0].limit_mps) << "the markings of an aircraft that never states its flaps";
+    state_[Signal::flaps_position] = {0, test_support::kSceneNow - base::Duration{3'600'000'000'000}};
+    EXPECT_EQ(above(bands()), aircraft_.flaps.back().limit_mps) << "lost: they may be out";
+    EXPECT_EQ(bands().bands[0].high_mps, level_mps) << "and they may be up";
+    set(Signal::flaps_position, 0);
+    EXPECT_EQ(above(bands()), aircraft_.flaps[0].limit_mps) << "they are up";
+    set(Signal::normal_acceleration, 2 * 9.80665);
+    EXPECT_NEAR(bands().bands[0].high_mps, std::sqrt(2) * level_mps, 1e-9);
+    state_[Signal::normal_acceleration] = {2 * 9.80665, test_support::kSceneNow - base::Duration{3'600'000'000'000}};
+    EXPECT_EQ(bands().bands[0].high_mps, level_mps) << "an hour old";
+}
+
+TEST_F(SpeedBandsOf, HoldUpToTheAltitudeOfTheFile) {
+    aircraft_ = shipped("jet");
+    EXPECT_FALSE(bands().bands.empty());
+    set(Signal::standard_altitude, 9000);
+    EXPECT_TRUE(bands().bands.empty()) << "above it";
+    state_[Signal::standard_altitude] = {};
+    EXPECT_TRUE(bands().bands.empty()) << "unknown";
 }
 
 }  // namespace

@@ -21,11 +21,12 @@ struct Planned {
     bool plan() {
         DrawContext frame{design_, decisions, camera, record, 2000, 2000};
         frame.heights = heights;
-        plan_symbology({frame, state, kWidth, kHeight, over, data, data_plan, reports}, batch, record);
+        plan_symbology({frame, state, aircraft, kWidth, kHeight, over, data, data_plan, reports}, batch, record);
         return record.flags.empty();
     }
     design::DesignSettings design_;
     flight::AircraftState state = test_support::aircraft_over_hills(2000);
+    design::AircraftSettings aircraft;
     policy::DisplayConditions conditions;
     policy::DisplayDecisions decisions;
     Camera camera;

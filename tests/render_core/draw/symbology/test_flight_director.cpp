@@ -143,7 +143,7 @@ TEST(FlightDirector, StaysInTheAttitude) {
                 build_flight_director(Painter(store.batch, layout), input);
                 build_path_reference(Painter(store.batch, layout), input);
                 for (const QuadVertex& v : store.batch.vertices())
-                    ASSERT_TRUE(layout.attitude.shrunk(-2.5f).contains(Point{v.x, v.y}))
+                    ASSERT_TRUE(conformal_box(layout).shrunk(-2.5f).contains(Point{v.x, v.y}))
                         << screen.width << " " << v.x << " " << v.y;
             }
 }

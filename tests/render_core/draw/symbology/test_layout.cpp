@@ -131,6 +131,34 @@ TEST(Layout, TheViewsMiddleLiesInsideTheAttitudeWithRoomForThePitch) {
     }
 }
 
+/// The strip of headings has become a compass rose: it is higher, and the attitude ends above it.
+TEST(Layout, TheRoseHasTheLowestPartOfThePictureBelowTheAttitude) {
+    for (const Screen& screen : kScreens)
+        for (double dpi : {60.0, 96.0, 160.0, 300.0})
+            for (const LegendNeed& need : legend_needs()) {
+                const Layout layout = make_layout(screen.width, screen.height, dpi, need);
+                const float t = layout.text_px;
+                EXPECT_GE(layout.heading.height, 5.7f * t) << screen.width << "x" << screen.height << " " << dpi;
+                EXPECT_LE(layout.heading.height, 0.301f * layout.screen.height);
+                EXPECT_LE(layout.attitude.bottom(), layout.heading.y);
+                EXPECT_NEAR(layout.heading.bottom(), layout.baro_setting.bottom(), 0.01);
+                EXPECT_NEAR(layout.heading.center().x, layout.screen.center().x, 0.01);
+            }
+}
+
+TEST(Layout, TheVerticalDeviationIsBesideTheAltitudeAtTheHeightOfTheMiddle) {
+    for (const Screen& screen : kScreens) {
+        const Layout layout = make_layout(screen.width, screen.height, 96);
+        const Rect& box = layout.vertical_deviation;
+        const Point center = layout.screen.center();
+        EXPECT_NEAR(box.center().y, layout.screen.center().y, 0.01);
+        EXPECT_GE(box.height, 5 * layout.text_px);
+        EXPECT_TRUE(layout.attitude.shrunk(-0.01f).contains(box));
+        EXPECT_LT(layout.altitude.x - box.right(), 0.5f * layout.text_px);
+        EXPECT_GT(box.x - center.x, 5.5f * layout.text_px) << "beside the aircraft's symbol";
+    }
+}
+
 TEST(Layout, TheLegendHasTheRoomThatItCountsOn) {
     for (const Screen& screen : kScreens)
         for (double dpi : {60.0, 96.0, 160.0, 300.0}) {

@@ -274,7 +274,7 @@ TEST(MapSymbols, EverythingStaysInItsBoxInEveryPicture) {
                     const Drawn drawn(input, screen);
                     EXPECT_EQ(drawn.batch().use().refused, 0u);
                     EXPECT_EQ(drawn.batch().vertices().empty(), position == ElementShow::absent);
-                    const Rect room = drawn.layout.attitude.shrunk(-2.5f);
+                    const Rect room = conformal_box(drawn.layout).shrunk(-2.5f);
                     for (const QuadVertex& v : drawn.batch().vertices())
                         ASSERT_TRUE(room.contains(Point{v.x, v.y})) << screen.width << " at " << v.x << ", " << v.y;
                 }

@@ -89,10 +89,11 @@ TEST(Symbology, EveryPieceStaysInItsBoxInEveryPicture) {
                         input.decisions[piece.element].show = show;
                         BatchStore store;
                         piece.build(Painter(store.batch, layout), input);
-                        // The horizon's line alone is drawn wherever the picture's own is seen.
+                        // What is conformal is drawn wherever it is seen: through the rose, the horizon's line above, too.
                         const Rect& box = layout.*piece.box;
                         const Rect seen{0, 0, layout.screen.width, layout.heading.bottom()};
-                        expect_inside(store.batch, piece.build == build_attitude ? seen : box, piece.name);
+                        const bool is_conformal = piece.box == &Layout::attitude;
+                        expect_inside(store.batch, is_conformal ? seen : box, piece.name);
                         EXPECT_EQ(store.batch.use().refused, 0u);
                     }
                 }
@@ -184,7 +185,7 @@ TEST(Symbology, SubstitutesNameTheirSource) {
     BatchStore store;
     build_symbology(store.batch, input, make_layout(640, 480, 96));
     const std::string text = text_of(store.batch);
-    for (const char* label : {"TRKTRUE", "HDG", "GPSMSLFT", "GSKT", "4530"})  // 1380 m, to the ten
+    for (const char* label : {"TRKTRUE", "HDG", "GPSMSLFT", "GSKT", "4520"})  // 1380 m, to the twenty
         EXPECT_NE(text.find(label), std::string::npos) << label << " in " << text;
 }
 
@@ -218,7 +219,7 @@ TEST(Symbology, TheHorizonLineLiesOnTheHorizontal) {
                 const glm::dvec3 body =
                     to_body * (ned[0] * std::cos(base::radians(azimuth)) + ned[1] * std::sin(base::radians(azimuth)));
                 const double x = 320 + focal * body.y / body.x, y = 240 + focal * body.z / body.x;
-                if (!layout.attitude.shrunk(3).contains(Point{static_cast<float>(x), static_cast<float>(y)})) continue;
+                if (!conformal_box(layout).shrunk(3).contains(Point{static_cast<float>(x), static_cast<float>(y)})) continue;
                 int brightest = 0;
                 for (int dy = -1; dy <= 1; ++dy)
                     for (int dx = -1; dx <= 1; ++dx)
@@ -259,7 +260,7 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
                 const Layout layout = make_layout(screen.width, screen.height, 96);
                 BatchStore store;
                 build_attitude(Painter(store.batch, layout), input);
-                // Either the line at zero elevation is seen, behind the heading's tape too, or a strip of the other side is.
+                // Either the line at zero elevation is seen, behind the rose too, or a strip of the other side is.
                 const Rect seen{0, 0, layout.screen.width, layout.heading.bottom()};
                 int line_inside = 0;
                 for (double azimuth = -90; azimuth <= 90; azimuth += 0.5) {
@@ -285,7 +286,7 @@ TEST(Symbology, TheHorizonIsNeverLostFromSight) {
 TEST(Symbology, TheStripStandsInOnlyForAHorizonThatIsOutOfSight) {
     const Layout layout = make_layout(1024, 768, 96);
     const double focal = 512 / std::tan(base::radians(30));
-    // Past the ladder, behind the heading's tape, and above the attitude: still in the picture.
+    // Past the ladder, behind the rose, and above the attitude: still in the picture.
     for (const double pitch : {14.0, 16.5, 18.5, -19.5}) {
         const SymbologyInput input = scene_input(scene_state(10, pitch, 0), 1024, 768);
         BatchStore store;

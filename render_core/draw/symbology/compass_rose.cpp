@@ -1,0 +1,241 @@
+#include "render_core/draw/symbology/compass_rose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_core/base/units.hpp"
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/compass_text.hpp"
+#include "render_core/earth/geodetic.hpp"
+
+namespace tedavis::draw {
+namespace {
+
+using base::radians;
+using policy::Element;
+using policy::ElementShow;
+
+// In texts.
+constexpr float kRoseReadout = 1.55f;
+constexpr float kAboveScale = 2.1f;  // readout, and what stands outside the scale
+constexpr float kAroundScale = 0.6f;
+constexpr float kRoseRow = 1.2f;
+constexpr float kMaxSideText = 5.2f;
+constexpr float kCrossedText = 3.3f;
+constexpr float kCardText = 0.7f;
+constexpr float kMarkText = 0.8f;
+
+constexpr float kMinWholeRadius = 4.5f;     // texts
+constexpr float kMarksAcrossRadius = 5.0f;  // the unit of marks on a small rose
+constexpr float kShownBelowCenter = 0.32f;  // of the radius, where the rose is cut
+// In the unit of marks.
+constexpr float kTenTick = 0.6f;
+constexpr float kFiveTick = 0.35f;
+
+constexpr float kMinTickGap_px = 4;
+constexpr float kLegibleText_px = 11;
+constexpr double kTrend_s = 6;
+constexpr double kMaxTurnRate_degps = 4;
+constexpr int kTrendSteps = 8;
+
+/// Degrees between labels: 30, or 90 where those would touch.
+int label_step(float label_radius, float label_px) {
+    const auto apart = static_cast<float>(2 * label_radius * std::sin(radians(15)));
+    return apart >= 1.1f * text_width_px("33", label_px) ? 30 : 90;
+}
+
+bool has_value(const SymbologyInput& input, Element element) {
+    const ElementShow show = input.decisions[element].show;
+    return show != ElementShow::failed && show != ElementShow::absent;
+}
+
+/// Amber where the value is old.
+design::Color mark_color(const SymbologyInput& input, Element element, design::Color color) {
+    return input.decisions[element].show == ElementShow::flagged ? kCautionColor : color;
+}
+
+/// A block outside the scale with a notch at the direction.
+void build_heading_bug(const Painter& painter, const CompassRose& rose, double angle, design::Color color) {
+    const float m = rose.mark_px, inner = rose.radius + 0.02f * m, outer = rose.radius + 0.5f * m;
+    const Point corners[5] = {rose.at(angle, outer, -0.5f * m), rose.at(angle, outer, 0.5f * m), rose.at(angle, inner, 0.5f * m),
+                              rose.at(angle, rose.radius + 0.28f * m), rose.at(angle, inner, -0.5f * m)};
+    painter.batch().polyline(corners, 2 * painter.stroke_px(), kRimColor, true);
+    painter.batch().triangle(corners[0], corners[3], corners[4], color);
+    painter.batch().triangle(corners[0], corners[1], corners[3], color);
+    painter.batch().triangle(corners[1], corners[2], corners[3], color);
+}
+
+/// A thin line through the center that ends in an open arrow.
+void build_bearing_pointer(const Painter& painter, const CompassRose& rose, double angle, design::Color color) {
+    const float m = rose.mark_px, tip = rose.radius - 0.1f * m, barb = tip - 0.7f * m, near = 0.45f * rose.radius;
+    const Point arrow[3] = {rose.at(angle, barb, -0.35f * m), rose.at(angle, tip), rose.at(angle, barb, 0.35f * m)};
+    painter.line(rose.at(angle, near), arrow[1], color, 0.8f);
+    painter.polyline(arrow, color, 0.8f);
+    painter.line(rose.at(angle, -near), rose.at(angle, -tip), color, 0.8f);
+}
+
+/// A diamond across the scale.
+void build_track_mark(const Painter& painter, const CompassRose& rose, double angle) {
+    const float half = 0.42f * rose.mark_px;
+    const Point corners[4] = {rose.at(angle, rose.radius), rose.at(angle, rose.radius - half, 0.7f * half),
+                              rose.at(angle, rose.radius - 2 * half), rose.at(angle, rose.radius - half, -0.7f * half)};
+    painter.polyline(corners, kScaleColor, 1, true);
+}
+
+struct SideText {
+    Element element;
+    std::string_view name;
+    Rect place, cross;  ///< of the text, and of the name when it is crossed out
+    TextAnchor anchor;
+};
+
+/// The name with the value in the rose's reference, or the crossed-out name.
+void build_direction_text(const Painter& painter, const SymbologyInput& input, const SideText& side, double true_rad) {
+    if (input.decisions[side.element].show == ElementShow::absent) return;
+    if (!has_value(input, side.element)) return painter.crossed_out(side.cross, side.name);
+    ShortText text(side.name);
+    text.append(" ");
+    text.append(rose_degrees(input, true_rad).view());
+    painter.fitted_text(text.view(), side.place, side.anchor, legible_size(painter, kMarkText),
+                        mark_color(input, side.element, kSelectedColor));
+}
+
+/// Names what is old: its color says which value.
+void build_stale_row(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
+    for (const Element element : {Element::selected_heading, Element::waypoint_bearing, Element::turn_rate}) {
+        if (input.decisions[element].show != ElementShow::flagged) continue;
+        return painter.fitted_text("STALE", rose.side_row(RoseSide::right, 2), TextAnchor::right,
+                                   legible_size(painter, kMarkText), kCautionColor);
+    }
+}
+
+}  // namespace
+
+Point CompassRose::at(double angle_rad, float distance, float across) const noexcept {
+    const auto sine = static_cast<float>(std::sin(angle_rad)), cosine = static_cast<float>(std::cos(angle_rad));
+    return {center.x + distance * sine + across * cosine, center.y - distance * cosine + across * sine};
+}
+
+Rect CompassRose::side_row(RoseSide side, int row) const noexcept {
+    const float height = kRoseRow * text_px;
+    const bool at_foot = is_whole && row >= kRoseRows / 2;
+    const float y = at_foot ? card.bottom() - static_cast<float>(kRoseRows - row) * height
+                            : card.y + 0.1f * text_px + static_cast<float>(row) * height;
+    // The nearer of its edges to the center's height says how far the card reaches.
+    const float nearest = std::clamp(center.y, y, y + height) - center.y, reach = radius + kAroundScale * text_px;
+    const float half_card = std::sqrt(std::max(0.0f, reach * reach - nearest * nearest));
+    const float outer = std::min(box.width / 2, reach + kMaxSideText * text_px), width = outer - half_card;
+    return {side == RoseSide::left ? center.x - outer : center.x + half_card, y, width, height};
+}
+
+Rect CompassRose::side_cross(RoseSide side, int row) const noexcept {
+    const Rect place = side_row(side, row);
+    const float width = std::min(place.width, kCrossedText * text_px);
+    return {side == RoseSide::left ? place.x : place.right() - width, place.y, width, place.height};
+}
+
+CompassRose make_compass_rose(const Layout& layout) noexcept {
+    CompassRose rose;
+    const float t = layout.text_px;
+    rose.text_px = t;
+    rose.box = layout.heading;
+    rose.readout = {rose.box.center().x - 1.6f * t, rose.box.y, 3.2f * t, kRoseReadout * t};
+    rose.card = {rose.box.x, rose.readout.bottom(), rose.box.width, rose.box.height - rose.readout.height};
+    const float below = rose.box.height - kAboveScale * t, aside = rose.box.width / 2 - kAroundScale * t;
+    const float whole = (below - kAroundScale * t) / 2;
+    rose.is_whole = whole >= kMinWholeRadius * t;
+    rose.radius = std::min(rose.is_whole ? whole : below / (1 + kShownBelowCenter), aside);
+    rose.mark_px = std::min(t, rose.radius / kMarksAcrossRadius);
+    rose.center = {rose.box.center().x, rose.box.y + kAboveScale * t + rose.radius};
+    return rose;
+}
+
+double rose_angle_rad(const SymbologyInput& input, double true_rad) noexcept {
+    if (std::isnan(input.from_true_rad)) return std::nan("");
+    const double direction = limited(true_rad, -100, 100) + limited(input.from_true_rad, -100, 100);
+    return earth::angle_difference(direction, limited(input.heading_rad, -100, 100));
+}
+
+ShortText rose_degrees(const SymbologyInput& input, double true_rad) noexcept {
+    const double shown = rose_angle_rad(input, true_rad) + limited(input.heading_rad, -100, 100);
+    return whole_number(static_cast<int>(std::lround(base::degrees(earth::wrap_heading(shown)))) % 360, 3);
+}
+
+float legible_size(const Painter& painter, float size) noexcept { return std::max(size, kLegibleText_px / painter.text_px()); }
+
+void build_rose_card(const Painter& painter, const CompassRose& rose, double heading_rad) {
+    const float t = rose.text_px, m = rose.mark_px, size = legible_size(painter, kCardText);
+    const float label_radius = rose.radius - kTenTick * m - (0.15f + 0.5f * size) * t;
+    const int labels = label_step(label_radius, size * t);
+    const int ticks = rose.radius * static_cast<float>(radians(5)) >= kMinTickGap_px ? 5 : 10;
+    for (int degrees = 0; degrees < 360; degrees += ticks) {
+        const double angle = radians(degrees) - heading_rad;
+        const bool is_ten = degrees % 10 == 0;
+        const float length = (is_ten ? kTenTick : kFiveTick) * m;
+        painter.line(rose.at(angle, rose.radius - length), rose.at(angle, rose.radius), kScaleColor, is_ten ? 1 : 0.7f);
+        if (degrees % labels == 0)
+            painter.text(compass_text(degrees).view(), rose.at(angle, label_radius), TextAnchor::center, size, kScaleColor,
+                         static_cast<float>(earth::angle_difference(angle, 0)));
+    }
+}
+
+void build_lubber_line(const Painter& painter, const CompassRose& rose) {
+    const float m = rose.mark_px;
+    const Point tip = rose.at(0, rose.radius), left = rose.at(0, rose.radius + 0.45f * m, -0.35f * m),
+                right = rose.at(0, rose.radius + 0.45f * m, 0.35f * m);
+    const Point rim[3] = {tip, left, right};
+    painter.batch().polyline(rim, 2 * painter.stroke_px(), kRimColor, true);
+    painter.batch().triangle(tip, left, right, kScaleColor);
+    painter.line(tip, rose.at(0, rose.radius - kTenTick * m));
+}
+
+void build_turn_trend(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
+    if (!has_value(input, Element::turn_rate)) return;
+    const float m = rose.mark_px;
+    for (const double rate_degps : {-3.0, -1.5, 1.5, 3.0}) {
+        const double angle = radians(rate_degps * kTrend_s);
+        painter.line(rose.at(angle, rose.radius + 0.1f * m), rose.at(angle, rose.radius + 0.5f * m));
+    }
+    const double limit = radians(kMaxTurnRate_degps);
+    const double end = limited(input.guidance.turn_rate_radps, -limit, limit) * kTrend_s;
+    Point arc[kTrendSteps + 1];
+    for (int i = 0; i <= kTrendSteps; ++i) arc[i] = rose.at(end * i / kTrendSteps, rose.radius + 0.22f * m);
+    painter.polyline(arc, mark_color(input, Element::turn_rate, kScaleColor), 2);
+}
+
+void build_rose_marks(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
+    if (std::isnan(input.from_true_rad)) return;
+    const auto angle = [&](double true_rad) { return rose_angle_rad(input, true_rad); };
+    const auto color = [&](Element element) { return mark_color(input, element, kSelectedColor); };
+    // On a rose that the track itself turns, its mark would say nothing.
+    if (input.shows_track && input.decisions[Element::heading].source != flight::Signal::true_track)
+        build_track_mark(painter, rose, angle(input.track_rad));
+    if (has_value(input, Element::waypoint_bearing))
+        build_bearing_pointer(painter, rose, angle(input.guidance.waypoint_bearing_rad), color(Element::waypoint_bearing));
+    if (has_value(input, Element::selected_heading))
+        build_heading_bug(painter, rose, angle(input.guidance.selected_heading_rad), color(Element::selected_heading));
+}
+
+void build_rose_texts(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
+    const float t = rose.text_px, left = rose.readout.right() + 2.8f * t;
+    const Rect selected{left, rose.box.y, rose.box.right() - left, rose.readout.height};
+    if (std::isnan(input.from_true_rad)) {
+        painter.fitted_text("VAR", selected, TextAnchor::left, legible_size(painter, kMarkText), kCautionColor);
+    } else {
+        const Rect cross{selected.x, selected.y, std::min(selected.width, kCrossedText * t), kRoseRow * t};
+        build_direction_text(painter, input, {Element::selected_heading, "SEL", selected, cross, TextAnchor::left},
+                             input.guidance.selected_heading_rad);
+        build_direction_text(painter, input,
+                             {Element::waypoint_bearing, "BRG", rose.side_row(RoseSide::right, 0),
+                              rose.side_cross(RoseSide::right, 0), TextAnchor::right},
+                             input.guidance.waypoint_bearing_rad);
+    }
+    const ElementShow show = input.decisions[Element::turn_rate].show;
+    if (show == ElementShow::failed) painter.crossed_out(rose.side_cross(RoseSide::right, 1), "TURN");
+    if (show == ElementShow::flagged)
+        painter.fitted_text("TURN", rose.side_row(RoseSide::right, 1), TextAnchor::right, legible_size(painter, kMarkText),
+                            kCautionColor);
+    build_stale_row(painter, rose, input);
+}
+
+}  // namespace tedavis::draw
