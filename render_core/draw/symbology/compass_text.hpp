@@ -12,7 +12,7 @@ namespace tedavis::draw {
         case 90: return "E";
         case 180: return "S";
         case 270: return "W";
-        default: return whole_number(degrees / 10);
+        default: return whole_number(0.1 * degrees);
     }
 }
 
