@@ -12,6 +12,7 @@ using base::kPi;
 using flight::Signal;
 
 constexpr std::uint32_t kAnalogue = type_bit(DataType::float32) | type_bit(DataType::short16x2);
+constexpr std::uint32_t kSelectable = kAnalogue | type_bit(DataType::nodata);  ///< a message without data: nothing is selected
 constexpr std::uint32_t kPosition =
     kAnalogue | type_bit(DataType::double_high) | type_bit(DataType::double_low) | type_bit(DataType::long32);
 constexpr std::uint32_t kUnsigned = type_bit(DataType::ulong32) | type_bit(DataType::ushort16);
@@ -106,19 +107,18 @@ constexpr IdentifierEntry kTable[] = {
      kPi},
     {1093, "ILS 3 glideslope deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
     {1094, "ILS 4 glideslope deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1095, "flight director 1 pitch", BusUnit::degree, kAnalogue, Signal::flight_director_pitch, 0, false, false, -kPi, kPi},
+    {1095, "flight director 1 pitch", BusUnit::degree, kSelectable, Signal::flight_director_pitch, 0, false, false, -kPi, kPi},
     {1096, "flight director 2 pitch", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1097, "flight director 1 roll", BusUnit::degree, kAnalogue, Signal::flight_director_roll, 0, false, false, -kPi, kPi},
+    {1097, "flight director 1 roll", BusUnit::degree, kSelectable, Signal::flight_director_roll, 0, false, false, -kPi, kPi},
     {1098, "flight director 2 roll", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},
-    {1099, "decision height", BusUnit::metre, kAnalogue, Signal::decision_height, 0, false, false, 0, 1000},
+    {1099, "decision height", BusUnit::metre, kSelectable, Signal::decision_height, 0, false, false, 0, 1000},
     {1120, "desired track angle", BusUnit::degree, kAnalogue, Signal::desired_track, 0, false, false, -kPi, 2 * kPi},
     {1121, "magnetic variation", BusUnit::degree, kAnalogue, Signal::magnetic_variation, 0, false, false, -kPi, kPi},
-    {1122, "selected glidepath angle", BusUnit::degree, kAnalogue, Signal::selected_glidepath, 0, false, false, -kPi / 2,
-     kPi / 2},
+    {1122, "selected glidepath angle", BusUnit::degree, kSelectable, Signal::selected_glidepath, 0, false, false, 0, kPi / 12},
     {1123, "selected runway heading", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, 2 * kPi},
     {1124, "computed vertical velocity", BusUnit::metre_per_second, kAnalogue, Signal::vertical_speed, 1, false, false, -300,
      300},
-    {1125, "selected course", BusUnit::degree, kAnalogue, Signal::selected_course, 0, false, false, -kPi, 2 * kPi},
+    {1125, "selected course", BusUnit::degree, kSelectable, Signal::selected_course, 0, false, false, -kPi, 2 * kPi},
     {1130, "true east velocity", BusUnit::metre_per_second, kAnalogue, Signal::count_, 0, false, false, -1000, 1000},
     {1131, "true north velocity", BusUnit::metre_per_second, kAnalogue, Signal::count_, 0, false, false, -1000, 1000},
     {1132, "true up velocity", BusUnit::metre_per_second, kAnalogue, Signal::vertical_speed, 2, false, false, -300, 300},
@@ -130,8 +130,6 @@ constexpr IdentifierEntry kTable[] = {
     {1200, "UTC", BusUnit::time_of_day, kClock, Signal::count_, 0, false, false, 0, 0},
     {1206, "date", BusUnit::date, kClock, Signal::count_, 0, false, false, 0, 0},
 };
-constexpr std::uint32_t kSelectable = kAnalogue | type_bit(DataType::nodata);
-
 /// The identifier is the distance from the bus file's first one.
 constexpr IdentifierEntry kGuidance[] = {
     {0, "navigation source", BusUnit::none, type_bit(DataType::uchar8), Signal::navigation_source, 0, false, false, 0,

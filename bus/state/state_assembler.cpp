@@ -68,7 +68,9 @@ void StateAssembler::store(const DecodedMessage& message, base::Time at, base::Q
     const std::size_t place = std::size_t{message.rank} * kMaxRedundancyChannels + message.channel;
     base::Stamped<double>& candidate = candidates_[static_cast<std::size_t>(message.signal)][place];
     if (message.healthy && message.nothing_selected) {
-        candidate = {};
+        // Of all channels: what another one stated last is no longer selected either.
+        auto& all = candidates_[static_cast<std::size_t>(message.signal)];
+        for (std::size_t n = 0; n < kMaxRedundancyChannels; ++n) all[place - message.channel + n] = {};
     } else if (message.healthy && message.is_magnetic) {
         candidate = true_direction(message.value, at, quality);
     } else {

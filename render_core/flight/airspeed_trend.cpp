@@ -1,5 +1,7 @@
 #include "render_core/flight/airspeed_trend.hpp"
 
+#include <cmath>
+
 namespace tedavis::flight {
 
 void AirspeedTrend::step(const AircraftState& aircraft, base::Time now) {
@@ -15,6 +17,7 @@ void AirspeedTrend::step(const AircraftState& aircraft, base::Time now) {
     if (source != source_ || gap > kMaxGap || gap < base::Duration{}) return begin(source, sample);
     if (gap == base::Duration{}) return;
     const double change_mps2 = (sample.value_or(0) - last_.value_or(0)) / gap.to_seconds();
+    if (!(std::fabs(change_mps2) <= kMaxChange_mps2)) return begin(source, sample);
     const double share = gap.to_seconds() / (kSmoothing.to_seconds() + gap.to_seconds());
     rate_mps2_ += share * (change_mps2 - rate_mps2_);
     last_ = sample;

@@ -14,7 +14,9 @@ namespace tedavis::flight {
 class AirspeedTrend {
 public:
     static constexpr base::Duration kSmoothing = base::Duration::seconds(1);
-    static constexpr base::Duration kMaxGap = base::Duration::seconds(1);    ///< between two samples; a longer one begins anew
+    static constexpr base::Duration kMaxGap = base::Duration::seconds(1);  ///< between two samples; a longer one begins anew
+    static constexpr double kMaxChange_mps2 =
+        10;  ///< between two samples; a greater one is another sensor's value, and begins anew
     static constexpr base::Duration kSettling = base::Duration::seconds(2);  ///< of samples before a rate is stated
 
     /// Takes the indicated airspeed, or the calibrated one where that is not valid, when it is new.

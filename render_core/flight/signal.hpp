@@ -28,7 +28,7 @@ enum class Signal : std::uint8_t {
     yaw_rate,                   ///< rad/s
     longitudinal_acceleration,  ///< m/s^2
     lateral_acceleration,       ///< m/s^2
-    normal_acceleration,        ///< m/s^2
+    normal_acceleration,        ///< m/s^2, as an accelerometer feels it: 1 g in level flight
     indicated_airspeed,         ///< m/s
     true_airspeed,              ///< m/s
     calibrated_airspeed,        ///< m/s

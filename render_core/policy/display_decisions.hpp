@@ -57,7 +57,7 @@ enum class ElementShow : std::uint8_t {
     absent,       ///< nothing is shown: the aircraft does not supply the value, or the value has no meaning now
 };
 
-/// Where the own ship is relative to the minimum of an approach: the radio minimum where it is shown, else that of the altimeter.
+/// Where the own ship is relative to a minimum of an approach.
 enum class MinimumsState : std::uint8_t {
     none,   ///< no minimum is shown, or no approach is flown
     above,  ///< more than kNearMinimum_m above it
@@ -93,7 +93,8 @@ struct DisplayDecisions {
     flight::Signal view_heading = flight::Signal::count_;
     /// Receiver that course and deviations come from; radio1 where the bus has never stated it.
     flight::NavigationSource navigation_source = flight::NavigationSource::none;
-    MinimumsState minimums = MinimumsState::none;
+    MinimumsState radio_minimum = MinimumsState::none;  ///< by the radio height
+    MinimumsState baro_minimum = MinimumsState::none;   ///< by the altimeter
     std::array<ElementDecision, kElementCount> elements{};
     base::FixedVector<Notice, 16> notices;               ///< most urgent first
     base::FixedVector<base::FixedString<47>, 72> flags;  ///< "signal.state" or a name

@@ -48,7 +48,7 @@ constexpr std::string_view kNothingGone = "Nothing is removed.", kLastStays = "T
 constexpr ElementText kElementTexts[] = {
     {"attitude", kNormal, kAmber, "BANK",
      "The bank exceeds the limit of the aircraft, which is 45 degrees without an aircraft file.", kNothingGone},
-    {"attitude", kFlagged, kAmber, "ATTITUDE STALE", "Pitch or bank is stale.",
+    {"attitude", kFlagged, kAmber, "ATTITUDE STALE, FD", "Pitch or bank is stale.",
      "The terrain is removed, and the last attitude stays."},
     {"attitude", kFailedShow, kRed, "ATTITUDE FAIL", "Pitch or bank is not valid.",
      "A red cross replaces the attitude, and the terrain is removed."},
@@ -128,6 +128,9 @@ constexpr ElementText kElementTexts[] = {
     {"selected_airspeed", kFailedShow, kRed, "SPD SEL", "The selected airspeed is not valid.", kValueGone},
     {"selected_vertical_speed", kFlagged, kAmber, "#", "The selected vertical speed is stale.", kLastStays},
     {"selected_vertical_speed", kFailedShow, kRed, "VS SEL", "The selected vertical speed is not valid.", kValueGone},
+    {"radio_minimum", kNormal, kAmber, "DH, #", "The own ship is at or below the decision height.", kNothingGone},
+    {"radio_minimum", kFlagged, kAmber, "DH, #", "The decision height is stale.", kLastStays},
+    {"radio_minimum", kFailedShow, kAmber, "DH", "The decision height is not valid.", kValueGone},
     {"baro_minimum", kNormal, kAmber, "MIN #", "The own ship is at or below the minimum.", kNothingGone},
     {"baro_minimum", kFlagged, kAmber, "MIN #", "The minimum altitude is stale.", kLastStays},
     {"baro_minimum", kFailedShow, kRed, "MIN", "The minimum altitude is not valid, or lies below the ground.", kValueGone},

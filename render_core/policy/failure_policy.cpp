@@ -144,9 +144,11 @@ private:
                                          fits ? Signal::airspeed_rate : Signal::count_};
     }
 
-    /// As good as the worse of two signals that state nothing without each other.
+    /// As good as the worse of two signals that state nothing without each other; what failed is said in any case.
     [[nodiscard]] ElementDecision worse_of(SignalGroup a, SignalGroup b) const {
         const ElementDecision first = decision(a), second = decision(b);
+        if (first.show == ElementShow::failed) return first;
+        if (second.show == ElementShow::failed) return second;
         return first.show < second.show ? second : first;
     }
     void decide_wind() { out_[Element::wind] = worse_of(SignalGroup::wind_speed, SignalGroup::wind_direction); }
@@ -236,29 +238,32 @@ private:
         decide_element(Element::baro_minimum, SignalGroup::baro_minimum);
         ElementDecision& minimum = out_[Element::baro_minimum];
         const ElementDecision ground = decision(SignalGroup::ground_height);
+        if (!may_approach(ground)) return;
         const bool knows_ground = ground.show == ElementShow::normal && valid(Signal::baro_altitude);
+        const double altitude_m = state_[Signal::baro_altitude].value_or(0);
         const double height_m = knows_ground ? state_[ground.source].value_or(0) : 0;
-        const double ground_msl_m = state_[Signal::baro_altitude].value_or(0) - height_m;
         if (minimum.source != Signal::count_ && knows_ground && height_m < kNear_m &&
-            state_[minimum.source].value_or(0) < ground_msl_m) {
+            state_[minimum.source].value_or(0) < altitude_m - height_m) {
             minimum = {ElementShow::failed, Signal::count_};
             flag(RecordFlag::minimum_below_ground);
         }
-        out_.minimums = minimums_state(ground);
+        if (out_[Element::radio_minimum].show == ElementShow::normal && valid(Signal::radio_height))
+            out_.radio_minimum = minimum_state(Signal::radio_height, Signal::decision_height);
+        if (minimum.show == ElementShow::normal && valid(Signal::baro_altitude))
+            out_.baro_minimum = minimum_state(Signal::baro_altitude, Signal::minimum_altitude);
     }
 
-    /// Only on an approach and in the air: before take-off every aircraft is below its minimum.
-    [[nodiscard]] MinimumsState minimums_state(const ElementDecision& ground) const {
+    /// In the air, and on an approach or in a descent of an unknown phase: before take-off every aircraft is below its minimum.
+    [[nodiscard]] bool may_approach(const ElementDecision& ground) const {
         constexpr double kOnGround_m = 5;
-        if (conditions_.phase.phase.scenario != flight::Scenario::approach) return MinimumsState::none;
-        if (ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m) return MinimumsState::none;
-        double above_m = 0;
-        if (out_[Element::radio_minimum].show == ElementShow::normal && ground.show == ElementShow::normal)
-            above_m = state_[ground.source].value_or(0) - state_[Signal::decision_height].value_or(0);
-        else if (out_[Element::baro_minimum].show == ElementShow::normal && valid(Signal::baro_altitude))
-            above_m = state_[Signal::baro_altitude].value_or(0) - state_[Signal::minimum_altitude].value_or(0);
-        else
-            return MinimumsState::none;
+        if (ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m) return false;
+        const flight::Scenario scenario = conditions_.phase.phase.scenario;
+        const bool descends = valid(Signal::vertical_speed) && state_[Signal::vertical_speed].value_or(0) < 0;
+        return scenario == flight::Scenario::approach || (scenario == flight::Scenario::unknown && descends);
+    }
+
+    [[nodiscard]] MinimumsState minimum_state(Signal height, Signal minimum) const {
+        const double above_m = state_[height].value_or(0) - state_[minimum].value_or(0);
         if (above_m > kNearMinimum_m) return MinimumsState::above;
         return above_m > 0 ? MinimumsState::near : MinimumsState::at_or_below;
     }
@@ -381,7 +386,8 @@ private:
         notice_if(is_removed_by_signal || source == TerrainSource::over_budget || source == TerrainSource::too_coarse,
                   NoticeId::terrain_off);
         notice_if(conditions_.is_map && out_[Element::map_up].show == ElementShow::flagged, NoticeId::map_north_up);
-        notice_if(out_.minimums == MinimumsState::at_or_below, NoticeId::minimums);
+        notice_if(out_.radio_minimum == MinimumsState::at_or_below || out_.baro_minimum == MinimumsState::at_or_below,
+                  NoticeId::minimums);
         add_phase_notices();
         notice_if(out_.show_terrain && conditions_.data_are_out_of_date, NoticeId::data_out_of_date);
         notice_if(shows_measure(), NoticeId::analysis_overlay);

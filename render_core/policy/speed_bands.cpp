@@ -63,8 +63,8 @@ SpeedBands speed_bands(const AircraftSettings& aircraft, const SpeedConditions& 
     if (!knows_limit(aircraft, conditions.pressure_altitude_m)) return shown;
     const FlapsRange flaps = possible_flaps(conditions.flaps);
     const double load_factor = std::fmin(std::fmax(conditions.load_factor, 1.0), kMaxLoadFactor);  // 1 where it is NaN
-    add_first_column(aircraft, stall_with_flaps_mps(aircraft, flaps.least) * std::sqrt(load_factor),
-                     limit_of_flaps_mps(aircraft, flaps.most), shown);
+    const double stall_mps = conditions.is_on_ground ? 0 : stall_with_flaps_mps(aircraft, flaps.least) * std::sqrt(load_factor);
+    add_first_column(aircraft, stall_mps, limit_of_flaps_mps(aircraft, flaps.most), shown);
     const FlapSetting& all_out = aircraft.flaps.back();
     if (aircraft.flaps.size() > 1) add_band(shown, all_out.stall_mps, all_out.limit_mps, SpeedBandRole::flaps_range);
     return shown;

@@ -1,5 +1,7 @@
 #include "render_core/display/planner/symbology_data.hpp"
 
+#include <algorithm>
+
 #include "render_core/base/units.hpp"
 #include "render_core/display/planner/adjacent_data.hpp"
 #include "render_core/display/planner/element_legends.hpp"
@@ -8,6 +10,22 @@
 namespace tedavis::display {
 
 using flight::Signal;
+
+namespace {
+
+/// A position that went bad may be any. An aircraft that never states one has the markings of a plain indicator, the speeds with
+/// the flaps up and the white range; where it states its lever, the flaps may be as far out as that.
+policy::FlapsRange known_flaps(const flight::AircraftState& state, base::Time now) {
+    if (state.is_valid(Signal::flaps_position, now)) {
+        const double position = state[Signal::flaps_position].value_or(0);
+        return {position, position};
+    }
+    if (state[Signal::flaps_position].received()) return {};
+    const bool has_lever = state.is_valid(Signal::flaps_lever, now);
+    return {0, has_lever ? std::clamp(state[Signal::flaps_lever].value_or(0), 0.0, 1.0) : 0};
+}
+
+}  // namespace
 
 GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyInput& symbology) noexcept {
     const design::DesignSettings& design = frame.design;
@@ -25,11 +43,10 @@ policy::SpeedBands shown_speed_bands(const design::AircraftSettings& aircraft, c
     const Signal speed = decisions[policy::Element::airspeed].source;
     if (speed != Signal::indicated_airspeed && speed != Signal::calibrated_airspeed) return {};
     policy::SpeedConditions conditions;
-    // The lever says where the flaps will be, not where they are. A position that went bad may be any; an aircraft that never
-    // states one has the markings of a plain indicator: speeds with the flaps up, and the white range.
-    const bool is_stated = state[Signal::flaps_position].received();
-    if (!is_stated || state.is_valid(Signal::flaps_position, now))
-        conditions.flaps.least = conditions.flaps.most = is_stated ? state[Signal::flaps_position].value_or(0) : 0;
+    conditions.flaps = known_flaps(state, now);
+    const policy::ElementDecision& ground = decisions[policy::Element::ground_height];
+    constexpr double kOnGround_m = 5;
+    conditions.is_on_ground = ground.show == policy::ElementShow::normal && state[ground.source].value_or(0) < kOnGround_m;
     if (state.is_valid(Signal::normal_acceleration, now))
         conditions.load_factor = state[Signal::normal_acceleration].value_or(0) / base::kStandardGravity;
     if (state.is_valid(Signal::standard_altitude, now))

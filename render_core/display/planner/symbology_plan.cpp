@@ -27,6 +27,7 @@ MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch,
                                    planned.width, planned.height, frame.aircraft_msl_m);
     set_terrain_legend(frame, symbology.legend);
     symbology.excessive_bank_rad = planned.aircraft.excessive_bank_rad;
+    symbology.standard_turn_radps = planned.aircraft.standard_turn_rad_s;
     symbology.bands = shown_speed_bands(planned.aircraft, planned.state, frame.decisions, frame.record.time);
     symbology.over = planned.over;
     symbology.map = make_map_input(frame, planned.state);

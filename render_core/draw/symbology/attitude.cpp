@@ -71,9 +71,11 @@ Rect horizon_box(const Layout& layout) {
 }
 
 /// Headings on the horizon line within the attitude: a tick every ten degrees, a label every thirty, in the reference of the
-/// heading that is shown. Without a known variation a magnetic display has none.
+/// heading that is shown. There are none while heading or attitude are not valid, or a magnetic heading's variation is not known.
 void build_horizon_headings(const Painter& painter, const SymbologyInput& input, const LadderFrame& ladder) {
-    const bool is_known = input.decisions[policy::Element::heading].source != flight::Signal::count_;
+    const ElementShow attitude = input.decisions[policy::Element::attitude].show;
+    const bool is_known = input.decisions[policy::Element::heading].source != flight::Signal::count_ &&
+                          input.decisions.view_heading != flight::Signal::count_ && attitude == ElementShow::normal;
     if (!is_known || !std::isfinite(input.from_true_rad)) return;
     const float t = painter.text_px();
     const Rect room = painter.layout().attitude.shrunk(0.5f * t);

@@ -192,8 +192,8 @@ void build_lubber_line(const Painter& painter, const CompassRose& rose) {
 void build_turn_trend(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
     if (!has_value(input, Element::turn_rate)) return;
     const float m = rose.mark_px;
-    for (const double rate_degps : {-3.0, -1.5, 1.5, 3.0}) {
-        const double angle = radians(rate_degps * kTrend_s);
+    for (const double rates : {-1.0, -0.5, 0.5, 1.0}) {
+        const double angle = rates * input.standard_turn_radps * kTrend_s;
         painter.line(rose.at(angle, rose.radius + 0.1f * m), rose.at(angle, rose.radius + 0.5f * m));
     }
     const double limit = radians(kMaxTurnRate_degps);
@@ -219,7 +219,10 @@ void build_rose_marks(const Painter& painter, const CompassRose& rose, const Sym
 void build_rose_texts(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
     const float t = rose.text_px, left = rose.readout.right() + 2.8f * t;
     const Rect selected{left, rose.box.y, rose.box.right() - left, rose.readout.height};
-    if (std::isnan(input.from_true_rad)) {
+    const ElementShow heading = input.decisions[Element::heading].show;
+    if (heading == ElementShow::flagged) {
+        // STALE stands there already, and nothing has a place on an old card.
+    } else if (std::isnan(input.from_true_rad)) {
         painter.fitted_text("VAR", selected, TextAnchor::left, legible_size(painter, kMarkText), kCautionColor);
     } else {
         const Rect cross{selected.x, selected.y, std::min(selected.width, kCrossedText * t), kRoseRow * t};

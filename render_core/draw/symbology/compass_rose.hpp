@@ -49,7 +49,7 @@ struct CompassRose {
 void build_rose_card(const Painter& painter, const CompassRose& rose, double heading_rad);
 void build_lubber_line(const Painter& painter, const CompassRose& rose);
 /// The heading's change within 6 s at the present rate of turn, along the edge, with marks at half the standard rate and at the
-/// standard rate (1.5 and 3 degrees a second). It ends at 4 degrees a second.
+/// standard rate of the aircraft (3 degrees a second without an aircraft file). It ends at 4 degrees a second.
 void build_turn_trend(const Painter& painter, const CompassRose& rose, const SymbologyInput& input);
 /// The track, the bearing of the waypoint and the selected heading on the card. A magnetic rose without variation has none.
 void build_rose_marks(const Painter& painter, const CompassRose& rose, const SymbologyInput& input);

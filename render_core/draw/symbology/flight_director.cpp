@@ -19,9 +19,9 @@ constexpr float kDashFrom = 2.2f, kDashTo = 4.2f;        // texts from the middl
 constexpr float kCrossWidth = 2.6f, kPlateWidth = 5.0f;  // texts
 constexpr double kMaxReference_rad = base::radians(30);
 
-bool attitude_is_shown(const SymbologyInput& input) {
-    const ElementShow attitude = input.decisions[Element::attitude].show;
-    return attitude != ElementShow::failed && attitude != ElementShow::absent && !input.decisions.unusual_attitude;
+/// Commands over an attitude that stands still would be followed for ever.
+bool attitude_is_valid(const SymbologyInput& input) {
+    return input.decisions[Element::attitude].show == ElementShow::normal && !input.decisions.unusual_attitude;
 }
 
 /// In the lower left corner of the attitude, above the flight-path vector's own.
@@ -43,8 +43,9 @@ void build_dash(const Painter& painter, const LadderFrame& ladder, double elevat
 
 void build_flight_director(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::flight_director].show;
-    if (show == ElementShow::absent || !attitude_is_shown(input)) return;
-    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 1, kCrossWidth), "FD");
+    const bool is_over_stale = input.decisions[Element::attitude].show == ElementShow::flagged;
+    if (show == ElementShow::absent || (!attitude_is_valid(input) && !is_over_stale)) return;
+    if (show == ElementShow::failed || is_over_stale) return painter.crossed_out(failure_place(painter, 1, kCrossWidth), "FD");
     const float t = painter.text_px(), reach = kMaxBarTexts * t;
     const Point c = painter.layout().screen.center();
     const double up_px = input.view.focal_px * std::tan(limited(input.guidance.director_pitch_rad, -0.5, 0.5));
@@ -59,12 +60,12 @@ void build_flight_director(const Painter& painter, const SymbologyInput& input) 
 
 void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::flight_path_reference].show;
-    if (show == ElementShow::absent || !attitude_is_shown(input)) return;
+    if (show == ElementShow::absent || !attitude_is_valid(input)) return;
     if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 2, kCrossWidth), "PATH");
     const LadderFrame ladder(input);
     const double descent_rad = limited(input.guidance.path_reference_rad, -kMaxReference_rad, kMaxReference_rad);
     const design::Color color = show == ElementShow::flagged ? kCautionColor : kSelectedColor;
-    painter.batch().set_clip(conformal_box(painter.layout()));
+    painter.batch().set_clip(painter.layout().attitude);
     build_dash(painter, ladder, -descent_rad, -kDashTo, -kDashFrom, color);
     build_dash(painter, ladder, -descent_rad, kDashFrom, kDashTo, color);
     const ProjectedPoint label = ladder.at(-descent_rad, ladder.tangent_of((kDashTo + 0.3f) * painter.text_px()));

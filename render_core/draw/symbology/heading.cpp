@@ -42,15 +42,21 @@ void build_heading_readout(const Painter& painter, const CompassRose& rose, cons
 void build_heading(const Painter& painter, const SymbologyInput& input) {
     const policy::ElementDecision& decision = input.decisions[policy::Element::heading];
     if (decision.show == ElementShow::absent) return;
-    if (decision.show == ElementShow::failed) return painter.failed(painter.layout().heading, "HDG FAIL");
-    const double heading_rad = earth::wrap_heading(limited(input.heading_rad, -100, 100));
     const CompassRose rose = make_compass_rose(painter.layout());
     const bool recovers = input.decisions.unusual_attitude;
+    if (decision.show == ElementShow::failed) {
+        painter.failed(painter.layout().heading, "HDG FAIL");
+        if (recovers) return;
+        // A deviation needs no heading; its course has no direction then.
+        build_course(painter, rose, input);
+        return build_course_texts(painter, rose, input);
+    }
+    const double heading_rad = earth::wrap_heading(limited(input.heading_rad, -100, 100));
     painter.batch().set_clip(rose.card);
     build_rose_card(painter, rose, heading_rad);
     if (!recovers) {
-        build_course(painter, rose, input);
         build_rose_marks(painter, rose, input);
+        build_course(painter, rose, input);
         build_turn_trend(painter, rose, input);
     }
     build_lubber_line(painter, rose);

@@ -16,6 +16,29 @@ void labelled_number(const Painter& painter, const Rect& box, std::string_view l
     painter.readout(lower, number, show == ElementShow::flagged);
 }
 
+/// The right part of a box, which is made narrower by it; nothing for what is absent.
+Rect take_right(Rect& box, float share, ElementShow show) {
+    if (show == ElementShow::absent) return {};
+    const float width = share * box.width;
+    box.width -= width;
+    return {box.right(), box.y, width, box.height};
+}
+
+/// The decision height beside the height that it is compared with.
+void build_radio_minimum(const Painter& painter, const SymbologyInput& input, const Rect& box) {
+    const ElementShow show = input.decisions[Element::radio_minimum].show;
+    if (show == ElementShow::absent) return;
+    if (show == ElementShow::failed) return painter.crossed_out(box, "DH");
+    design::Color color = show == ElementShow::flagged ? kCautionColor : kSelectedColor;
+    if (input.decisions.radio_minimum == policy::MinimumsState::near) color = kScaleColor;
+    if (input.decisions.radio_minimum == policy::MinimumsState::at_or_below) color = kCautionColor;
+    const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
+    const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
+    const double feet = limited(input.guidance.radio_minimum_m / base::kMetresPerFoot, 0, 9999);
+    painter.plate(upper, "DH", 0.8f, color);
+    painter.plate(lower, whole_number(feet).view(), 1, color);
+}
+
 /// "first_climb" as "FIRST CLIMB".
 void append_upper(base::FixedString<63>& text, std::string_view name) {
     for (char c : name) {
@@ -65,7 +88,8 @@ void build_baro_setting(const Painter& painter, const SymbologyInput& input) {
 
 void build_ground_height(const Painter& painter, const SymbologyInput& input) {
     const policy::ElementDecision& decision = input.decisions[Element::ground_height];
-    const Rect& box = painter.layout().ground_height;
+    Rect box = painter.layout().ground_height;
+    build_radio_minimum(painter, input, take_right(box, 0.42f, input.decisions[Element::radio_minimum].show));
     if (decision.show == ElementShow::absent) return;
     const bool radio = decision.source != flight::Signal::height_above_terrain;
     if (decision.show == ElementShow::failed) return painter.failed(box, "AGL FAIL");

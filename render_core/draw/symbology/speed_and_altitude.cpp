@@ -74,12 +74,8 @@ void put_bands(const policy::SpeedBands& bands, TapeMarks& marks) {
 
 bool is_current(ElementShow show) { return show == ElementShow::normal || show == ElementShow::substituted; }
 
-/// The minimum's color follows the state of the minimum that counts: above ground where that is shown, else this one.
 design::Color baro_minimum_color(const policy::DisplayDecisions& decisions) {
-    const bool counts_above_ground =
-        decisions[Element::radio_minimum].show == ElementShow::normal && is_current(decisions[Element::ground_height].show);
-    if (counts_above_ground) return kSelectedColor;
-    switch (decisions.minimums) {
+    switch (decisions.baro_minimum) {
         case policy::MinimumsState::near: return kScaleColor;
         case policy::MinimumsState::at_or_below: return kCautionColor;
         case policy::MinimumsState::none:

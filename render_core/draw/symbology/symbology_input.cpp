@@ -64,10 +64,12 @@ GuidanceInput make_guidance_input(const flight::AircraftState& state, const poli
     return guidance;
 }
 
-/// A magnetic heading needs the variation; the others are true.
+/// A magnetic heading needs the variation; the others are true. Nothing is placed by a heading that is not valid.
 double from_true_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions, base::Time now) {
-    if (decisions[Element::heading].source != Signal::magnetic_heading) return 0;
     const double unknown = std::nan("");
+    const policy::ElementShow heading = decisions[Element::heading].show;
+    if (heading != policy::ElementShow::normal && heading != policy::ElementShow::substituted) return unknown;
+    if (decisions[Element::heading].source != Signal::magnetic_heading) return 0;
     return state.is_valid(Signal::magnetic_variation, now) ? -state[Signal::magnetic_variation].value_or(0) : unknown;
 }
 

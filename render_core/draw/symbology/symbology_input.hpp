@@ -84,6 +84,7 @@ struct SymbologyInput {
     design::SymbologySettings shown;
     design::UnusualAttitudeLimits unusual;
     double excessive_bank_rad = base::radians(45);  ///< beyond, the bank is said to be excessive
+    double standard_turn_radps = base::radians(3);  ///< rate of a standard-rate turn
     design::Color sky, ground;                      ///< of the permanent horizon
     flight::PhaseStatus phase;
     ViewFrame view;               ///< as terrain and sky are drawn
@@ -92,7 +93,8 @@ struct SymbologyInput {
     double heading_rad = 0;  ///< as shown: true, magnetic or track, by decisions[heading].source
     double track_rad = 0;    ///< true; means something where `shows_track`
     bool shows_track = false;
-    /// To be added to a true direction for the reference of `heading_rad`; NaN where the variation is not known.
+    /// To be added to a true direction for the reference of `heading_rad`; NaN where the variation is not known, or the heading
+    /// not valid.
     double from_true_rad = 0;
     double airspeed_mps = 0;
     policy::SpeedBands bands;  ///< of that speed; none without an aircraft file

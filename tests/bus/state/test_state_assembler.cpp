@@ -205,6 +205,10 @@ TEST(StateAssembler, WhatIsNoLongerSelectedIsAbsentAndSilenceIsLost) {
     EXPECT_EQ(bus.state(Signal::selected_altitude, 100), SignalState::missing);
     bus.send(1833, 1600, 2);
     EXPECT_NEAR(bus.value(Signal::selected_altitude, 2), 1600, 1e-3);
+    bus.send(1833, 1700, 2.1, 1);
+    ASSERT_EQ(bus.encoder.encode_nothing_selected(1833, at(3), {&frame, 1}), 1u);
+    bus.assembler.feed({&frame, 1});
+    EXPECT_EQ(bus.state(Signal::selected_altitude, 20), SignalState::missing) << "and not the lost value of the other channel";
 }
 
 TEST(StateAssembler, MagneticDirectionsBecomeTrueByTheVariationOfTheirTime) {

@@ -99,14 +99,14 @@ TEST(DisplayDrawing, SideBySideHasSymbologyInBothHalves) {
     design::DesignSettings design = stereo_design(StereoMode::side_by_side);
     Hills stereo(design);
     const auto both = test_support::settled_pixels(stereo.headless, stereo.state, test_support::kHillsNow);
-    std::size_t greens[2] = {};
+    std::size_t yellows[2] = {};  // of the aircraft symbol
     for (std::size_t y = 0; y < kHeight; ++y)
         for (std::size_t x = 0; x < kWidth; ++x) {
             const std::uint8_t* const p = both.data() + (y * kWidth + x) * 4;
-            greens[2 * x / kWidth] += p[1] > 200 && p[0] < 90 && p[2] < 140 ? 1u : 0u;
+            yellows[2 * x / kWidth] += p[0] > 200 && p[1] > 170 && p[2] < 60 ? 1u : 0u;
         }
-    EXPECT_GT(greens[0], 20u);
-    EXPECT_NEAR(static_cast<double>(greens[1]), static_cast<double>(greens[0]), 0.1 * static_cast<double>(greens[0]));
+    EXPECT_GT(yellows[0], 20u);
+    EXPECT_NEAR(static_cast<double>(yellows[1]), static_cast<double>(yellows[0]), 0.1 * static_cast<double>(yellows[0]));
 }
 
 TEST(DisplayDrawing, FromFarAwayOnePictureServesBothEyes) {

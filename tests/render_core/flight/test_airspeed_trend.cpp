@@ -38,7 +38,7 @@ TEST(AirspeedTrend, DoesNotDependOnHowOftenItIsAsked) {
 TEST(AirspeedTrend, BeginsAnewAfterAGapAndWithAnotherSource) {
     const auto settled = [] {
         AirspeedTrend trend;
-        for (int i = 0; i < 40; ++i) trend.step(with_airspeed(50 + i, 0.1 * i), at(0.1 * i));
+        for (int i = 0; i < 40; ++i) trend.step(with_airspeed(50 + 0.5 * i, 0.1 * i), at(0.1 * i));
         return trend;
     };
     AirspeedTrend trend = settled();
@@ -48,6 +48,9 @@ TEST(AirspeedTrend, BeginsAnewAfterAGapAndWithAnotherSource) {
     trend = settled();
     trend.step(with_airspeed(70, 4.0, Signal::calibrated_airspeed), at(4.0));
     EXPECT_FALSE(trend.rate().received()) << "the difference of two instruments is no change";
+    trend = settled();
+    trend.step(with_airspeed(87.5, 4.0), at(4.0));
+    EXPECT_FALSE(trend.rate().received()) << "a leap to another sensor's value";
     trend = settled();
     trend.step({}, at(4.0));
     EXPECT_FALSE(trend.rate().received());

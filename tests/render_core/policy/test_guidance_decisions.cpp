@@ -71,17 +71,23 @@ TEST(GuidanceDecisions, ADeviationIsAsGoodAsTheStatementOfItsReceiver) {
 
 TEST(GuidanceDecisions, AMinimumInTheGroundIsRemovedWhereItMatters) {
     AircraftState state = everything_valid();
+    DisplayConditions conditions = test_support::good_conditions();
+    conditions.phase.phase = flight::kApproachFinal;
     state[Signal::baro_altitude] = {590, kPolicyNow};
     state[Signal::radio_height] = {90, kPolicyNow};
     state[Signal::minimum_altitude] = {510, kPolicyNow};
-    EXPECT_EQ(decide_on(state)[Element::baro_minimum].show, ElementShow::normal);
+    EXPECT_EQ(decide_on(state, conditions)[Element::baro_minimum].show, ElementShow::normal);
     state[Signal::minimum_altitude] = {490, kPolicyNow};
-    const DisplayDecisions decisions = decide_on(state);
+    const DisplayDecisions decisions = decide_on(state, conditions);
     EXPECT_EQ(decisions[Element::baro_minimum].show, ElementShow::failed);
     EXPECT_TRUE(has_flag(decisions, "minimum_altitude.below_ground"));
     state[Signal::baro_altitude] = {620, kPolicyNow};
     state[Signal::radio_height] = {120, kPolicyNow};
-    EXPECT_EQ(decide_on(state)[Element::baro_minimum].show, ElementShow::normal) << "above a hill on the way";
+    EXPECT_EQ(decide_on(state, conditions)[Element::baro_minimum].show, ElementShow::normal) << "above a hill on the way";
+    conditions.phase.phase = flight::kTakeoffFirstClimb;
+    state[Signal::baro_altitude] = {590, kPolicyNow};
+    state[Signal::radio_height] = {90, kPolicyNow};
+    EXPECT_EQ(decide_on(state, conditions)[Element::baro_minimum].show, ElementShow::normal) << "that of the destination";
 }
 
 TEST(GuidanceDecisions, MinimumsAreReachedOnAnApproachInTheAir) {
@@ -91,13 +97,41 @@ TEST(GuidanceDecisions, MinimumsAreReachedOnAnApproachInTheAir) {
         state[Signal::decision_height] = {60, kPolicyNow};
         DisplayConditions conditions = test_support::good_conditions();
         conditions.phase.phase = phase;
-        return decide_on(state, conditions).minimums;
+        return decide_on(state, conditions).radio_minimum;
     };
     EXPECT_EQ(state_at(200, flight::kApproachFinal), MinimumsState::above);
     EXPECT_EQ(state_at(85, flight::kApproachFinal), MinimumsState::near);
     EXPECT_EQ(state_at(59, flight::kApproachFinal), MinimumsState::at_or_below);
     EXPECT_EQ(state_at(59, flight::kTakeoffFirstClimb), MinimumsState::none);
     EXPECT_EQ(state_at(2, flight::kApproachFinal), MinimumsState::none) << "landed";
+}
+
+TEST(GuidanceDecisions, EachMinimumCountsByItself) {
+    AircraftState state = everything_valid();
+    DisplayConditions conditions = test_support::good_conditions();
+    conditions.phase.phase = flight::kApproachFinal;
+    state[Signal::radio_height] = {100, kPolicyNow};
+    state[Signal::decision_height] = {60, kPolicyNow};
+    state[Signal::baro_altitude] = {500, kPolicyNow};
+    state[Signal::minimum_altitude] = {520, kPolicyNow};
+    EXPECT_EQ(decide_on(state, conditions).radio_minimum, MinimumsState::above);
+    EXPECT_EQ(decide_on(state, conditions).baro_minimum, MinimumsState::at_or_below);
+    EXPECT_TRUE(test_support::has_notice(decide_on(state, conditions), "MINIMUMS")) << "one is enough";
+    put_signal(state, Signal::radio_height, SignalState::missing);
+    EXPECT_EQ(decide_on(state, conditions).radio_minimum, MinimumsState::none)
+        << "the height over the database is no radio height";
+}
+
+TEST(GuidanceDecisions, AnUnknownPhaseMayBeAnApproachWhileItDescends) {
+    AircraftState state = everything_valid();
+    DisplayConditions conditions = test_support::good_conditions();
+    conditions.phase.phase = flight::FlightPhase();
+    state[Signal::radio_height] = {50, kPolicyNow};
+    state[Signal::decision_height] = {60, kPolicyNow};
+    state[Signal::vertical_speed] = {-3, kPolicyNow};
+    EXPECT_EQ(decide_on(state, conditions).radio_minimum, MinimumsState::at_or_below);
+    state[Signal::vertical_speed] = {3, kPolicyNow};
+    EXPECT_EQ(decide_on(state, conditions).radio_minimum, MinimumsState::none);
 }
 
 TEST(GuidanceDecisions, WithoutARadioMinimumTheAltimetersCounts) {
@@ -108,9 +142,10 @@ TEST(GuidanceDecisions, WithoutARadioMinimumTheAltimetersCounts) {
     state[Signal::baro_altitude] = {500, kPolicyNow};
     state[Signal::minimum_altitude] = {520, kPolicyNow};
     put_signal(state, Signal::decision_height, SignalState::missing);
-    EXPECT_EQ(decide_on(state, conditions).minimums, MinimumsState::at_or_below);
+    EXPECT_EQ(decide_on(state, conditions).baro_minimum, MinimumsState::at_or_below);
+    EXPECT_TRUE(test_support::has_notice(decide_on(state, conditions), "MINIMUMS"));
     put_signal(state, Signal::minimum_altitude, SignalState::stale);
-    EXPECT_EQ(decide_on(state, conditions).minimums, MinimumsState::none) << "a stale minimum states nothing";
+    EXPECT_EQ(decide_on(state, conditions).baro_minimum, MinimumsState::none) << "a stale minimum states nothing";
 }
 
 }  // namespace

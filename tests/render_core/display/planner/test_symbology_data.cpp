@@ -101,6 +101,7 @@ TEST_F(SpeedBandsOf, AreThoseOfIndicatedOrCalibratedAirspeedAlone) {
 
 TEST_F(SpeedBandsOf, FollowTheLoadFactorAndTheFlaps) {
     state_[Signal::normal_acceleration] = state_[Signal::flaps_position] = {};
+    state_[Signal::flaps_lever] = {};
     const double level_mps = bands().bands[0].high_mps;
     EXPECT_EQ(level_mps, aircraft_.flaps[0].stall_mps) << "with the flaps up";
     const auto above = [](const policy::SpeedBands& shown) {
@@ -109,6 +110,10 @@ TEST_F(SpeedBandsOf, FollowTheLoadFactorAndTheFlaps) {
         return 0.0;
     };
     EXPECT_EQ(above(bands()), aircraft_.flaps[0].limit_mps) << "the markings of an aircraft that never states its flaps";
+    set(Signal::flaps_lever, 1);
+    EXPECT_EQ(above(bands()), aircraft_.flaps.back().limit_mps) << "as far out as the lever";
+    EXPECT_EQ(bands().bands[0].high_mps, level_mps) << "and perhaps still up";
+    set(Signal::flaps_lever, 0);
     state_[Signal::flaps_position] = {0, test_support::kSceneNow - base::Duration{3'600'000'000'000}};
     EXPECT_EQ(above(bands()), aircraft_.flaps.back().limit_mps) << "lost: they may be out";
     EXPECT_EQ(bands().bands[0].high_mps, level_mps) << "and they may be up";

@@ -199,7 +199,7 @@ SymbologyInput good_input() {
     SymbologyInput input = test_support::scene_input(test_support::scene_state(47, 0, 0), 1280, 720);
     for (policy::ElementDecision& decision : input.decisions.elements) decision.show = ElementShow::normal;
     input.decisions.notices.clear();
-    input.decisions.minimums = policy::MinimumsState::above;
+    input.decisions.radio_minimum = input.decisions.baro_minimum = policy::MinimumsState::above;
     input.shown.legend = false;
     input.shown.map = true;
     input.map.px_per_m = 0.01;
@@ -266,8 +266,12 @@ void add_normal_states(Found& found) {
     add_found(variation, "heading", ElementShow::normal, found);
     SymbologyInput minimum = good_input();
     minimum.decisions[Element::radio_minimum].show = ElementShow::absent;
-    minimum.decisions.minimums = policy::MinimumsState::at_or_below;
+    minimum.decisions.baro_minimum = policy::MinimumsState::at_or_below;
     add_found(minimum, "baro_minimum", ElementShow::normal, found);
+    minimum.decisions.baro_minimum = policy::MinimumsState::above;
+    minimum.decisions[Element::radio_minimum].show = ElementShow::normal;
+    minimum.decisions.radio_minimum = policy::MinimumsState::at_or_below;
+    add_found(minimum, "radio_minimum", ElementShow::normal, found);
 }
 
 std::string upper_name(const flight::FlightPhase& phase) {

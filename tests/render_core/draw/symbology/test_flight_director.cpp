@@ -92,6 +92,12 @@ TEST(FlightDirector, P24IsNeverLeftStandingWithoutItsSignals) {
         EXPECT_EQ(store.batch.vertices().empty(), show == ElementShow::absent);
         EXPECT_EQ(text_of(store.batch).find("FD") != std::string::npos, show != ElementShow::absent);
     }
+    SymbologyInput frozen = directed(kScreens[0], 3, 10);
+    frozen.decisions[Element::attitude].show = ElementShow::flagged;
+    BatchStore over_stale;
+    build_flight_director(Painter(over_stale.batch, layout), frozen);
+    EXPECT_TRUE(extent_of(over_stale.batch, kEngagedColor, true).empty()) << "no command over a stale attitude";
+    EXPECT_NE(text_of(over_stale.batch).find("FD"), std::string::npos);
     SymbologyInput upset = directed(kScreens[0], 3, 10);
     upset.decisions.unusual_attitude = true;
     BatchStore store;
@@ -143,7 +149,7 @@ TEST(FlightDirector, StaysInTheAttitude) {
                 build_flight_director(Painter(store.batch, layout), input);
                 build_path_reference(Painter(store.batch, layout), input);
                 for (const QuadVertex& v : store.batch.vertices())
-                    ASSERT_TRUE(conformal_box(layout).shrunk(-2.5f).contains(Point{v.x, v.y}))
+                    ASSERT_TRUE(layout.attitude.shrunk(-2.5f).contains(Point{v.x, v.y}))
                         << screen.width << " " << v.x << " " << v.y;
             }
 }

@@ -66,6 +66,20 @@ TEST(HorizonHeadings, P04AMagneticDisplayHasMagneticOnesOrNone) {
     EXPECT_FALSE(has_tick(unknown.batch, input, 34, layout.text_px));
 }
 
+TEST(HorizonHeadings, P04AHeadingThatIsStaleHasNone) {
+    flight::AircraftState state = scene_state(243, 0, 0);
+    state[Signal::true_track] = {};
+    state[Signal::magnetic_heading] = {};
+    state[Signal::true_heading] = {base::radians(243), kSceneNow - base::Duration::milliseconds(700)};
+    const Layout layout = make_layout(640, 480, 96);
+    const SymbologyInput input = scene_input(state, 640, 480);
+    ASSERT_EQ(input.decisions[Element::heading].show, policy::ElementShow::flagged);
+    BatchStore store;
+    build_attitude(Painter(store.batch, layout), input);
+    EXPECT_EQ(text_of(store.batch).find('N'), std::string::npos) << "the view faces north, the aircraft does not";
+    EXPECT_FALSE(has_tick(store.batch, input, 0, layout.text_px));
+}
+
 TEST(HorizonHeadings, P01TheHorizonLineCrossesTheWholeScreen) {
     for (const Screen& screen : kScreens) {
         const SymbologyInput input = scene_input(scene_state(33, 2, 0), screen.width, screen.height);

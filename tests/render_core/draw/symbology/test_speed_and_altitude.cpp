@@ -390,7 +390,7 @@ TEST(Symbology, P19BaroMinimumHasABugInTheColorOfItsState) {
             const Rect& box = scene.layout.altitude;
             scene.show(Element::radio_minimum, ElementShow::absent);
             scene.show(Element::baro_minimum, ElementShow::normal);
-            scene.input.decisions.minimums = state;
+            scene.input.decisions.baro_minimum = state;
             scene.input.guidance.baro_minimum_m = 4310 * base::kMetresPerFoot;
             scene.input.vertical_speed_mps = 0;
             scene.build(build_altitude);
@@ -410,16 +410,36 @@ TEST(Symbology, P19BaroMinimumHasABugInTheColorOfItsState) {
         }
 }
 
-TEST(Symbology, P19AMinimumAboveGroundLeavesTheBarometricOneCyan) {
+TEST(Symbology, P19EachMinimumHasTheColorOfItsOwnState) {
     Scene scene(kScreens[0]);
     scene.show(Element::baro_minimum, ElementShow::normal);
     scene.show(Element::radio_minimum, ElementShow::normal);
-    scene.input.decisions.minimums = MinimumsState::at_or_below;
+    scene.input.decisions.radio_minimum = MinimumsState::at_or_below;
     scene.build(build_altitude);
     EXPECT_EQ(scene.text(scene.layout.altitude, kSelectedColor), "MIN0") << "the state is that of the other minimum";
-    scene.show(Element::radio_minimum, ElementShow::flagged);
+    scene.input.decisions.baro_minimum = MinimumsState::at_or_below;
     scene.build(build_altitude);
     EXPECT_EQ(scene.text(scene.layout.altitude, kCautionColor), "MIN0") << "control: now it is this one's";
+}
+
+TEST(Symbology, P19TheRadioMinimumStandsByTheHeightAboveGround) {
+    for (const Screen& screen : kScreens)
+        for (const auto& [state, color] : {std::pair{MinimumsState::above, kSelectedColor},
+                                           {MinimumsState::near, kScaleColor},
+                                           {MinimumsState::at_or_below, kCautionColor}}) {
+            Scene scene(screen);
+            scene.show(Element::radio_minimum, ElementShow::normal);
+            scene.input.decisions.radio_minimum = state;
+            scene.input.guidance.radio_minimum_m = 200 * base::kMetresPerFoot;
+            scene.build(build_ground_height);
+            EXPECT_NE(scene.text(scene.layout.ground_height, color).find("DH200"), std::string::npos) << screen.width;
+            scene.show(Element::radio_minimum, ElementShow::failed);
+            scene.build(build_ground_height);
+            EXPECT_EQ(scene.text(scene.layout.ground_height, kCautionColor), "DH") << "crossed out";
+            scene.show(Element::radio_minimum, ElementShow::absent);
+            scene.build(build_ground_height);
+            EXPECT_EQ(scene.text(scene.layout.ground_height, color).find("DH"), std::string::npos) << "control";
+        }
 }
 
 TEST(Symbology, P19AMinimumThatIsStaleOrLostSaysSo) {

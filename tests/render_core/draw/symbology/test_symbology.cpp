@@ -123,6 +123,7 @@ TEST(Symbology, AFailedOrAbsentElementNeverDependsOnItsValue) {
     for (const Piece& piece : kPieces)
         for (ElementShow show : {ElementShow::failed, ElementShow::absent}) {
             SymbologyInput input = scene_input(scene_state(3, 5, 5), 640, 480);
+            input.decisions[Element::radio_minimum].show = ElementShow::absent;  // a value of its own in that box
             input.decisions[piece.element].show = show;
             const Layout layout = make_layout(640, 480, 96);
             const auto before = drawn(piece, input, layout);
