@@ -67,8 +67,8 @@ constexpr std::size_t kNoticePlaces = 4;  // two columns of two lines
 
 Rect notice_place(const Rect& box, std::size_t place, float gap) {
     const float width = (box.width - gap) / 2, height = (box.height - gap) / 2;
-    return {box.x + static_cast<float>(place % 2) * (width + gap), box.y + static_cast<float>(place / 2) * (height + gap), width,
-            height};
+    const std::size_t row = place / 2, column = place % 2;
+    return {box.x + static_cast<float>(column) * (width + gap), box.y + static_cast<float>(row) * (height + gap), width, height};
 }
 
 void build_notice(const Painter& painter, const Rect& place, std::string_view text, NoticeLevel level) {

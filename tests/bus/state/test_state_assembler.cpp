@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <vector>
 
@@ -366,7 +365,9 @@ TEST(StateAssembler, SnapshotsChangeNothing) {
     }
     const BusSnapshot a = often.assembler.snapshot(at(29.95));
     const BusSnapshot b = once.assembler.snapshot(at(29.95));
-    EXPECT_EQ(std::memcmp(&a.state.own_ship.position, &b.state.own_ship.position, sizeof a.state.own_ship.position), 0);
+    EXPECT_EQ(a.state.own_ship.position.latitude_rad, b.state.own_ship.position.latitude_rad);
+    EXPECT_EQ(a.state.own_ship.position.longitude_rad, b.state.own_ship.position.longitude_rad);
+    EXPECT_EQ(a.state.own_ship.position.height.m, b.state.own_ship.position.height.m);
     EXPECT_EQ(a.state.own_ship.at, b.state.own_ship.at);
     EXPECT_EQ(a.counters.decoded, b.counters.decoded);
 }
