@@ -15,6 +15,7 @@
 #include "host_sim/user_error.hpp"
 #include "render_core/base/check.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/policy/flag_table.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -34,7 +35,7 @@ std::string reason_against(const Viewpoint& viewpoint, SweptGround& ground) {
 }
 
 bool is_recovery_picture(const display::FrameRecord& record) {
-    const auto is_it = [](const display::Name& flag) { return flag.view() == policy::kUnusualAttitudeFlag; };
+    const auto is_it = [](const display::Name& flag) { return flag.view() == name_of(policy::RecordFlag::attitude_unusual); };
     return std::any_of(record.flags.begin(), record.flags.end(), is_it);
 }
 

@@ -57,6 +57,9 @@ enum class ElementShow : std::uint8_t {
     absent,       ///< nothing is shown: the aircraft does not supply the value, or the value has no meaning now
 };
 
+/// True where a value is drawn, be it stale or of second choice.
+[[nodiscard]] constexpr bool shows_value(ElementShow show) { return show != ElementShow::failed && show != ElementShow::absent; }
+
 /// Where the own ship is relative to a minimum of an approach.
 enum class MinimumsState : std::uint8_t {
     none,   ///< no minimum is shown, or no approach is flown
@@ -77,8 +80,6 @@ struct Notice {
     base::FixedString<31> text;  ///< upper case ASCII
 };
 
-inline constexpr std::string_view kUnusualAttitudeFlag = "attitude.unusual";  ///< flag of records with the recovery picture
-
 struct DisplayDecisions {
     bool show_terrain = false;
     bool show_warning_colors = false;
@@ -93,6 +94,7 @@ struct DisplayDecisions {
     flight::Signal view_heading = flight::Signal::count_;
     /// Receiver that course and deviations come from; radio1 where the bus has never stated it.
     flight::NavigationSource navigation_source = flight::NavigationSource::none;
+    bool is_on_ground = false;                          ///< the height above ground is valid, and less than a landing gear's
     MinimumsState radio_minimum = MinimumsState::none;  ///< by the radio height
     MinimumsState baro_minimum = MinimumsState::none;   ///< by the altimeter
     std::array<ElementDecision, kElementCount> elements{};

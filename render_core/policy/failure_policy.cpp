@@ -44,6 +44,7 @@ public:
         decide_element(Element::vertical_speed, SignalGroup::vertical_speed);
         decide_element(Element::baro_setting, SignalGroup::baro_setting);
         decide_element(Element::ground_height, SignalGroup::ground_height);
+        decide_on_ground();
         decide_wind();
         decide_element(Element::outside_temperature, SignalGroup::outside_temperature);
         decide_guidance();
@@ -231,14 +232,20 @@ private:
         }
     }
 
+    void decide_on_ground() {
+        constexpr double kOnGround_m = 5;
+        const ElementDecision& ground = out_[Element::ground_height];
+        out_.is_on_ground = ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m;
+    }
+
     /// A minimum in the ground below the own ship is wrong, wherever it is near enough to matter.
     void decide_minimums() {
         constexpr double kNear_m = 100;
         decide_element(Element::radio_minimum, SignalGroup::radio_minimum);
         decide_element(Element::baro_minimum, SignalGroup::baro_minimum);
         ElementDecision& minimum = out_[Element::baro_minimum];
-        const ElementDecision ground = decision(SignalGroup::ground_height);
-        if (!may_approach(ground)) return;
+        const ElementDecision& ground = out_[Element::ground_height];
+        if (!may_approach()) return;
         const bool knows_ground = ground.show == ElementShow::normal && valid(Signal::baro_altitude);
         const double altitude_m = state_[Signal::baro_altitude].value_or(0);
         const double height_m = knows_ground ? state_[ground.source].value_or(0) : 0;
@@ -254,9 +261,8 @@ private:
     }
 
     /// In the air, and on an approach or in a descent of an unknown phase: before take-off every aircraft is below its minimum.
-    [[nodiscard]] bool may_approach(const ElementDecision& ground) const {
-        constexpr double kOnGround_m = 5;
-        if (ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m) return false;
+    [[nodiscard]] bool may_approach() const {
+        if (out_.is_on_ground) return false;
         const flight::Scenario scenario = conditions_.phase.phase.scenario;
         const bool descends = valid(Signal::vertical_speed) && state_[Signal::vertical_speed].value_or(0) < 0;
         return scenario == flight::Scenario::approach || (scenario == flight::Scenario::unknown && descends);

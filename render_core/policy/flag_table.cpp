@@ -28,7 +28,7 @@ constexpr FlagRow kFlagRows[] = {
      "The terrain is shown as degraded, and the warning colors are removed."},
     {RecordFlag::vertical_accuracy_assumed, "vertical_accuracy.assumed", "The bus does not state the vertical accuracy.",
      "The warning colors are widened by the accuracy that the design assumes."},
-    {RecordFlag::attitude_unusual, kUnusualAttitudeFlag, "Pitch or bank exceeds the design's limits.",
+    {RecordFlag::attitude_unusual, "attitude.unusual", "Pitch or bank exceeds the design's limits.",
      "The recovery picture with chevrons replaces everything that is not needed to recover."},
     {RecordFlag::minimum_below_ground, "minimum_altitude.below_ground",
      "The minimum altitude lies below the ground under the own ship.", "A red cross replaces the minimum altitude."},

@@ -44,9 +44,7 @@ policy::SpeedBands shown_speed_bands(const design::AircraftSettings& aircraft, c
     if (speed != Signal::indicated_airspeed && speed != Signal::calibrated_airspeed) return {};
     policy::SpeedConditions conditions;
     conditions.flaps = known_flaps(state, now);
-    const policy::ElementDecision& ground = decisions[policy::Element::ground_height];
-    constexpr double kOnGround_m = 5;
-    conditions.is_on_ground = ground.show == policy::ElementShow::normal && state[ground.source].value_or(0) < kOnGround_m;
+    conditions.is_on_ground = decisions.is_on_ground;
     if (state.is_valid(Signal::normal_acceleration, now))
         conditions.load_factor = state[Signal::normal_acceleration].value_or(0) / base::kStandardGravity;
     if (state.is_valid(Signal::standard_altitude, now))

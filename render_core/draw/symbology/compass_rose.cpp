@@ -44,11 +44,6 @@ int label_step(float label_radius, float label_px) {
     return apart >= 1.1f * text_width_px("33", label_px) ? 30 : 90;
 }
 
-bool has_value(const SymbologyInput& input, Element element) {
-    const ElementShow show = input.decisions[element].show;
-    return show != ElementShow::failed && show != ElementShow::absent;
-}
-
 /// Amber where the value is old.
 design::Color mark_color(const SymbologyInput& input, Element element, design::Color color) {
     return input.decisions[element].show == ElementShow::flagged ? kCautionColor : color;
@@ -92,7 +87,7 @@ struct SideText {
 /// The name with the value in the rose's reference, or the crossed-out name.
 void build_direction_text(const Painter& painter, const SymbologyInput& input, const SideText& side, double true_rad) {
     if (input.decisions[side.element].show == ElementShow::absent) return;
-    if (!has_value(input, side.element)) return painter.crossed_out(side.cross, side.name);
+    if (!shows_value(input.decisions[side.element].show)) return painter.crossed_out(side.cross, side.name);
     ShortText text(side.name);
     text.append(" ");
     text.append(rose_degrees(input, true_rad).view());
@@ -190,7 +185,7 @@ void build_lubber_line(const Painter& painter, const CompassRose& rose) {
 }
 
 void build_turn_trend(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
-    if (!has_value(input, Element::turn_rate)) return;
+    if (!shows_value(input.decisions[Element::turn_rate].show)) return;
     const float m = rose.mark_px;
     for (const double rates : {-1.0, -0.5, 0.5, 1.0}) {
         const double angle = rates * input.standard_turn_radps * kTrend_s;
@@ -210,9 +205,9 @@ void build_rose_marks(const Painter& painter, const CompassRose& rose, const Sym
     // On a rose that the track itself turns, its mark would say nothing.
     if (input.shows_track && input.decisions[Element::heading].source != flight::Signal::true_track)
         build_track_mark(painter, rose, angle(input.track_rad));
-    if (has_value(input, Element::waypoint_bearing))
+    if (shows_value(input.decisions[Element::waypoint_bearing].show))
         build_bearing_pointer(painter, rose, angle(input.guidance.waypoint_bearing_rad), color(Element::waypoint_bearing));
-    if (has_value(input, Element::selected_heading))
+    if (shows_value(input.decisions[Element::selected_heading].show))
         build_heading_bug(painter, rose, angle(input.guidance.selected_heading_rad), color(Element::selected_heading));
 }
 

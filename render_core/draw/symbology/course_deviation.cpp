@@ -27,11 +27,6 @@ constexpr float kPathName = 1.2f;
 
 bool is_radio(NavigationSource source) { return source == NavigationSource::radio1 || source == NavigationSource::radio2; }
 
-bool is_given(const SymbologyInput& input, Element element) {
-    const ElementShow show = input.decisions[element].show;
-    return show != ElementShow::failed && show != ElementShow::absent;
-}
-
 design::Color source_color(const SymbologyInput& input, Element element) {
     if (input.decisions[element].show == ElementShow::flagged) return kCautionColor;
     return is_radio(input.guidance.navigation_source) ? kEngagedColor : kGnssCourseColor;
@@ -155,11 +150,11 @@ DeviationScale deviation_scale(NavigationSource source, flight::FlightPhase phas
 }
 
 void build_course(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
-    const bool has_direction = is_given(input, Element::course) && !std::isnan(input.from_true_rad);
+    const bool has_direction = shows_value(input.decisions[Element::course].show) && !std::isnan(input.from_true_rad);
     const double angle = has_direction ? rose_angle_rad(input, input.guidance.course_rad) : 0;
     build_own_ship_mark(painter, rose);
     if (has_direction) build_needle(painter, rose, angle, source_color(input, Element::course));
-    if (is_given(input, Element::lateral_deviation)) return build_bar(painter, rose, angle, input);
+    if (shows_value(input.decisions[Element::lateral_deviation].show)) return build_bar(painter, rose, angle, input);
     if (input.decisions[Element::lateral_deviation].show == ElementShow::absent) return;
     const float t = rose.text_px;
     painter.crossed_out({rose.center.x - 1.4f * t, rose.center.y - 0.6f * t, 2.8f * t, 1.2f * t},
@@ -176,12 +171,13 @@ void build_course_texts(const Painter& painter, const CompassRose& rose, const S
     };
     if (input.decisions[Element::course].show == ElementShow::failed)
         painter.crossed_out(rose.side_cross(RoseSide::left, 0), "CRS");
-    if (is_given(input, Element::course) && !std::isnan(input.from_true_rad)) {
+    if (shows_value(input.decisions[Element::course].show) && !std::isnan(input.from_true_rad)) {
         ShortText course("CRS ");
         course.append(rose_degrees(input, input.guidance.course_rad).view());
         write(0, course.view(), source_color(input, Element::course));
     }
-    const bool has_course = is_given(input, Element::course), has_deviation = is_given(input, Element::lateral_deviation);
+    const bool has_course = shows_value(input.decisions[Element::course].show),
+               has_deviation = shows_value(input.decisions[Element::lateral_deviation].show);
     if (has_lost_source(input) || !(has_course || has_deviation)) return;
     write(1, lateral_name(input), source_color(input, has_deviation ? Element::lateral_deviation : Element::course));
     const DeviationScale scale = deviation_scale(input.guidance.navigation_source, input.phase.presented);

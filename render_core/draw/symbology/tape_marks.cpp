@@ -18,8 +18,6 @@ constexpr float kFlagInset = 0.15f;    // of its letters, from the edge outwards
 constexpr float kStripeHeight = 0.5f;  // of a pole
 constexpr int kMaxStripes = 100;       // over the height of a screen
 
-bool is_seen(ElementShow show) { return show != ElementShow::failed && show != ElementShow::absent; }
-
 /// One half of a bug, from its value upwards (`way` -1) or downwards (1), as far as the scale goes.
 class BugHalf {
 public:
@@ -112,7 +110,7 @@ void build_tape_flags(const Painter& painter, const TapeScale& scale, base::Span
 }
 
 void build_tape_bug(const Painter& painter, const TapeScale& scale, const TapeBug& bug) {
-    if (!is_seen(bug.show) || !std::isfinite(bug.at)) return;
+    if (!shows_value(bug.show) || !std::isfinite(bug.at)) return;
     const float y = std::clamp(scale.y_of(bug.at), scale.box.y, scale.box.bottom());
     for (const float way : {-1.0f, 1.0f}) {
         const BugHalf half(painter, scale, y, way);
@@ -136,7 +134,7 @@ void build_tape_trend(const Painter& painter, const TapeScale& scale, const Tape
 }
 
 void build_tape_minimum(const Painter& painter, const TapeScale& scale, const TapeMinimum& minimum) {
-    if (!is_seen(minimum.show) || !std::isfinite(minimum.at)) return;
+    if (!shows_value(minimum.show) || !std::isfinite(minimum.at)) return;
     const float y = scale.y_of(minimum.at), half = 0.45f * painter.text_px();
     if (y - half < scale.box.y || y + half > scale.box.bottom()) return;
     const Point corners[3] = {
