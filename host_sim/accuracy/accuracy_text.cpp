@@ -52,8 +52,8 @@ std::string knob_text(const MeasuredKnob& knob) {
     return text;
 }
 
-/// A frame's budget is one of frames, and 95 of 100 of them must keep to it; for other settings it is one of all samples
-/// together.
+/// A frame's budget is one of frames, and 95 of 100 of them must keep to it in the slowest place; for other settings it is one of
+/// all samples together.
 const MeasuredLevel* within_budget(const MeasuredKnob& knob, double budget_ms) {
     return knob.name == kFrameSettings ? best_frame_within(knob, budget_ms) : best_within(knob, budget_ms);
 }
@@ -62,8 +62,10 @@ std::string choice_text(const MeasuredKnob& knob, const MeasuredLevel* level) {
     const std::string name = "\n  " + knob.name + ": ";
     if (level == nullptr) return name + "no level keeps to it";
     const std::string options = level->options.empty() ? "" : "; tedavis replay LOG -o DIR " + level->options;
-    const double ms = knob.name == kFrameSettings ? level->sample_ms.median : level->ms.median;
-    return name + level->name + printed(" (%.3f ms, at most %.3g ", ms, level->trusted_error()) + knob.unit +
+    const bool is_frame = knob.name == kFrameSettings;
+    const double ms = is_frame ? level->sample_ms.median : level->ms.median;
+    const std::string kept = is_frame ? printed("; 95 of 100 frames of the slowest place within %.3f ms", level->kept_ms) : "";
+    return name + level->name + printed(" (%.3f ms", ms) + kept + printed(", at most %.3g ", level->trusted_error()) + knob.unit +
            (level->proven ? printed(", proven; %.3g measured)", level->error.max) : ")") + options;
 }
 

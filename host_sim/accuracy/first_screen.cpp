@@ -41,8 +41,8 @@ const NextLevel* next_of(const std::vector<NextLevel>& steps, const MeasuredLeve
 
 std::string level_words(const MeasuredKnob& knob, const MeasuredLevel& level) {
     return level.name +
-           printed(", %.1f ms (95 of 100 frames within %.1f ms), at most %.2g ", level.sample_ms.median, level.sample_ms.p95,
-                   level.trusted_error()) +
+           printed(", %.1f ms (95 of 100 frames of the slowest place within %.1f ms), at most %.2g ", level.sample_ms.median,
+                   level.kept_ms, level.trusted_error()) +
            knob.unit + (level.proven ? printed(" off (proven; %.2g measured)", level.error.max) : " off");
 }
 
@@ -65,7 +65,7 @@ std::string sentence(const MeasuredKnob& knob, const std::vector<NextLevel>& ste
 std::string level_cells(const MeasuredLevel& level) {
     return html_cell(level.name) + html_number(printed("%.3g", level.trusted_error())) +
            html_aside(printed("%.3g", level.error.max)) + html_number(decimal(level.sample_ms.median, 2)) +
-           html_aside(decimal(level.sample_ms.p95, 2));
+           html_aside(decimal(level.kept_ms, 2));
 }
 
 std::string budget_row(const MeasuredKnob& knob, const std::vector<NextLevel>& steps, const Budget& budget) {
@@ -93,7 +93,7 @@ std::string target_table(const MeasuredKnob& knob) {
     return html_table(
         "<tr><th>an error of at most</th><th>quickest settings</th><th class='n'>error at most</th><th class='n "
         "aside'>measured</th><th class='n'>ms</th>"
-        "<th class='n aside'>95 % within</th><th>in replay</th></tr>",
+        "<th class='n aside'>slowest place</th><th>in replay</th></tr>",
         rows);
 }
 
@@ -102,7 +102,7 @@ std::string target_table(const MeasuredKnob& knob) {
 const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)
-        if (level.sample_ms.p95 <= budget_ms && (best == nullptr || level.trusted_error() < best->trusted_error())) best = &level;
+        if (level.kept_ms <= budget_ms && (best == nullptr || level.trusted_error() < best->trusted_error())) best = &level;
     return best;
 }
 
@@ -127,7 +127,7 @@ std::string first_screen(const AccuracyReport& report) {
            html_table(
                "<tr><th>a frame's time</th><th class='n aside'>ms</th><th>best settings</th><th class='n'>error at most, " +
                    escaped_html(knob->unit) +
-                   "</th><th class='n aside'>measured</th><th class='n'>ms</th><th class='n aside'>95 % within</th><th>next "
+                   "</th><th class='n aside'>measured</th><th class='n'>ms</th><th class='n aside'>slowest place</th><th>next "
                    "level</th><th></th><th>in "
                    "replay</th></tr>",
                rows) +

@@ -11,7 +11,7 @@
 
 namespace tedavis::host_sim {
 
-/// The most accurate level whose frames keep to the budget in 95 of 100 cases; null if none does.
+/// The most accurate level of whose slowest place 95 of 100 frames keep to the budget; null if none does.
 [[nodiscard]] const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms);
 
 /// HTML: a sentence, three numbers, and a table with a row for each budget.

@@ -26,6 +26,7 @@ Json level_json(const MeasuredLevel& level) {
             {"options", level.options},
             {"ms", spread_json(level.ms)},
             {"sample_ms", spread_json(level.sample_ms)},
+            {"kept_ms", level.kept_ms},
             {"error", error_json(level.error)},
             {"bytes", level.bytes},
             {"proven", level.proven ? Json(*level.proven) : Json(nullptr)},
@@ -48,6 +49,7 @@ MeasuredLevel level_of(const Json& json) {
     level.options = json.at("options");
     level.ms = spread_from(json.at("ms"));
     level.sample_ms = spread_from(json.at("sample_ms"));
+    level.kept_ms = json.at("kept_ms");
     level.error = error_of(json.at("error"));
     level.bytes = json.at("bytes");
     if (!json.at("proven").is_null()) level.proven = json.at("proven");

@@ -140,6 +140,7 @@ MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
     for (std::size_t level = 0; level < measured.levels.size(); ++level) {
         measured.levels[level].ms = spread_of(times.rounds[level]);
         measured.levels[level].sample_ms = spread_of(times.samples[level]);
+        measured.levels[level].kept_ms = kept_time(times.samples[level], knob.samples());
         measured.levels[level].uploaded_bytes = knob.uploaded_bytes(level);
         measured.levels[level].proven = knob.proven(level);
     }

@@ -17,6 +17,7 @@ struct MeasuredLevel {
     double amount = 0;
     TimeSpread ms;                 ///< of all samples, once
     TimeSpread sample_ms;          ///< of one sample, over all samples and rounds
+    double kept_ms = 0;            ///< what 95 of 100 runs of its slowest sample keep to; see `kept_time`
     std::string options;           ///< of `tedavis replay`, which give the level; may be empty
     ErrorDistribution error;       ///< in the metric's unit
     std::optional<double> proven;  ///< the greatest error that the product states for its frames, in the same unit

@@ -56,6 +56,20 @@ TimeSpread spread_of(std::vector<double> values) {
     return {quantile(values, 0.5), quantile(values, 0.05), quantile(values, 0.95)};
 }
 
+double kept_time(const std::vector<double>& by_round, std::size_t samples) {
+    if (samples == 0 || by_round.size() < samples) return 0;
+    double slowest = 0;
+    std::vector<double> ratios;
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+        std::vector<double> runs;
+        for (std::size_t n = sample; n < by_round.size(); n += samples) runs.push_back(by_round[n]);
+        const double median = spread_of(runs).median;
+        slowest = std::max(slowest, median);
+        for (const double run : runs) ratios.push_back(median > 0 ? run / median : 1);
+    }
+    return slowest * spread_of(std::move(ratios)).p95;
+}
+
 FittedLaw fit_law(const std::vector<LawPoint>& points) {
     std::vector<LawPoint> logs;
     for (const LawPoint& p : points)

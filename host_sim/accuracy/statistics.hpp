@@ -23,6 +23,11 @@ struct TimeSpread {
 /// `values` is not empty.
 [[nodiscard]] TimeSpread spread_of(std::vector<double> values);
 
+/// What 95 of 100 runs of the slowest sample keep to: the median of that sample, times what 95 of 100 runs of all samples are at
+/// most of their own sample's median. Runs of one sample alone are too few for such a share. `by_round` has all samples of the
+/// first round, then of the second; 0 where it has none.
+[[nodiscard]] double kept_time(const std::vector<double>& by_round, std::size_t samples);
+
 struct LawPoint {
     double x, y;
 };

@@ -50,8 +50,10 @@ TEST(AccuracyText, SaysHowReplayGetsAFramesSettings) {
     AccuracyReport report = made_report();
     report.knobs[0].name = kFrameSettings;
     report.knobs[0].levels[2].options = "--tau 2";
-    EXPECT_THAT(budget_text(report, 4),
-                HasSubstr("frame_settings: 4 steps (4.000 ms, at most 0.25 m); tedavis replay LOG -o DIR --tau 2"));
+    EXPECT_THAT(
+        budget_text(report, 4),
+        HasSubstr("frame_settings: 4 steps (4.000 ms; 95 of 100 frames of the slowest place within 4.000 ms, at most 0.25 m); "
+                  "tedavis replay LOG -o DIR --tau 2"));
 }
 
 TEST(AccuracyText, NamesEachUnitOnce) {

@@ -65,7 +65,7 @@ double trusted(const Json& level) {
 const Json* best_within(const Json& knob, double budget_ms) {
     const Json* best = nullptr;
     for (const Json& level : knob.at("levels"))
-        if (level.at("sample_ms").at("p95") <= budget_ms && (best == nullptr || trusted(level) < trusted(*best))) best = &level;
+        if (level.at("kept_ms") <= budget_ms && (best == nullptr || trusted(level) < trusted(*best))) best = &level;
     return best;
 }
 

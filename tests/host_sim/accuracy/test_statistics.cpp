@@ -62,5 +62,31 @@ TEST(Statistics, ResidualsAreTheFarthestPoints) {
     EXPECT_LT(residual, 2) << "the law itself gives way to the point";
 }
 
+/// Three samples with medians of 1, 2 and 4, whose runs are 0.8 to 1.2 of it.
+std::vector<double> jittered_rounds() {
+    std::vector<double> times;
+    for (int round = 0; round <= 100; ++round)
+        for (const double median : {1.0, 4.0, 2.0}) times.push_back(median * (0.8 + 0.004 * round));
+    return times;
+}
+
+TEST(KeptTime, IsOfTheSlowestSampleAndTheJitterOfAll) {
+    EXPECT_NEAR(kept_time(jittered_rounds(), 3), 4 * 1.18, 0.01);
+    EXPECT_LT(spread_of(jittered_rounds()).p95, 4.6) << "all runs together are quicker";
+}
+
+TEST(KeptTime, DoesNotDependOnTheOrderOfTheRounds) {
+    const std::vector<double> times = jittered_rounds();
+    std::vector<double> turned(times.end() - 150, times.end());
+    turned.insert(turned.end(), times.begin(), times.end() - 150);
+    EXPECT_DOUBLE_EQ(kept_time(turned, 3), kept_time(times, 3));
+}
+
+TEST(KeptTime, IsZeroWithoutARound) {
+    EXPECT_EQ(kept_time({}, 3), 0);
+    EXPECT_EQ(kept_time({1, 2}, 3), 0);
+    EXPECT_EQ(kept_time({1, 2}, 0), 0);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_statistics
