@@ -1,5 +1,7 @@
 #include "bus/tracker/flight_tracker.hpp"
 
+#include <cmath>
+
 namespace tedavis::bus {
 namespace {
 
@@ -9,6 +11,13 @@ constexpr base::Duration kStep = flight::PhaseMonitor::kStep;
 
 void ask_for_height(flight::AircraftState& aircraft, base::Time now, flight::TerrainHeights& heights) {
     aircraft[flight::Signal::height_above_terrain] = heights.height_above_terrain(aircraft.own_ship, now);
+}
+
+/// An old angle counts as long as it is shown.
+double shown_angle_rad(const flight::AircraftState& aircraft, flight::Signal angle, base::Time now) {
+    const base::SignalState state = aircraft.state_of(angle, now);
+    const bool is_shown = state == base::SignalState::valid || state == base::SignalState::stale;
+    return is_shown ? aircraft[angle].value_or(0) : std::nan("");
 }
 
 }  // namespace
@@ -33,6 +42,8 @@ void FlightTracker::step(flight::TerrainHeights& heights) {
     memory_.monitor.step(aircraft, phase_inputs(snapshot.phase_status, now), now);
     memory_.trail.step(aircraft, now);
     memory_.airspeed.step(aircraft, now);
+    memory_.excursion.step(shown_angle_rad(aircraft, flight::Signal::pitch, now),
+                           shown_angle_rad(aircraft, flight::Signal::roll, now));
     memory_.next_step = now + kStep;
 }
 
@@ -47,6 +58,7 @@ flight::FrameInput FlightTracker::input_at(base::Time now, flight::TerrainHeight
     flight::FrameInput input{memory_.assembler.snapshot(now).state, memory_.monitor.status(), now, &memory_.trail};
     ask_for_height(input.state, now, heights);
     input.state[flight::Signal::airspeed_rate] = memory_.airspeed.rate();
+    input.state.excursion = memory_.excursion;
     return input;
 }
 

@@ -23,6 +23,7 @@
 #include "bus/switches/switch_to_phase.hpp"
 #include "bus/tracker/frame_listener.hpp"
 #include "render_core/flight/airspeed_trend.hpp"
+#include "render_core/flight/attitude_excursion.hpp"
 #include "render_core/flight/frame_input.hpp"
 #include "render_core/flight/phase_monitor.hpp"
 #include "render_core/flight/terrain_heights.hpp"
@@ -39,6 +40,7 @@ struct TrackerMemory {
     flight::PhaseMonitor monitor;
     flight::FlightTrail trail;
     flight::AirspeedTrend airspeed;
+    flight::AttitudeExcursion excursion;
     base::Time next_step;
 };
 static_assert(std::is_trivially_copyable_v<TrackerMemory>);

@@ -7,6 +7,7 @@
 
 #include "render_core/base/stamped.hpp"
 #include "render_core/earth/geodetic.hpp"
+#include "render_core/flight/attitude_excursion.hpp"
 #include "render_core/flight/flight_time.hpp"
 #include "render_core/flight/signal.hpp"
 #include "render_core/flight/traffic.hpp"
@@ -29,6 +30,7 @@ struct AircraftState {
     std::array<base::Stamped<double>, kSignalCount> signals{};
     std::array<base::FreshnessLimits, kSignalCount> limits{};
     OwnShipEstimate own_ship;
+    AttitudeExcursion excursion;  ///< before the latest pitch and roll; 0 where no history is known
     UtcEstimate utc;
     Traffic traffic;
     bool is_posed = false;  ///< a pose was stated instead of a flight: missing signals have not failed

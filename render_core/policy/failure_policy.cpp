@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "render_core/policy/guidance_decisions.hpp"
 #include "render_core/policy/notice_table.hpp"
 
 namespace tedavis::policy {
 namespace {
 
 using base::SignalState;
-using flight::NavigationSource;
 using flight::Signal;
 
 constexpr double kSlowestFlightPath_mps = 10;  // below, the direction of motion on the ground is noise
@@ -25,16 +25,21 @@ RecordFlag own_ship_flag(SignalState state) {
     return RecordFlag::own_ship_invalid;
 }
 
+bool is_beyond(const flight::AttitudeExcursion& excursion, const design::UnusualAttitudeLimits& limits) {
+    return excursion.pitch_up_rad > limits.pitch_up_rad || excursion.pitch_down_rad > limits.pitch_down_rad ||
+           excursion.bank_rad > limits.roll_rad;
+}
+
 /// The states of one frame, and the decisions as they are made.
 class Policy {
 public:
     Policy(const flight::AircraftState& state, base::Time now, const DisplayConditions& conditions,
            const design::DesignSettings& design)
-        : state_(state), now_(now), conditions_(conditions), design_(design) {}
+        : state_(state), groups_(state, now), conditions_(conditions), design_(design) {}
 
     DisplayDecisions decide() {
         for (std::size_t i = 0; i < kGroupCount; ++i)
-            if (counts(static_cast<SignalGroup>(i))) apply(static_cast<SignalGroup>(i));
+            if (counts_for_guidance(groups_, static_cast<SignalGroup>(i))) apply(static_cast<SignalGroup>(i));
         decide_attitude();
         decide_heading();
         decide_map();
@@ -45,10 +50,10 @@ public:
         decide_element(Element::baro_setting, SignalGroup::baro_setting);
         decide_element(Element::ground_height, SignalGroup::ground_height);
         decide_on_ground();
-        decide_wind();
+        out_[Element::wind] = groups_.worse_of(SignalGroup::wind_speed, SignalGroup::wind_direction);
         decide_element(Element::outside_temperature, SignalGroup::outside_temperature);
-        decide_guidance();
-        decide_minimums();
+        policy::decide_guidance(groups_, conditions_.phase.phase.scenario, out_);
+        if (decide_minimums(groups_, conditions_.phase.phase.scenario, out_)) flag(RecordFlag::minimum_below_ground);
         check_own_ship();
         check_accuracy(Signal::horizontal_accuracy, design_.degradation.horizontal_accuracy_m,
                        RecordFlag::horizontal_accuracy_above_limit);
@@ -61,11 +66,8 @@ public:
     }
 
 private:
-    [[nodiscard]] SignalState state_of(Signal signal) const { return state_.state_of(signal, now_); }
-    [[nodiscard]] bool valid(Signal signal) const { return state_of(signal) == SignalState::valid; }
-    [[nodiscard]] bool turns_view(Signal heading) const {
-        return valid(heading) && (heading != Signal::magnetic_heading || valid(Signal::magnetic_variation));
-    }
+    [[nodiscard]] SignalState state_of(Signal signal) const { return groups_.state_of(signal); }
+    [[nodiscard]] bool valid(Signal signal) const { return groups_.valid(signal); }
     [[nodiscard]] static bool aims_view(SignalGroup group) {
         return group == SignalGroup::pitch || group == SignalGroup::roll || group == SignalGroup::view_heading;
     }
@@ -73,18 +75,6 @@ private:
     [[nodiscard]] bool height_is_on_qnh() const {
         return state_.own_ship.height_is_on_qnh && valid(Signal::baro_altitude) && valid(Signal::baro_setting);
     }
-    /// The first source in this state; count_ for none.
-    [[nodiscard]] Signal first_in(SignalGroup group, SignalState wanted) const {
-        const SourceChain& chain = source_chain(group);
-        for (std::size_t i = 0; i < chain.count; ++i)
-            if (state_of(chain.sources[i]) == wanted) return chain.sources[i];
-        return Signal::count_;
-    }
-    [[nodiscard]] bool has_valid(SignalGroup group) const {
-        if (group != SignalGroup::view_heading) return first_in(group, SignalState::valid) != Signal::count_;
-        return turns_view(Signal::true_heading) || turns_view(Signal::magnetic_heading) || turns_view(Signal::true_track);
-    }
-
     void add_flag(std::string_view name) {
         const bool added = out_.flags.try_push_back(name);
         TEDAVIS_CHECK(added);
@@ -99,7 +89,7 @@ private:
 
     /// Gathers the consequences of all signals of the group and names those that went bad.
     void apply(SignalGroup group) {
-        const bool served = has_valid(group);
+        const bool served = groups_.has_valid(group);
         for (const SignalRule& rule : signal_rules()) {
             if (rule.group != group) continue;
             const SignalState state = state_of(rule.signal);
@@ -107,33 +97,21 @@ private:
             if (state_.is_posed && state == SignalState::missing && (bits & kRemoveTerrain) == 0) bits = kNoConsequence;
             if (group == SignalGroup::geometric_height && height_is_on_qnh()) bits &= ~kDegradeTerrain;
             if (conditions_.is_map && aims_view(group)) bits &= ~kRemoveTerrain;
-            if (!served) gathered_[static_cast<std::size_t>(group)] |= bits;
+            if (!served) groups_.add_consequences(group, bits);
             if ((bits & kFlag) != 0 && (!served || state != SignalState::missing)) flag(rule.signal, state);
         }
-        all_gathered_ |= gathered_[static_cast<std::size_t>(group)];
+        all_gathered_ |= groups_.consequences_of(group);
     }
-    [[nodiscard]] std::uint8_t gathered(SignalGroup group) const { return gathered_[static_cast<std::size_t>(group)]; }
-
-    [[nodiscard]] ElementDecision decision(SignalGroup group) const {
-        const SourceChain& chain = source_chain(group);
-        const Signal source = first_in(group, SignalState::valid);
-        for (std::size_t i = 0; i < chain.count; ++i)
-            if (chain.sources[i] == source) return {i < chain.equals ? ElementShow::normal : ElementShow::substituted, source};
-        const Signal stale = first_in(group, SignalState::stale);
-        if (stale != Signal::count_) return {ElementShow::flagged, stale};
-        return {(gathered(group) & kFailElement) != 0 ? ElementShow::failed : ElementShow::absent, Signal::count_};
-    }
-    void decide_element(Element element, SignalGroup group) { out_[element] = decision(group); }
+    void decide_element(Element element, SignalGroup group) { out_[element] = groups_.decision(group); }
 
     void decide_attitude() {
-        const ElementDecision pitch = decision(SignalGroup::pitch), roll = decision(SignalGroup::roll);
+        const ElementDecision pitch = groups_.decision(SignalGroup::pitch), roll = groups_.decision(SignalGroup::roll);
         out_[Element::attitude] = pitch.show == ElementShow::failed ? pitch : roll.show == ElementShow::normal ? pitch : roll;
         if (out_[Element::attitude].show == ElementShow::failed) return;
-        const double pitch_rad = state_[Signal::pitch].value_or(0), roll_rad = state_[Signal::roll].value_or(0);
-        const design::UnusualAttitudeLimits& limits = design_.unusual_attitude;
         // The recovery picture is of the attitude, which the map does not show.
-        out_.unusual_attitude = !conditions_.is_map && (pitch_rad > limits.pitch_up_rad || pitch_rad < -limits.pitch_down_rad ||
-                                                        std::fabs(roll_rad) > limits.roll_rad);
+        flight::AttitudeExcursion excursion = state_.excursion;
+        excursion.step(groups_.value(Signal::pitch), groups_.value(Signal::roll));
+        out_.unusual_attitude = !conditions_.is_map && is_beyond(excursion, design_.unusual_attitude);
         if (out_.unusual_attitude) flag(RecordFlag::attitude_unusual);
     }
 
@@ -145,139 +123,16 @@ private:
                                          fits ? Signal::airspeed_rate : Signal::count_};
     }
 
-    /// As good as the worse of two signals that state nothing without each other; what failed is said in any case.
-    [[nodiscard]] ElementDecision worse_of(SignalGroup a, SignalGroup b) const {
-        const ElementDecision first = decision(a), second = decision(b);
-        if (first.show == ElementShow::failed) return first;
-        if (second.show == ElementShow::failed) return second;
-        return first.show < second.show ? second : first;
-    }
-    void decide_wind() { out_[Element::wind] = worse_of(SignalGroup::wind_speed, SignalGroup::wind_direction); }
-
-    /// A bus that does not state the source has at most one receiver: the first.
-    [[nodiscard]] NavigationSource navigation_source() const {
-        const base::Stamped<double>& stated = state_[Signal::navigation_source];
-        if (!stated.received()) return NavigationSource::radio1;
-        const double code = stated.value_or(0);
-        if (!(code >= 0 && code <= flight::kMaxNavigationSource)) return NavigationSource::none;
-        return static_cast<NavigationSource>(static_cast<std::uint8_t>(code));
-    }
-
-    /// Of the groups of guidance only those of the navigation source count: a receiver that is not used may be silent.
-    [[nodiscard]] bool counts(SignalGroup group) const {
-        const NavigationSource source = navigation_source();
-        switch (group) {
-            case SignalGroup::radio1_lateral:
-            case SignalGroup::radio1_vertical: return source == NavigationSource::radio1;
-            case SignalGroup::radio2_lateral:
-            case SignalGroup::radio2_vertical: return source == NavigationSource::radio2;
-            case SignalGroup::radio_course: return source == NavigationSource::radio1 || source == NavigationSource::radio2;
-            case SignalGroup::gnss_lateral:
-            case SignalGroup::gnss_vertical:
-            case SignalGroup::gnss_course: return source == NavigationSource::gnss;
-            default: return true;
-        }
-    }
-
-    void decide_guidance() {
-        decide_element(Element::slip, SignalGroup::slip);
-        decide_element(Element::turn_rate, SignalGroup::turn_rate);
-        decide_element(Element::flaps, SignalGroup::flaps);
-        decide_element(Element::waypoint_bearing, SignalGroup::waypoint_bearing);
-        decide_path_reference();
-        out_[Element::flight_director] = worse_of(SignalGroup::director_pitch, SignalGroup::director_roll);
-        decide_element(Element::selected_altitude, SignalGroup::selected_altitude);
-        decide_element(Element::selected_heading, SignalGroup::selected_heading);
-        decide_element(Element::selected_airspeed, SignalGroup::selected_airspeed);
-        decide_element(Element::selected_vertical_speed, SignalGroup::selected_vertical_speed);
-        decide_element(Element::navigation_source, SignalGroup::navigation_source);
-        out_.navigation_source = navigation_source();
-        switch (out_.navigation_source) {
-            case NavigationSource::none: break;
-            case NavigationSource::radio1:
-                decide_deviations(SignalGroup::radio_course, SignalGroup::radio1_lateral, SignalGroup::radio1_vertical);
-                return;
-            case NavigationSource::radio2:
-                decide_deviations(SignalGroup::radio_course, SignalGroup::radio2_lateral, SignalGroup::radio2_vertical);
-                return;
-            case NavigationSource::gnss:
-                decide_deviations(SignalGroup::gnss_course, SignalGroup::gnss_lateral, SignalGroup::gnss_vertical);
-                return;
-        }
-        for (const Element element : {Element::course, Element::lateral_deviation, Element::vertical_deviation})
-            out_[element].show =
-                out_[Element::navigation_source].show == ElementShow::failed ? ElementShow::failed : ElementShow::absent;
-    }
-
-    /// A glide path is flown on approaches only; an unknown phase may be one.
-    void decide_path_reference() {
-        decide_element(Element::flight_path_reference, SignalGroup::selected_glidepath);
-        const flight::Scenario scenario = conditions_.phase.phase.scenario;
-        if (scenario != flight::Scenario::approach && scenario != flight::Scenario::unknown)
-            out_[Element::flight_path_reference] = {ElementShow::absent, Signal::count_};
-    }
-
-    /// A deviation is as good as the statement which receiver it comes from.
-    void decide_deviations(SignalGroup course, SignalGroup lateral, SignalGroup vertical) {
-        decide_element(Element::course, course);
-        decide_element(Element::lateral_deviation, lateral);
-        decide_element(Element::vertical_deviation, vertical);
-        const ElementShow source = out_[Element::navigation_source].show;
-        if (source != ElementShow::flagged && source != ElementShow::failed) return;
-        for (const Element element : {Element::course, Element::lateral_deviation, Element::vertical_deviation}) {
-            ElementDecision& decided = out_[element];
-            if (decided.show == ElementShow::absent || decided.show >= source) continue;
-            decided.show = source;
-            if (source == ElementShow::failed) decided.source = Signal::count_;
-        }
-    }
-
     void decide_on_ground() {
         constexpr double kOnGround_m = 5;
         const ElementDecision& ground = out_[Element::ground_height];
         out_.is_on_ground = ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m;
     }
 
-    /// A minimum in the ground below the own ship is wrong, wherever it is near enough to matter.
-    void decide_minimums() {
-        constexpr double kNear_m = 100;
-        decide_element(Element::radio_minimum, SignalGroup::radio_minimum);
-        decide_element(Element::baro_minimum, SignalGroup::baro_minimum);
-        ElementDecision& minimum = out_[Element::baro_minimum];
-        const ElementDecision& ground = out_[Element::ground_height];
-        if (!may_approach()) return;
-        const bool knows_ground = ground.show == ElementShow::normal && valid(Signal::baro_altitude);
-        const double altitude_m = state_[Signal::baro_altitude].value_or(0);
-        const double height_m = knows_ground ? state_[ground.source].value_or(0) : 0;
-        if (minimum.source != Signal::count_ && knows_ground && height_m < kNear_m &&
-            state_[minimum.source].value_or(0) < altitude_m - height_m) {
-            minimum = {ElementShow::failed, Signal::count_};
-            flag(RecordFlag::minimum_below_ground);
-        }
-        if (out_[Element::radio_minimum].show == ElementShow::normal && valid(Signal::radio_height))
-            out_.radio_minimum = minimum_state(Signal::radio_height, Signal::decision_height);
-        if (minimum.show == ElementShow::normal && valid(Signal::baro_altitude))
-            out_.baro_minimum = minimum_state(Signal::baro_altitude, Signal::minimum_altitude);
-    }
-
-    /// In the air, and on an approach or in a descent of an unknown phase: before take-off every aircraft is below its minimum.
-    [[nodiscard]] bool may_approach() const {
-        if (out_.is_on_ground) return false;
-        const flight::Scenario scenario = conditions_.phase.phase.scenario;
-        const bool descends = valid(Signal::vertical_speed) && state_[Signal::vertical_speed].value_or(0) < 0;
-        return scenario == flight::Scenario::approach || (scenario == flight::Scenario::unknown && descends);
-    }
-
-    [[nodiscard]] MinimumsState minimum_state(Signal height, Signal minimum) const {
-        const double above_m = state_[height].value_or(0) - state_[minimum].value_or(0);
-        if (above_m > kNearMinimum_m) return MinimumsState::above;
-        return above_m > 0 ? MinimumsState::near : MinimumsState::at_or_below;
-    }
-
     void decide_heading() {
         decide_element(Element::heading, SignalGroup::view_heading);
         for (Signal heading : {Signal::true_heading, Signal::magnetic_heading, Signal::true_track})
-            if (out_.view_heading == Signal::count_ && turns_view(heading)) out_.view_heading = heading;
+            if (out_.view_heading == Signal::count_ && groups_.turns_view(heading)) out_.view_heading = heading;
     }
 
     void decide_map() {
@@ -403,8 +258,8 @@ private:
 
     void add_position_notices() {
         const SignalState position = state_.own_ship.state;
-        const bool has_position =
-            position == SignalState::valid && has_valid(SignalGroup::latitude) && has_valid(SignalGroup::longitude);
+        const bool has_position = position == SignalState::valid && groups_.has_valid(SignalGroup::latitude) &&
+                                  groups_.has_valid(SignalGroup::longitude);
         notice_if(position == SignalState::stale, NoticeId::position_stale);
         notice_if(position != SignalState::stale && !has_position, NoticeId::no_position);
     }
@@ -429,10 +284,9 @@ private:
     }
 
     const flight::AircraftState& state_;
-    base::Time now_;
+    GroupDecisions groups_;
     const DisplayConditions& conditions_;
     const design::DesignSettings& design_;
-    std::array<std::uint8_t, kGroupCount> gathered_{};
     std::uint8_t all_gathered_ = 0;
     DisplayDecisions out_;
 };

@@ -49,6 +49,12 @@ void add_first_column(const AircraftSettings& aircraft, double stall_mps, double
     add_band(shown, limit_mps, kEndOfBands_mps, SpeedBandRole::above_limit);
 }
 
+/// The stall speed holds at every altitude; what lies above it does not, where the limit is not known.
+void add_low_speeds(const AircraftSettings& aircraft, double stall_mps, SpeedBands& shown) {
+    add_band(shown, 0, stall_mps, SpeedBandRole::low_warning);
+    add_band(shown, stall_mps, stall_mps * aircraft.caution_factor, SpeedBandRole::low_caution);
+}
+
 bool knows_limit(const AircraftSettings& aircraft, double pressure_altitude_m) {
     return std::isinf(aircraft.limit_up_to_m) || pressure_altitude_m <= aircraft.limit_up_to_m;
 }
@@ -60,10 +66,13 @@ SpeedBands speed_bands(const AircraftSettings& aircraft, const SpeedConditions& 
     if (!aircraft.is_stated() || aircraft.flaps.empty()) return shown;
     shown.flags = aircraft.flags;
     shown.has_pole = aircraft.has_vmo;
-    if (!knows_limit(aircraft, conditions.pressure_altitude_m)) return shown;
     const FlapsRange flaps = possible_flaps(conditions.flaps);
     const double load_factor = std::fmin(std::fmax(conditions.load_factor, 1.0), kMaxLoadFactor);  // 1 where it is NaN
     const double stall_mps = conditions.is_on_ground ? 0 : stall_with_flaps_mps(aircraft, flaps.least) * std::sqrt(load_factor);
+    if (!knows_limit(aircraft, conditions.pressure_altitude_m)) {
+        add_low_speeds(aircraft, stall_mps, shown);
+        return shown;
+    }
     add_first_column(aircraft, stall_mps, limit_of_flaps_mps(aircraft, flaps.most), shown);
     const FlapSetting& all_out = aircraft.flaps.back();
     if (aircraft.flaps.size() > 1) add_band(shown, all_out.stall_mps, all_out.limit_mps, SpeedBandRole::flaps_range);

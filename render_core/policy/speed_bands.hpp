@@ -1,10 +1,11 @@
 /// The bands and flags of the airspeed tape, by the aircraft file (design/aircraft_settings.hpp) and what is known of the flaps
 /// and of the load factor. Pure function; any thread.
 ///
-/// Two columns. The first reaches from 0 to kEndOfBands_mps without gaps and overlaps: low-speed warning, low-speed caution,
-/// normal, caution, above the limit, of which those without extent are left out. The second has one band, the range in which all
-/// flaps may be out, from the stall speed with them to their limit. Colors of the same meaning are those of mechanical airspeed
-/// indicators (FAA-H-8083-25, Pilot's Handbook of Aeronautical Knowledge, airspeed indicator markings).
+/// Two columns. Where the limit is known the first reaches from 0 to kEndOfBands_mps without gaps and overlaps: low-speed
+/// warning, low-speed caution, normal, caution, above the limit, of which those without extent are left out. The second has one
+/// band, the range in which all flaps may be out, from the stall speed with them to their limit. Colors of the same meaning are
+/// those of mechanical airspeed indicators (FAA-H-8083-25, Pilot's Handbook of Aeronautical Knowledge, airspeed indicator
+/// markings).
 ///
 /// Where the position of the flaps is not known exactly, the limit is that of the flaps that may be farthest out, and the stall
 /// speed that of those that may be least far out; between two settings the stricter one holds. So a wider range never raises the
@@ -62,7 +63,8 @@ struct SpeedBands {
 };
 static_assert(std::is_trivially_copyable_v<SpeedBands>);
 
-/// Nothing without an aircraft file. Flags alone at an altitude, or an unknown one, at which the file's limit may not hold.
+/// Nothing without an aircraft file. Flags, low-speed warning and low-speed caution alone at an altitude, or an unknown one, at
+/// which the file's limit may not hold.
 [[nodiscard]] SpeedBands speed_bands(const design::AircraftSettings& aircraft, const SpeedConditions& conditions) noexcept;
 
 }  // namespace tedavis::policy

@@ -207,6 +207,31 @@ TEST(FlightTracker, TheChangeOfTheAirspeedIsASignalOfTheInput) {
     EXPECT_TRUE(input.state.is_valid(Signal::airspeed_rate, input.time));
 }
 
+/// A bank of 70 degrees for a second, else of 20.
+Recording steep_turn() {
+    Recording recording;
+    MessageEncoder encoder(BusSettings(), 9);
+    CanFrame out[2];
+    for (std::int64_t ms = 0; ms < 4000; ms += 50) {
+        const double bank_deg = ms >= 1000 && ms < 2000 ? 70 : ms < 3000 ? 66 : 20;
+        const std::size_t count =
+            encoder.encode(312, base::radians(bank_deg), DataType::float32, at_ms(ms), base::Span<CanFrame>(out));
+        recording.frames.insert(recording.frames.end(), out, out + count);
+    }
+    return recording;
+}
+
+TEST(FlightTracker, RemembersHowFarTheAttitudeWent) {
+    const Recording recording = steep_turn();
+    Tracked flight(recording);
+    EXPECT_NEAR(flight.fly(0, 900, 20).state.excursion.bank_rad, base::radians(66), 1e-6);
+    EXPECT_NEAR(flight.fly(920, 2900, 20).state.excursion.bank_rad, base::radians(70), 1e-6) << "66 is within its play";
+    Tracked seldom(recording);
+    EXPECT_EQ(seldom.fly(0, 2900, 145).state.excursion.bank_rad, flight.fly(2900, 2900, 20).state.excursion.bank_rad)
+        << "whatever the rate of frames";
+    EXPECT_NEAR(flight.fly(2920, 3900, 20).state.excursion.bank_rad, base::radians(25), 1e-6);
+}
+
 TEST(FlightTracker, TheTrailIsOfTheSteps) {
     const Recording recording = recorded_flight();
     Tracked flight(recording);

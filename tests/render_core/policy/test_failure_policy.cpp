@@ -324,6 +324,20 @@ TEST(FailurePolicy, UnusualAttitudesDeclutter) {
     EXPECT_FALSE(has_flag(decide_on(steep), "attitude.unusual"));
 }
 
+TEST(FailurePolicy, AnUnusualAttitudeEndsWellWithinItsLimit) {
+    const auto unusual_at = [](double pitch_deg, double up_to_deg) {
+        AircraftState state = everything_valid();
+        state.excursion.step(base::radians(up_to_deg), 0);
+        state[Signal::pitch] = {base::radians(pitch_deg), kPolicyNow};
+        return decide_on(state).unusual_attitude;
+    };
+    EXPECT_TRUE(unusual_at(28, 31)) << "it was beyond 30 degrees, and is not yet within 25";
+    EXPECT_FALSE(unusual_at(24, 31));
+    EXPECT_FALSE(unusual_at(28, 29)) << "it was never beyond";
+    EXPECT_TRUE(unusual_at(-17, -21));
+    EXPECT_FALSE(unusual_at(-14, -21));
+}
+
 TEST(FailurePolicy, WhatIsNoPilotsViewIsSaid) {
     design::DesignSettings design = design::default_design_settings();
     const auto decide = [&](const DisplayConditions& conditions) {

@@ -209,14 +209,25 @@ TEST(SpeedBands, TheStallSpeedGrowsWithTheRootOfTheLoadFactor) {
     EXPECT_EQ(faults_of_column(first_column(steep)), "");
 }
 
-TEST(SpeedBands, WhereAMachNumberIsTheLimitThereAreNone) {
+TEST(SpeedBands, WhereAMachNumberIsTheLimitThereAreThoseOfLowSpeedsAlone) {
     const AircraftSettings jet = shipped("jet");
     SpeedConditions conditions = with_flaps({0, 0});
     conditions.pressure_altitude_m = 27'000 * 0.3048;
     EXPECT_EQ(speed_bands(jet, conditions).bands.size(), 5u);
     for (const double altitude_m : {27'001 * 0.3048, kNaN}) {
         conditions.pressure_altitude_m = altitude_m;
+        const SpeedBands low = speed_bands(jet, conditions);
+        ASSERT_EQ(low.bands.size(), 2u) << altitude_m;
+        conditions.pressure_altitude_m = 0;
+        const SpeedBands known = speed_bands(jet, conditions);
+        for (std::size_t n = 0; n < low.bands.size(); ++n) {
+            EXPECT_EQ(low.bands[n].role, n == 0 ? SpeedBandRole::low_warning : SpeedBandRole::low_caution);
+            EXPECT_EQ(low.bands[n].high_mps, known.bands[n].high_mps) << "the stall speed is that of every altitude";
+        }
+        conditions.pressure_altitude_m = altitude_m;
+        conditions.is_on_ground = true;
         EXPECT_TRUE(speed_bands(jet, conditions).bands.empty()) << altitude_m;
+        conditions.is_on_ground = false;
         EXPECT_EQ(speed_bands(jet, conditions).flags.size(), jet.flags.size());
         EXPECT_FALSE(speed_bands(shipped("turboprop"), conditions).bands.empty()) << "a file without such an altitude";
     }
