@@ -6,6 +6,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/display/planner/picture_layer.hpp"
+#include "render_core/policy/element_texts.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -37,6 +38,13 @@ Json signals_json(const display::FrameRecord& record) {
     Json json = Json::object();
     for (std::size_t i = 0; i < flight::kSignalCount; ++i)
         json[flight::to_string(static_cast<flight::Signal>(i))] = base::to_string(record.signals[i]);
+    return json;
+}
+
+Json elements_json(const display::FrameRecord& record) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < policy::kElementCount; ++i)
+        json[text(policy::name_of(static_cast<policy::Element>(i)))] = policy::name_of(record.elements[i]);
     return json;
 }
 
@@ -241,6 +249,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["phase_source"] = flight::to_string(record.phase.source);
     json["own_ship"] = own_ship_json(record);
     json["signals"] = signals_json(record);
+    json["elements"] = elements_json(record);
     json["flags"] = flags_json(record);
     json["view"] = {{"mode", text(design::kViewModeNames[static_cast<std::size_t>(record.view.mode)])},
                     {"transition", record.view.transition}};

@@ -23,6 +23,7 @@ FrameRecord record_of(const PlannedFrame& plan, const DrawnFrame& drawn, const E
                       const base::BudgetTable& table) {
     FrameRecord record;
     static_cast<FrameStatement&>(record) = plan;
+    for (std::size_t n = 0; n < policy::kElementCount; ++n) record.elements[n] = plan.decisions.elements[n].show;
     if (drawn.ground_data_is_missing) flag(policy::RecordFlag::ground_data_missing, record);
     record_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn}, record);
     record_budget(plan.budget, record);

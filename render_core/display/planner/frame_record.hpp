@@ -15,6 +15,7 @@
 #include "render_core/effects/effect_planner.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/policy/display_decisions.hpp"
 #include "render_core/policy/terrain_light.hpp"
 
 namespace tedavis::display {
@@ -156,6 +157,7 @@ struct FrameStatement {
 };
 
 struct FrameRecord : FrameStatement {
+    std::array<policy::ElementShow, policy::kElementCount> elements{};  ///< of the symbology; a design may still leave one out
     base::FixedVector<DataRecord, 16> data;
     ByteRecord bytes;
     GovernorRecord governor;

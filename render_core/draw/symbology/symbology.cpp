@@ -25,6 +25,7 @@ void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout
     if (input.shown.baro_setting) build_baro_setting(painter, input);
     if (input.shown.ground_height) build_ground_height(painter, input);
     if (input.shown.air) build_air(painter, input);
+    if (input.shown.attitude && ahead && !input.decisions.unusual_attitude) build_field_of_view(painter, input);
     if (input.shown.phase) build_phase(painter, input);
     if (input.shown.legend) build_legend(painter, input);
     if (!input.decisions.unusual_attitude) build_adjacent_maps(painter, input);

@@ -31,6 +31,9 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input);
 /// the wind blows, up is ahead, or the map's up. What is stale is amber and shows its age.
 void build_air(const Painter& painter, const SymbologyInput& input);
 [[nodiscard]] Rect air_box(const Layout& layout) noexcept;
+/// The angle that the picture shows across its width, below wind and temperature.
+void build_field_of_view(const Painter& painter, const SymbologyInput& input);
+[[nodiscard]] Rect field_of_view_box(const Layout& layout) noexcept;
 void build_phase(const Painter& painter, const SymbologyInput& input);
 /// For make_layout(): what the legends of this frame would take.
 [[nodiscard]] LegendNeed legend_need(const SymbologyInput& input) noexcept;

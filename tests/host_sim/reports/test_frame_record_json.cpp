@@ -34,6 +34,8 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
     EXPECT_NEAR(json["own_ship"]["roll_deg"].get<double>(), -10, 1e-12);
     EXPECT_EQ(json["own_ship"]["state"], "valid");
     EXPECT_EQ(json["signals"].size(), flight::kSignalCount);
+    EXPECT_EQ(json["elements"].size(), policy::kElementCount);
+    EXPECT_EQ(json["elements"]["slip"], "flagged");
     EXPECT_EQ(json["terrain"], Json({{"tau_px", 1},
                                      {"tau_reached_px", 1.5},
                                      {"limit", "triangles"},
@@ -59,9 +61,9 @@ TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {
 
 TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
     const Json json = parsed(test_support::frame_result(0, 3));
-    for (const char* key : {"frame",    "time_s",   "utc",   "hash",    "phase",        "sub_phase", "phase_source",
-                            "own_ship", "signals",  "flags", "view",    "terrain",      "data",      "labels",
-                            "bytes",    "governor", "foci",  "effects", "presentation", "ms",        "latency_ms"})
+    for (const char* key : {"frame",    "time_s",   "utc",     "hash",         "phase",   "sub_phase", "phase_source", "own_ship",
+                            "signals",  "elements", "flags",   "view",         "terrain", "data",      "labels",       "bytes",
+                            "governor", "foci",     "effects", "presentation", "ms",      "latency_ms"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
     for (const char* aspect : {"terrain", "data", "uncertainty"})

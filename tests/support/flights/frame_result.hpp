@@ -20,6 +20,7 @@ inline host_sim::FrameResult frame_result(std::uint64_t frame, double time_s) {
     record.heading_rad = base::radians(270);
     record.pitch_rad = base::radians(5);
     record.roll_rad = base::radians(-10);
+    record.elements[static_cast<std::size_t>(policy::Element::slip)] = policy::ElementShow::flagged;
     record.terrain = {1,
                       0.75,
                       base::FixedString<31>("2/3/4"),
