@@ -24,6 +24,8 @@ public:
         read_design(root);
         take(root, "bus", settings_.bus, &bus::load_bus_settings);
         if (root.has("aircraft")) take(root, "aircraft", settings_.aircraft, &design::load_aircraft);
+        if (root.has("symbology")) take(root, "symbology", settings_.symbology, &design::load_symbology_palettes);
+        root.choose("light", design::kSymbologyLightNames, settings_.light);
         read_switches(root.section("switches"));
         read_database(root.section("terrain"), settings_.terrain);
         read_database(root.section("scene"), settings_.scene);
@@ -31,6 +33,7 @@ public:
         if (base::ConfigSection made = root.section("programs"); made.present()) settings_.programs = path_at(made, "folder");
         read_can(root.section("can"));
         read_surface(root.section("surface"));
+        root.section("display").choose("legend", flight::kLegendShowNames, settings_.legend);
         const bool touch = root.section("memory").boolean("touch", true);
         settings_.residency = touch ? platform::Residency::touched : platform::Residency::lazy;
         if (!reader_.finish()) return base::fail(base::make_error(reader_.error().message.view()));
@@ -160,6 +163,7 @@ void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus) {
         fits = fits && add_identifier_filters(can, static_cast<std::uint16_t>(bus.traffic.first_identifier + n));
     for (std::uint16_t n = 0; bus.guidance.is_carried() && n < bus::kGuidanceIdentifiers; ++n)
         fits = fits && add_identifier_filters(can, static_cast<std::uint16_t>(bus.guidance.first_identifier + n));
+    if (bus.display.legend_identifier != 0) fits = fits && add_identifier_filters(can, bus.display.legend_identifier);
     if (!fits) can.filters.clear();
 }
 

@@ -7,6 +7,8 @@
 ///                                (designs that it names for phases, or is based on, lie beside it)
 ///     bus = "canaerospace.toml"
 ///     aircraft = "own.toml"      speeds and eye point; absent: none are known
+///     light = "day"              or "night": colors of the symbology
+///     symbology = "own.toml"     palette of the symbology; absent: the standard one
 ///     [terrain]                  absent: no terrain, the display says so
 ///     database = "area.tdb"
 ///     [scene]                    absent: no spatial data
@@ -27,6 +29,8 @@
 ///     backend = "egl"            or "osmesa", where it was built
 ///     width_px = 1024            absent: the device file's
 ///     height_px = 768
+///     [display]
+///     legend = "key"             or "none", "whole": where neither the panel nor the bus asks for another
 ///     [memory]
 ///     touch = true               take all pages at start, so that no page fault comes in flight
 ///
@@ -47,7 +51,9 @@
 #include "render_core/base/result.hpp"
 #include "render_core/design/aircraft_settings.hpp"
 #include "render_core/design/phase_designs.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/effects/device.hpp"
+#include "render_core/flight/legend_show.hpp"
 
 namespace tedavis::target {
 
@@ -60,6 +66,8 @@ struct BoardSettings {
     design::PhaseDesigns phases;
     bus::BusSettings bus;
     design::AircraftSettings aircraft;  ///< none without the key
+    design::SymbologyPalettes symbology = design::standard_symbology_palettes();
+    design::SymbologyLight light = design::SymbologyLight::day;
     bus::SocketCanSettings can;
     bool has_switches = false;
     bus::SwitchConfig switches;
@@ -69,6 +77,7 @@ struct BoardSettings {
     Path programs;  ///< the same
     base::FixedString<15> surface;
     std::uint32_t width_px = 0, height_px = 0;
+    flight::LegendShow legend = flight::LegendShow::key;
     platform::Residency residency = platform::Residency::touched;
 };
 static_assert(std::is_trivially_copyable_v<BoardSettings>);
@@ -80,8 +89,8 @@ static_assert(std::is_trivially_copyable_v<BoardSettings>);
 /// where the path exceeds the capacity of Path.
 [[nodiscard]] Path path_beside(std::string_view board_file, std::string_view name);
 
-/// Adds filters that pass the identifiers that the decoder knows, the phase messages and identification requests. When they do
-/// not fit, no filters are set and all frames pass.
+/// Adds filters that pass the identifiers that the decoder knows, the messages of phase and legend, and identification requests.
+/// When they do not fit, no filters are set and all frames pass.
 void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus);
 
 }  // namespace tedavis::target

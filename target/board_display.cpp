@@ -23,6 +23,9 @@ platform::DisplayHostSettings board_host_settings(const BoardSettings& settings)
     of_host.display.design = settings.design;
     of_host.display.phases = &settings.phases;
     of_host.display.aircraft = settings.aircraft;
+    of_host.display.symbology = settings.symbology;
+    of_host.display.light = settings.light;
+    of_host.display.legend = settings.legend;
     of_host.display.width_px = settings.width_px;
     of_host.display.height_px = settings.height_px;
     of_host.display.expects_scene = !settings.scene.empty();

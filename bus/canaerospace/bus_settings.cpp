@@ -61,6 +61,7 @@ void read_phase(ConfigSection section, PhaseMessageSettings& phase) {
 struct TakenIdentifiers {
     const PhaseMessageSettings& phase;
     const TrafficSettings& traffic;
+    const GuidanceSettings& guidance;
 };
 
 /// Without its section a profile is not received: its identifiers are free for others.
@@ -84,6 +85,18 @@ std::uint16_t read_first_identifier(ConfigSection section, std::uint16_t count, 
         if (taken.traffic.has(identifier)) return fault("reports other aircraft"), first;
     }
     return first;
+}
+
+/// Without its section no request is received.
+void read_display(ConfigSection section, const TakenIdentifiers& taken, DisplayRequestSettings& display) {
+    if (!section.present()) return;
+    constexpr std::string_view kKey = "legend_identifier";
+    display.legend_identifier = static_cast<std::uint16_t>(section.integer(kKey, 200, 1999));
+    const std::uint16_t identifier = display.legend_identifier;
+    const bool is_taken = identifier_index(identifier) != kNotInTable || identifier == taken.phase.status_identifier ||
+                          identifier == taken.phase.request_identifier || taken.traffic.has(identifier) ||
+                          taken.guidance.has(identifier);
+    if (is_taken) section.fault(kKey, "this identifier has a meaning already; choose another");
 }
 
 void read_node(ConfigSection section, NodeSettings& node) {
@@ -176,9 +189,10 @@ base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, 
     root.choose("protocol", kProtocols, protocol);
     read_dialect(root.section("dialect"), settings.dialect);
     read_phase(root.section("phase"), settings.phase);
-    const TakenIdentifiers taken{settings.phase, settings.traffic};
+    const TakenIdentifiers taken{settings.phase, settings.traffic, settings.guidance};
     settings.traffic.first_identifier = read_first_identifier(root.section("traffic"), kTrafficIdentifiers, "twelve", taken);
     settings.guidance.first_identifier = read_first_identifier(root.section("guidance"), kGuidanceIdentifiers, "eight", taken);
+    read_display(root.section("display"), taken, settings.display);
     read_node(root.section("node"), settings.node);
     read_own_ship(root.section("own_ship"), settings.own_ship);
     read_clock(root.section("clock"), settings.utc_timeout);

@@ -73,6 +73,13 @@ struct GuidanceSettings {
     }
 };
 
+/// What the pilot asks of the display by the bus.
+struct DisplayRequestSettings {
+    std::uint16_t legend_identifier = 0;  ///< 0: the bus carries no request
+
+    [[nodiscard]] bool has(std::uint16_t identifier) const { return legend_identifier != 0 && identifier == legend_identifier; }
+};
+
 /// The answer to an identification request (section 4, IDS).
 struct NodeSettings {
     bool answer_identification = false;  ///< off: a passive listener that never sends
@@ -95,6 +102,7 @@ struct BusSettings {
     PhaseMessageSettings phase;
     TrafficSettings traffic;
     GuidanceSettings guidance;
+    DisplayRequestSettings display;
     NodeSettings node;
     OwnShipSettings own_ship;
     base::Duration utc_timeout = base::Duration::seconds(10);  ///< without message 1200 for this long, UTC is lost

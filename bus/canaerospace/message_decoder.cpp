@@ -22,7 +22,11 @@ bool is_identification_request(const CanFrame& frame, MessageId id) {
 }  // namespace
 
 MessageDecoder::MessageDecoder(const BusSettings& settings)
-    : dialect_(settings.dialect), phase_(settings.phase), traffic_(settings.traffic), guidance_(settings.guidance) {
+    : dialect_(settings.dialect),
+      phase_(settings.phase),
+      traffic_(settings.traffic),
+      guidance_(settings.guidance),
+      display_(settings.display) {
     for (std::uint16_t i = 0; i < place_count(); ++i) bindings_[i] = bind(entry_at(i), dialect_);
 }
 
@@ -36,6 +40,8 @@ DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
             const bool request = id.identifier == phase_.request_identifier;
             const auto phase_place = static_cast<std::uint16_t>(kPhasePlace + (request ? 1 : 0));
             message = decode_known(frame, id, phase_place, type_bit(DataType::uchar8x4));
+        } else if (display_.has(id.identifier)) {
+            message = decode_known(frame, id, kLegendPlace, type_bit(DataType::uchar8) | type_bit(DataType::nodata));
         } else if (place != kNotInTable) {
             const IdentifierEntry& entry = entry_at(place);
             if (!entry.glider_profile || dialect_.glider_identifiers) message = decode_known(frame, id, place, entry.types);
@@ -69,7 +75,9 @@ DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id,
         message.kind = MessageKind::repeated;
         return message;
     }
-    if (place >= kPhasePlace) {
+    if (place == kLegendPlace) {
+        finish_legend(value, message);
+    } else if (place >= kPhasePlace) {
         message.kind = place == kPhasePlace ? MessageKind::phase : MessageKind::phase_request;
         finish_phase(value, message);
     } else {
@@ -157,6 +165,20 @@ void MessageDecoder::finish_phase(const TypedValue& value, DecodedMessage& messa
     } else {
         message.phase = parsed.phase;
         message.confidence = static_cast<std::uint8_t>(value.parts[3]);
+    }
+}
+
+void MessageDecoder::finish_legend(const TypedValue& value, DecodedMessage& message) {
+    message.kind = MessageKind::legend_request;
+    message.nothing_selected = value.type == DataType::nodata;
+    if (status_invalid(message.header.service_code)) {
+        ++counts_.stated_invalid;
+        message.healthy = false;
+    } else if (!message.nothing_selected && value.parts[0] >= static_cast<std::int64_t>(flight::kLegendShowNames.size())) {
+        ++counts_.out_of_range;
+        message.healthy = false;
+    } else if (!message.nothing_selected) {
+        message.legend = static_cast<flight::LegendShow>(value.parts[0]);
     }
 }
 

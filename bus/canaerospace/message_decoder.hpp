@@ -19,6 +19,7 @@
 #include "bus/canaerospace/message_header.hpp"
 #include "bus/canaerospace/traffic_profile.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/flight/legend_show.hpp"
 
 namespace tedavis::bus {
 
@@ -30,6 +31,7 @@ enum class MessageKind : std::uint8_t {
     signal,
     phase,
     phase_request,
+    legend_request,
     traffic,  ///< one part of a report on another aircraft; `value` is that of decode_traffic_part()
     utc,
     date,
@@ -43,17 +45,18 @@ struct DecodedMessage {
     std::uint8_t channel = 0;
     bool restarted = false;         ///< first message of a sender after start, silence or restart
     bool numbered = true;           ///< false: the sender does not number its messages
-    bool nothing_selected = false;  ///< guidance: the sender states that there is no value
+    bool nothing_selected = false;  ///< guidance: the sender states that there is no value; legend: no request
     bool is_magnetic = false;       ///< `value` is a direction relative to magnetic north
     bool healthy = true;            ///< false: the sender states invalid, or the value is implausible (`value` is then not set)
     flight::Signal signal = flight::Signal::count_;
     std::uint8_t rank = 0;
     double value = 0;  ///< SI
     TrafficPart traffic_part = TrafficPart::count;
-    flight::FlightPhase phase;            ///< of phase messages
-    std::uint8_t phase_origin = 0;        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
-    std::uint8_t confidence = 255;        ///< percent, 255 not stated
-    std::array<std::uint8_t, 4> clock{};  ///< utc: h, m, s, 0; date: day, month 1..12, year / 100, year % 100
+    flight::FlightPhase phase;                            ///< of phase messages
+    std::uint8_t phase_origin = 0;                        ///< 0 unknown, 1 FMS, 2 pilot, 3 computed, 4 simulator
+    std::uint8_t confidence = 255;                        ///< percent, 255 not stated
+    flight::LegendShow legend = flight::LegendShow::key;  ///< of a legend request
+    std::array<std::uint8_t, 4> clock{};                  ///< utc: h, m, s, 0; date: day, month 1..12, year / 100, year % 100
 };
 
 struct DecoderCounts {
@@ -92,13 +95,15 @@ private:
         bool numbered = true;
     };
     static constexpr std::uint16_t kPhasePlace = kMaxPlaces;
-    static constexpr std::size_t kMaxEntries = std::size_t{kPhasePlace} + 2;
+    static constexpr std::uint16_t kLegendPlace = kPhasePlace + 2;
+    static constexpr std::size_t kMaxEntries = std::size_t{kPhasePlace} + 3;
 
     DecodedMessage decode_known(const CanFrame& frame, MessageId id, std::uint16_t place, std::uint32_t types);
     DecodedMessage decode_traffic(const CanFrame& frame, MessageId id);
     void finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::uint16_t place,
                       DecodedMessage& message);
     void finish_phase(const TypedValue& value, DecodedMessage& message);
+    void finish_legend(const TypedValue& value, DecodedMessage& message);
     void finish_clock(const TypedValue& value, DecodedMessage& message);
     void finish_number(double number, std::uint16_t place, DecodedMessage& message);
     [[nodiscard]] bool follows(Sender& sender, const MessageHeader& header, base::Time time, DecodedMessage& message);
@@ -111,6 +116,7 @@ private:
     PhaseMessageSettings phase_;
     TrafficSettings traffic_;
     GuidanceSettings guidance_;
+    DisplayRequestSettings display_;
     DecoderCounts counts_;
     std::array<SignalBinding, kMaxEntries> bindings_{};
     std::array<std::array<Sender, kMaxRedundancyChannels>, kMaxEntries> senders_{};

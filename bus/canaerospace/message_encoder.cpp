@@ -95,6 +95,14 @@ std::size_t MessageEncoder::encode_phase_request(flight::FlightPhase phase, base
     return put(settings_.phase.request_identifier, value, time, out, 0, 0);
 }
 
+std::size_t MessageEncoder::encode_legend_request(std::optional<flight::LegendShow> show, base::Time time,
+                                                  base::Span<CanFrame> out) {
+    const std::uint16_t identifier = settings_.display.legend_identifier;
+    if (identifier == 0) return 0;
+    if (!show) return put(identifier, {}, time, out, 0, 0);
+    return put(identifier, {DataType::uchar8, 1, 0, {static_cast<std::int64_t>(*show)}}, time, out, 0, 0);
+}
+
 std::size_t MessageEncoder::encode_utc(std::uint8_t hour, std::uint8_t minute, std::uint8_t second, base::Time time,
                                        base::Span<CanFrame> out) {
     if (hour > 23 || minute > 59 || second > 60) return 0;

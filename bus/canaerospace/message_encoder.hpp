@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "bus/canaerospace/bus_settings.hpp"
 #include "bus/canaerospace/identifier_table.hpp"
 #include "bus/frame/can_frame.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/flight/legend_show.hpp"
 
 namespace tedavis::bus {
 
@@ -38,6 +40,8 @@ public:
     std::size_t encode_phase(flight::FlightPhase phase, PhaseOrigin origin, std::uint8_t confidence, bool valid, base::Time time,
                              base::Span<CanFrame> out);
     std::size_t encode_phase_request(flight::FlightPhase phase, base::Time time, base::Span<CanFrame> out);
+    /// Asks for a legend; `show` is nothing to withdraw the request. Writes nothing where the bus carries no such request.
+    std::size_t encode_legend_request(std::optional<flight::LegendShow> show, base::Time time, base::Span<CanFrame> out);
     std::size_t encode_utc(std::uint8_t hour, std::uint8_t minute, std::uint8_t second, base::Time time,
                            base::Span<CanFrame> out);
     /// `month` 1..12.

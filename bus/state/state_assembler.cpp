@@ -42,6 +42,7 @@ void StateAssembler::take(const CanFrame& frame) {
         case MessageKind::known: take_value(message, frame.time); break;
         case MessageKind::phase: take_phase(message, frame.time, phase_status_); break;
         case MessageKind::phase_request: take_phase(message, frame.time, phase_request_); break;
+        case MessageKind::legend_request: take_legend(message); break;
         case MessageKind::utc:
         case MessageKind::date: take_clock(message, frame.time); break;
         case MessageKind::traffic: take_traffic(message, frame.time); break;
@@ -145,6 +146,13 @@ void StateAssembler::take_phase(const DecodedMessage& message, base::Time receiv
     phase.confidence = message.confidence;
 }
 
+/// A request that is not valid leaves the one before.
+void StateAssembler::take_legend(const DecodedMessage& message) {
+    if (!message.healthy) return;
+    legend_.reset();
+    if (!message.nothing_selected) legend_ = message.legend;
+}
+
 void StateAssembler::take_traffic(const DecodedMessage& message, base::Time received) {
     const flight::OwnShipEstimate own = traffic_.has_room(received) ? flight::OwnShipEstimate() : own_ship(received);
     traffic_.take(message, message.traffic_part, received, own);
@@ -179,6 +187,7 @@ BusSnapshot StateAssembler::snapshot(base::Time now) const {
     result.state.traffic = traffic_.estimate(now);
     result.phase_status = phase_status_;
     result.phase_request = phase_request_;
+    result.legend = legend_;
     result.decoder = decoder_.counts();
     result.counters = {frames_, result.decoder.decoded, result.decoder.alien, errors_, dropped_, traffic_.counts()};
     return result;

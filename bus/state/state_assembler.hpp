@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "bus/canaerospace/message_decoder.hpp"
@@ -40,8 +41,9 @@ struct BusCounters {
 
 struct BusSnapshot {
     flight::AircraftState state;
-    PhaseMessage phase_status;   ///< message 1830
-    PhaseMessage phase_request;  ///< message 1831
+    PhaseMessage phase_status;                 ///< message 1830
+    PhaseMessage phase_request;                ///< message 1831
+    std::optional<flight::LegendShow> legend;  ///< the last request; it holds until the next
     BusCounters counters;
     DecoderCounts decoder;
 };
@@ -68,6 +70,7 @@ private:
     void filter_signal(const DecodedMessage& message, base::Time at, OwnShipFilter& filter);
     void filter_invalid(const DecodedMessage& message);
     void take_phase(const DecodedMessage& message, base::Time received, PhaseMessage& phase);
+    void take_legend(const DecodedMessage& message);
     void take_traffic(const DecodedMessage& message, base::Time received);
     void take_clock(const DecodedMessage& message, base::Time received);
     [[nodiscard]] flight::OwnShipEstimate own_ship(base::Time now) const;
@@ -79,6 +82,7 @@ private:
     std::array<OwnShipFilter, kMaxRedundancyChannels> filters_;
     PhaseMessage phase_status_;
     PhaseMessage phase_request_;
+    std::optional<flight::LegendShow> legend_;
     UtcClock clock_;
     TrafficTable traffic_;
     std::uint64_t frames_ = 0;

@@ -115,6 +115,10 @@ base::Result<SwitchConfig, base::Error> load_switch_config(std::string_view text
     for (std::size_t i = 0; reader.ok() && i < root.table_count("pattern"); ++i)
         read_pattern(root.table_at("pattern", i), code, config);
     if (config.lines.empty()) root.fault("line", "no line is listed; add at least one [[line]]");
+    if (base::ConfigSection legend = root.section("legend"); reader.ok() && legend.present()) {
+        read_line(legend, config);
+        config.has_legend_line = true;
+    }
     if (config.patterns.empty()) root.fault("pattern", "no pattern is listed; add at least one [[pattern]]");
     if (!reader.finish()) return base::fail(reader.error());
     return config;

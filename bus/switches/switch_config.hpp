@@ -12,6 +12,9 @@
 ///     [[pattern]]              1..32 of them
 ///     phase = "takeoff.start"  strings of flight/flight_phase.hpp; "unknown" leaves the phase to the other sources
 ///     high = ["TAKEOFF"]       lines that are active; all others are not
+///     [legend]                 absent: the panel does not ask for a legend
+///     chip = "panel"           one more line, with the keys of [[line]]; it is no part of the patterns. While it is
+///     name = "LEGEND"          active, the whole legend is shown
 ///
 /// Every pattern that is not listed is impossible. Start-up only.
 #pragma once
@@ -48,16 +51,23 @@ struct SwitchPattern {
 
 struct SwitchConfig {
     base::FixedString<95> title;
-    base::FixedVector<SwitchLine, kMaxSwitchLines> lines;
+    base::FixedVector<SwitchLine, kMaxSwitchLines> lines;  ///< the last one asks for the legend where `has_legend_line`
+    bool has_legend_line = false;
     base::FixedVector<SwitchPattern, kMaxSwitchPatterns> patterns;
     base::Duration debounce = base::Duration::milliseconds(30);
     base::Duration settle = base::Duration::milliseconds(200);
 
     /// Bits of all lines.
     [[nodiscard]] std::uint32_t all_lines() const { return (std::uint32_t{1} << lines.size()) - 1; }
+    /// Bits of the lines that state the phase.
+    [[nodiscard]] std::uint32_t phase_lines() const { return has_legend_line ? all_lines() >> 1u : all_lines(); }
+    /// Whether the line of the legend is known to be active.
+    [[nodiscard]] bool asks_for_legend(const SwitchLevels& levels) const {
+        return has_legend_line && (levels.known & levels.high & ~phase_lines()) != 0;
+    }
     /// Returns the index of the line named "chip.name", or lines.size().
     [[nodiscard]] std::size_t find_line(std::string_view full_name) const;
-    /// Returns the pattern with exactly these lines high, or null.
+    /// Returns the pattern with exactly these lines of the phase high, or null.
     [[nodiscard]] const SwitchPattern* find_pattern(std::uint32_t high) const;
 };
 static_assert(std::is_trivially_copyable_v<SwitchConfig>);

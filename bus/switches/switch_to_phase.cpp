@@ -5,7 +5,8 @@ namespace tedavis::bus {
 void SwitchToPhase::evaluate(State& state, base::Time at) const {
     state.evaluated = at;
     const SwitchLevels levels = state.debounce.levels(at);
-    const SwitchPattern* pattern = levels.known == config_.all_lines() ? config_.find_pattern(levels.high) : nullptr;
+    const std::uint32_t phase = config_.phase_lines();
+    const SwitchPattern* pattern = (levels.known & phase) == phase ? config_.find_pattern(levels.high & phase) : nullptr;
     if (pattern != nullptr) {
         state.last_valid = {pattern->phase, pattern->phase.scenario != flight::Scenario::unknown};
     } else if (!state.impossible) {

@@ -55,7 +55,9 @@ void FlightTracker::skip_steps_before(base::Time time) {
 
 flight::FrameInput FlightTracker::input_at(base::Time now, flight::TerrainHeights& heights) {
     read_until(now);
-    flight::FrameInput input{memory_.assembler.snapshot(now).state, memory_.monitor.status(), now, &memory_.trail};
+    const BusSnapshot snapshot = memory_.assembler.snapshot(now);
+    flight::FrameInput input{snapshot.state, memory_.monitor.status(), now, &memory_.trail};
+    input.legend = panel_asks_for_legend(now) ? flight::LegendShow::whole : snapshot.legend;
     ask_for_height(input.state, now, heights);
     input.state[flight::Signal::airspeed_rate] = memory_.airspeed.rate();
     input.state.excursion = memory_.excursion;
@@ -82,6 +84,12 @@ void FlightTracker::read_switches(base::Time time) {
         count = ports_.panel->read(time, base::Span<SwitchEdge>(edges));
         for (std::size_t k = 0; k < count; ++k) memory_.switches->add(edges[k]);
     }
+}
+
+/// A panel that fails asks for nothing.
+bool FlightTracker::panel_asks_for_legend(base::Time time) const {
+    if (ports_.panel == nullptr || !memory_.switches || ports_.panel->health() == SourceHealth::failed) return false;
+    return memory_.switches->config().asks_for_legend(memory_.switches->status(time).levels);
 }
 
 flight::PhaseInputs FlightTracker::phase_inputs(const PhaseMessage& stated, base::Time time) const {

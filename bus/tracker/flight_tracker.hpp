@@ -3,7 +3,7 @@
 /// Frames and switch edges are read up to each step of a fixed grid of the source's time (flight::PhaseMonitor::kStep). A step
 /// takes a snapshot of the aircraft, requests its height above the terrain, and advances phase, trail and airspeed trend. An
 /// input at T holds what was received up to T and the phase of the last step at or before T, so it does not depend on how often
-/// inputs are requested.
+/// inputs are requested. It also says which legend the panel or, where the panel does not, the bus asks for.
 ///
 /// The whole state is one plain TrackerMemory. A copy is a checkpoint: continuing from it, with sources at the same position,
 /// gives the same bits as the run that it was copied from.
@@ -77,6 +77,7 @@ public:
 private:
     void read_until(base::Time time);
     void read_switches(base::Time time);
+    [[nodiscard]] bool panel_asks_for_legend(base::Time time) const;
     [[nodiscard]] flight::PhaseInputs phase_inputs(const PhaseMessage& stated, base::Time time) const;
 
     TrackerMemory& memory_;

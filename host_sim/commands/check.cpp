@@ -19,6 +19,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
+#include "host_sim/measure/symbology_palette_check.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/replay/resolved_design.hpp"
@@ -32,6 +33,7 @@
 #include "host_sim/user_error.hpp"
 #include "render_core/design/aircraft_settings.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/effects/calibration.hpp"
 #include "render_core/effects/device.hpp"
 
@@ -96,6 +98,13 @@ std::string check_device(const std::string& path) {
 std::string check_aircraft(const std::string& path) {
     require(design::load_aircraft(read_file(path), path));
     return "an aircraft";
+}
+
+std::string check_symbology_palette(const std::string& path) {
+    const auto palettes = design::load_symbology_palettes(read_file(path), path);
+    require(palettes);
+    require_no_faults(symbology_palette_faults(palettes.value(), path));
+    return "a palette of the symbology, by day and by night, fit for every color vision";
 }
 
 std::string check_costs(const std::string& path) {
@@ -174,9 +183,10 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 16> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 17> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "based_on =", check_design},
                                                       {"designs", "[phases]", check_design},
+                                                      {"symbology", "[night]", check_symbology_palette},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
                                                       {"devices", "[[budget]]", check_device},

@@ -1,4 +1,5 @@
 #include "host_sim/commands/command_groups.hpp"
+#include "host_sim/commands/display_sheet.hpp"
 #include "host_sim/commands/option_checks.hpp"
 #include "host_sim/commands/option_texts.hpp"
 #include "host_sim/commands/trace_sheet.hpp"
@@ -31,6 +32,15 @@ void add_surface_options(CLI::App* command, PictureOptions& picture) {
 void add_picture_options(CLI::App* command, PictureOptions& picture) {
     add_surface_options(command, picture);
     command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
+    command->add_option("--palette", picture.palette,
+                        "palette file of the symbology or shipped name: its colors by day and by night; default: standard");
+    static const std::map<std::string, design::SymbologyLight> kLight = {{"day", design::SymbologyLight::day},
+                                                                         {"night", design::SymbologyLight::night}};
+    command
+        ->add_option_function<std::string>(
+            "--light", [&picture](const std::string& word) { picture.light = choice_from("--light", word, kLight); },
+            "day or night: colors of the symbology; terrain, sky and data keep theirs")
+        ->default_str("day");
     add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
     command->add_option_function<std::string>(
         "--weights", [&picture](const std::string& text) { picture.weights = weights_from(text); },
@@ -57,6 +67,16 @@ void add_picture_options(CLI::App* command, PictureOptions& picture) {
         "--clutter", [&picture](const std::string& word) { picture.clutter = choice_from("--clutter", word, kClutter); },
         "edges of each picture (alone), or regions (how dense they are, over it); default: as the design says");
     command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
+}
+
+void add_legend(CLI::App* command, PictureOptions& picture) {
+    static const std::map<std::string, flight::LegendShow> kLegends = {
+        {"none", flight::LegendShow::none}, {"key", flight::LegendShow::key}, {"whole", flight::LegendShow::whole}};
+    command
+        ->add_option_function<std::string>(
+            "--legend", [&picture](const std::string& word) { picture.legend = choice_from("--legend", word, kLegends); },
+            "none, key (a small key of the scales that are shown) or whole; a switch or the bus may ask for another")
+        ->default_str("key");
 }
 
 void add_accuracy_shown(CLI::App* command, AccuracyShown& shown) {
@@ -88,6 +108,7 @@ void add_shot(CLI::App& app, CommandLine& line) {
     command->add_flag("--layers", o.layers, kLayersText);
     add_strict(command, o.strict);
     add_picture_options(command, o.picture);
+    add_legend(command, o.picture);
     add_accuracy_shown(command, o.accuracy);
 }
 
@@ -206,12 +227,16 @@ void add_shaders(CLI::App& app, CommandLine& line) {
 
 void add_sheet(CLI::App& app, CommandLine& line) {
     SheetOptions& o = line.sheet;
-    CLI::App* command = add_command(
-        app, line, "sheet", "contact sheet: one labelled picture a technique",
-        [&o](Console& console) { return o.sheet == kTraceSheetName ? run_trace_sheet(o, console) : run_sheet(o, console); });
+    CLI::App* command =
+        add_command(app, line, "sheet", "contact sheet: one labelled picture a technique", [&o](Console& console) {
+            if (o.sheet == kDisplaySheetName) return run_display_sheet(o, console);
+            return o.sheet == kTraceSheetName ? run_trace_sheet(o, console) : run_sheet(o, console);
+        });
     command
         ->add_option("SHEET", o.sheet,
-                     "sheet file or shipped name, such as terrain-styles; trace: the ray tracer's presets and operators")
+                     "sheet file or shipped name, such as terrain-styles; trace: the ray tracer's presets and operators; "
+                     "display: the parts of the display by their "
+                     "names")
         ->required();
     command->add_option("-o", o.output, "folder to write to")->required();
     command->add_option_function<std::string>(
@@ -305,6 +330,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
     add_replay_instants(command, o);
     command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
     add_picture_options(command, o.picture);
+    add_legend(command, o.picture);
     add_accuracy_shown(command, o.accuracy);
     CLI::Option* layers = command->add_flag("--layers", o.layers, kLayersText);
     CLI::Option* ledger = command->add_flag(

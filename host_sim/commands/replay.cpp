@@ -23,7 +23,7 @@ void enter(EffectLedger& ledger, std::uint64_t n, base::Time time, const FrameRe
     ledger.note(drawn.record);
     if (!ledger.wants(n)) return;
     const flight::FrameInput& input = recorder.input();
-    ledger.take({drawn.record.frame, time, input.state, input.phase, *input.trail, upright(session.pixels())});
+    ledger.take({drawn.record.frame, time, input.state, input.phase, input.legend, *input.trail, upright(session.pixels())});
 }
 
 void price_effects(const EffectLedger& ledger, const ReplayOptions& options, DisplaySession& session,

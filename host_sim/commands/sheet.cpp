@@ -67,6 +67,7 @@ SheetJob read_job(const SheetOptions& options) {
     job.picture = options.picture;
     if (!job.picture.size) job.picture.size = job.plan.size;
     job.picture.symbology = job.plan.symbology;
+    job.picture.legend = flight::LegendShow::whole;
     job.pose = options.pose.value_or(job.plan.pose);
     job.time = options.time.value_or(job.plan.time.value_or(kPosedTime));
     require_designs(job.plan, job.path);

@@ -19,6 +19,7 @@ constexpr char kSweepName[] = "sweep.json";
 SweepJob sweep_job(const SweepOptions& options) {
     SweepJob job;
     job.picture = options.picture;
+    job.picture.legend = flight::LegendShow::whole;
     job.place = options.place;
     job.radius_m = options.radius_m;
     job.rings = options.rings;

@@ -17,6 +17,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::size_t kMaxWords = 16;
+constexpr int kLeastRolePixels = 12;
 constexpr perception::RegionGrid kThirds{3, 3};
 
 std::vector<std::string> read_words(base::ConfigSection& section, std::string_view key) {
@@ -132,6 +133,11 @@ void read_measure_keys(base::ConfigSection& section, ContractCondition& conditio
         case ContractMeasure::color_difference:
             read_condition_limit(section, false, 0, 100, condition);
             return read_color_groups(section, condition);
+        case ContractMeasure::symbology_contrast:
+            read_condition_limit(section, false, 1, 21, condition);
+            condition.least_px = static_cast<int>(section.integer("least_px", 1, 100000, kLeastRolePixels));
+            return;
+        case ContractMeasure::symbology_difference: return read_condition_limit(section, false, 0, 100, condition);
     }
 }
 
@@ -182,10 +188,12 @@ bool needs_layers(const ContractCondition& condition) {
     switch (condition.measure) {
         case ContractMeasure::saliency_share:
         case ContractMeasure::saliency_over_area:
-        case ContractMeasure::luminance_contrast: return true;
+        case ContractMeasure::luminance_contrast:
+        case ContractMeasure::symbology_contrast: return true;
         case ContractMeasure::obstacle_rank: return !condition.without.empty();
         case ContractMeasure::clutter:
-        case ContractMeasure::color_difference: break;
+        case ContractMeasure::color_difference:
+        case ContractMeasure::symbology_difference: break;
     }
     return false;
 }

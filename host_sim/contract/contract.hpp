@@ -27,6 +27,10 @@
 ///                       pixels that a sign has at least
 ///   color_difference    least: CIEDE2000 between colours of different groups (contract/color_groups.hpp), in normal vision and
 ///                       the three deficiencies. between = [groups]; light = 1, of the full light
+///   symbology_contrast  least: WCAG's ratio of the faintest sign of any role of the symbology's palette, against its rim or
+///                       the ground (measure/role_contrast.hpp). least_px = 12, pixels of the role's own color
+///   symbology_difference least: CIEDE2000 between roles of that palette, in normal vision and the three deficiencies
+///                       (measure/symbology_palette_check.hpp)
 #pragma once
 
 #include <cstdint>
@@ -48,10 +52,13 @@ enum class ContractMeasure : std::uint8_t {
     saliency_over_area,
     obstacle_rank,
     luminance_contrast,
-    color_difference
+    color_difference,
+    symbology_contrast,
+    symbology_difference
 };
-inline constexpr std::string_view kContractMeasureNames[] = {"clutter",       "saliency_share",     "saliency_over_area",
-                                                             "obstacle_rank", "luminance_contrast", "color_difference"};
+inline constexpr std::string_view kContractMeasureNames[] = {
+    "clutter",          "saliency_share",     "saliency_over_area",  "obstacle_rank", "luminance_contrast",
+    "color_difference", "symbology_contrast", "symbology_difference"};
 
 enum class ClutterRegion : std::uint8_t { picture, every, cell };
 

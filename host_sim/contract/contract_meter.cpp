@@ -4,6 +4,8 @@
 
 #include "host_sim/contract/picture_readings.hpp"
 #include "host_sim/evaluation/picture_file.hpp"
+#include "host_sim/measure/symbology_palette_check.hpp"
+#include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -41,9 +43,26 @@ ContractReading picture_reading(const ContractCondition& condition, const Measur
         case ContractMeasure::saliency_over_area: return saliency_reading(condition, frame);
         case ContractMeasure::luminance_contrast: return contrast_reading(condition, frame);
         case ContractMeasure::obstacle_rank: return obstacle_reading(condition, frame);
-        case ContractMeasure::color_difference: break;
+        case ContractMeasure::color_difference:
+        case ContractMeasure::symbology_contrast:
+        case ContractMeasure::symbology_difference: break;
     }
     return {};
+}
+
+bool is_of_palette(const ContractCondition& condition) {
+    return condition.measure == ContractMeasure::symbology_contrast || condition.measure == ContractMeasure::symbology_difference;
+}
+
+std::optional<RunPalette> palette_of_run(const Contract& contract, const FlightRun& run) {
+    const auto& names = design::kSymbologyLightNames;
+    const auto light = std::find(names.begin(), names.end(), run.light);
+    if (std::none_of(contract.conditions.begin(), contract.conditions.end(), is_of_palette) || light == names.end())
+        return std::nullopt;
+    PictureOptions options;
+    options.palette = run.palette;
+    const std::string name = run.palette.empty() ? "standard" : run.palette;
+    return RunPalette{load_symbology_palettes(options), static_cast<design::SymbologyLight>(light - names.begin()), name};
 }
 
 /// Empty where the run has what the condition is measured by.
@@ -57,7 +76,7 @@ std::string lacking(const ContractCondition& condition, const FlightFrame& frame
 }  // namespace
 
 ContractMeter::ContractMeter(const Contract& contract, const FlightRun& run)
-    : contract_(contract), gaps_(gaps_of_run(contract, run)) {}
+    : contract_(contract), gaps_(gaps_of_run(contract, run)), palette_(palette_of_run(contract, run)) {}
 
 std::vector<ContractReading> ContractMeter::readings(PictureMeter& meter, const FlightFrame& frame) const {
     const RgbaPicture picture = read_picture(frame.picture);
@@ -73,10 +92,19 @@ std::vector<ContractReading> ContractMeter::readings(PictureMeter& meter, const 
             readings.push_back(missing_reading(why));
         } else {
             readings.push_back(condition.measure == ContractMeasure::color_difference ? color_reading(n, frame)
+                               : is_of_palette(condition)                             ? symbology_reading(condition, measured)
                                                                                       : picture_reading(condition, measured));
         }
     }
     return readings;
+}
+
+ContractReading ContractMeter::symbology_reading(const ContractCondition& condition, const MeasuredFrame& frame) const {
+    if (!palette_) return missing_reading("the run does not say in which light its symbology was drawn; replay the run again");
+    if (condition.measure == ContractMeasure::symbology_contrast)
+        return role_contrast_reading(condition, frame, palette_->palettes.of(palette_->light));
+    const RoleGap gap = least_role_gap(palette_->palettes, palette_->light);
+    return {ReadingState::measured, gap.difference, {}, "palette " + palette_->name, gap.words};
 }
 
 ContractReading ContractMeter::color_reading(std::size_t condition, const FlightFrame& frame) const {

@@ -9,18 +9,27 @@
 #include "host_sim/contract/color_groups.hpp"
 #include "host_sim/contract/contract.hpp"
 #include "host_sim/contract/contract_reading.hpp"
+#include "host_sim/contract/measured_frame.hpp"
 #include "host_sim/evaluation/flight_run.hpp"
 #include "host_sim/evaluation/picture_meter.hpp"
+#include "render_core/design/symbology_palette.hpp"
 
 namespace tedavis::host_sim {
 
 /// What each design says of each condition on colours, measured once: by the design's name, then by the condition's place.
 using DesignGaps = std::map<std::string, std::vector<std::optional<ColorGap>>>;
 
+/// The palette of a run's symbology, the current file, and the light in which the run was drawn.
+struct RunPalette {
+    design::SymbologyPalettes palettes;
+    design::SymbologyLight light = design::SymbologyLight::day;
+    std::string name;
+};
+
 class ContractMeter {
 public:
-    /// Reads the run's designs, the current files, where a condition needs their colours. Throws UserError where they cannot be
-    /// read.
+    /// Reads the run's designs and palette, the current files, where a condition needs their colours. Throws UserError where they
+    /// cannot be read.
     ContractMeter(const Contract& contract, const FlightRun& run);
 
     /// Returns the readings of one frame, one per condition. Threads  any number at once, each with its own meter.
@@ -29,8 +38,11 @@ public:
 private:
     [[nodiscard]] ContractReading color_reading(std::size_t condition, const FlightFrame& frame) const;
 
+    [[nodiscard]] ContractReading symbology_reading(const ContractCondition& condition, const MeasuredFrame& frame) const;
+
     const Contract& contract_;
     DesignGaps gaps_;
+    std::optional<RunPalette> palette_;  ///< nothing where no condition needs it, or the run does not say it
 };
 
 }  // namespace tedavis::host_sim

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "host_sim/evaluation/evaluated_flight.hpp"
+#include "host_sim/measure/role_contrast.hpp"
 #include "host_sim/measure/sign_contrast.hpp"
 #include "render_core/perception/salient_places.hpp"
 
@@ -142,6 +143,19 @@ ContractReading contrast_reading(const ContractCondition& condition, const Measu
             faintest->box,
             third_of(faintest->box, static_cast<int>(frame.picture.width), static_cast<int>(frame.picture.height)),
             {}};
+}
+
+ContractReading role_contrast_reading(const ContractCondition& condition, const MeasuredFrame& frame,
+                                      const design::SymbologyPalette& palette) {
+    const auto layer = static_cast<std::uint8_t>(layer_place(*frame.mask, "symbology"));
+    const std::vector<RoleContrast> signs =
+        role_contrasts(frame.picture, *frame.mask, layer, palette, static_cast<std::uint32_t>(condition.least_px));
+    const auto faintest = std::min_element(signs.begin(), signs.end(),
+                                           [](const RoleContrast& a, const RoleContrast& b) { return a.ratio < b.ratio; });
+    if (faintest == signs.end()) return {};
+    return {ReadingState::measured, faintest->ratio, faintest->box,
+            third_of(faintest->box, static_cast<int>(frame.picture.width), static_cast<int>(frame.picture.height)),
+            "of " + std::string(design::kSymbolRoleNames[static_cast<std::size_t>(faintest->role)])};
 }
 
 ContractReading obstacle_reading(const ContractCondition& condition, const MeasuredFrame& frame) {

@@ -5,6 +5,7 @@
 #include "host_sim/contract/contract.hpp"
 #include "host_sim/contract/contract_reading.hpp"
 #include "host_sim/contract/measured_frame.hpp"
+#include "render_core/design/symbology_palette.hpp"
 
 namespace tedavis::host_sim {
 
@@ -14,6 +15,9 @@ namespace tedavis::host_sim {
 [[nodiscard]] ContractReading saliency_reading(const ContractCondition& condition, const MeasuredFrame& frame);
 /// Reading of the faintest sign. Absent where the layer has no sign.
 [[nodiscard]] ContractReading contrast_reading(const ContractCondition& condition, const MeasuredFrame& frame);
+/// Reading of the faintest sign of any role of the palette with which the symbology was drawn. Absent where it has no sign.
+[[nodiscard]] ContractReading role_contrast_reading(const ContractCondition& condition, const MeasuredFrame& frame,
+                                                    const design::SymbologyPalette& palette);
 /// Reading of the obstacles near the track that are in the picture. An obstacle has the rank of the first salient place whose
 /// focus disc reaches the middle of its box (places in omitted layers do not count); one that the design leaves out has no
 /// rank. Absent where there is no such obstacle.

@@ -97,6 +97,8 @@ void read_summary(FlightRun& run) {
     run.design = text_of(summary, "design");
     run.device = text_of(summary, "device");
     run.size = text_of(summary, "size");
+    run.palette = text_of(summary, "palette");
+    run.light = text_of(summary, "light");
 }
 
 }  // namespace

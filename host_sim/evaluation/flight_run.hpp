@@ -50,6 +50,7 @@ struct FlightFrame {
 struct FlightRun {
     std::string folder;
     std::string log, design, device, size;  ///< of its summary; empty where it has none
+    std::string palette, light;             ///< of the symbology, likewise
     std::vector<FlightFrame> frames;        ///< in the order of time
 };
 

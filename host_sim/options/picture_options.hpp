@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "host_sim/options/asked_weights.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/design/view_effects.hpp"
 #include "render_core/effects/effect_planner.hpp"
+#include "render_core/flight/legend_show.hpp"
 
 namespace tedavis::host_sim {
 
@@ -29,7 +31,9 @@ struct PictureOptions {
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
-    std::string aircraft;             ///< aircraft file; empty: none
+    std::string aircraft;  ///< aircraft file; empty: none
+    std::string palette;   ///< of the symbology; empty: the standard one
+    design::SymbologyLight light = design::SymbologyLight::day;
     std::optional<PictureSize> size;  ///< nothing: the device's size
     GlChoice gl = GlChoice::egl;      ///< the window has a surface of its own
     std::optional<double> tau_px;     ///< nothing: the design's
@@ -42,9 +46,10 @@ struct PictureOptions {
     bool force_effects = false;         ///< no effect is left out as invisible
     /// Shows the saliency map, on the design's scale; nothing: as the design states.
     std::optional<design::SaliencyView> saliency;
-    std::optional<design::ClutterView> clutter;  ///< shows edges or their density by regions; nothing likewise
-    effects::EffectSet with, without;            ///< effects added to the design (effects::with_effect), and removed
-    effects::EffectSet forbidden;                ///< effects treated as if the device file forbade them
+    std::optional<design::ClutterView> clutter;           ///< shows edges or their density by regions; nothing likewise
+    effects::EffectSet with, without;                     ///< effects added to the design (effects::with_effect), and removed
+    effects::EffectSet forbidden;                         ///< effects treated as if the device file forbade them
+    flight::LegendShow legend = flight::LegendShow::key;  ///< where neither switches nor bus ask for another
     bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 

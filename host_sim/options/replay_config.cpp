@@ -91,7 +91,10 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     picture.device = text_of(section, "device", picture.device);
     picture.bus = text_of(section, "bus", picture.bus);
     picture.aircraft = text_of(section, "aircraft", "");
+    picture.palette = text_of(section, "palette", "");
+    section.choose("light", design::kSymbologyLightNames, picture.light);
     section.choose("gl", kGlNames, picture.gl);
+    section.choose("legend", flight::kLegendShowNames, picture.legend, flight::LegendShow::none);
     picture.tau_px = optional_number(section, "tau_px");
     if (section.has("weights")) picture.weights = weights_from(text_of(section, "weights", ""));
     std::array<std::string_view, scene::kMaxFoci> foci;
@@ -131,11 +134,14 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.config("device", picture.device, "devices");
     toml.config("bus", picture.bus, "buses");
     if (!picture.aircraft.empty()) toml.config("aircraft", picture.aircraft, "aircraft");
+    if (!picture.palette.empty()) toml.config("palette", picture.palette, "palettes/symbology");
+    toml.word("light", design::kSymbologyLightNames[static_cast<std::size_t>(picture.light)]);
     if (picture.size) {
         toml.integer("width", picture.size->width);
         toml.integer("height", picture.size->height);
     }
     toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
+    toml.word("legend", std::string(name_of(picture.legend)));
     toml.number("tau_px", picture.tau_px);
     toml.word("weights", text_of(picture.weights));
     toml.words("foci", picture.foci);

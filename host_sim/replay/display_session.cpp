@@ -41,11 +41,22 @@ design::AircraftSettings load_aircraft(const PictureOptions& options) {
     return aircraft.value();
 }
 
+design::SymbologyPalettes load_symbology_palettes(const PictureOptions& options) {
+    if (options.palette.empty()) return design::standard_symbology_palettes();
+    const std::string path = resolve_config(options.palette, "palettes/symbology");
+    const auto palettes = design::load_symbology_palettes(read_file(path), path);
+    if (!palettes.ok()) throw UserError(std::string(palettes.error().message.view()));
+    return palettes.value();
+}
+
 platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device) {
     platform::DisplayHostSettings settings;
     settings.display.device = device;
     settings.display.width_px = options.size ? options.size->width : device.width_px;
     settings.display.height_px = options.size ? options.size->height : device.height_px;
+    settings.display.symbology = load_symbology_palettes(options);
+    settings.display.light = options.light;
+    settings.display.legend = options.legend;
     settings.surface = headless_surface(options.gl);
     settings.terrain.path = options.terrain.c_str();
     settings.scene.path = options.scene.c_str();

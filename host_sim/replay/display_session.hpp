@@ -19,6 +19,8 @@ using SurfaceMaker = std::function<base::Result<std::unique_ptr<base::Surface>, 
 [[nodiscard]] effects::DeviceSettings load_device(const PictureOptions& options);
 /// The aircraft of the options; none where they name no file. Throws UserError.
 [[nodiscard]] design::AircraftSettings load_aircraft(const PictureOptions& options);
+/// The palette of the symbology; the standard one where the options name no file. Throws UserError.
+[[nodiscard]] design::SymbologyPalettes load_symbology_palettes(const PictureOptions& options);
 /// What a display without a screen is started with, but for designs, aircraft and programs. The options must outlive it.
 [[nodiscard]] platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device);
 /// The sentence for the user where a display could not be started.

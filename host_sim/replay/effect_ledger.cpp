@@ -34,7 +34,7 @@ public:
     [[nodiscard]] double draw_ms(const LedgerSample& sample) {
         session_.make_current();
         const base::Time start = platform::monotonic_now();
-        session_.display().plan({sample.aircraft, sample.phase, sample.time, &sample.way});
+        session_.display().plan({sample.aircraft, sample.phase, sample.time, &sample.way, sample.legend});
         session_.draw();
         const double ms = (platform::monotonic_now() - start).to_seconds() * 1000;
         session_.rest();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct LedgerSample {
     base::Time time;
     flight::AircraftState aircraft;
     flight::PhaseStatus phase;
+    std::optional<flight::LegendShow> legend;  ///< FrameInput::legend
     flight::FlightTrail way;
     RgbaPicture shown;
 };

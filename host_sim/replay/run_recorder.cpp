@@ -82,7 +82,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
 void RunRecorder::draw_watched(base::Time time) {
     HeapTrap trap;
     const base::Time start = platform::monotonic_now();
-    session_.display().plan({input_.state, input_.phase, time, input_.trail});
+    session_.display().plan({input_.state, input_.phase, time, input_.trail, legend_ ? legend_ : input_.legend});
     const base::Time planned = platform::monotonic_now();
     session_.draw();
     const base::Time drawn = platform::monotonic_now();
@@ -140,6 +140,8 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.device = options_.picture.device;
     s.design = options_.picture.design;
     s.aircraft = options_.picture.aircraft;
+    s.palette = options_.picture.palette;
+    s.light = design::kSymbologyLightNames[static_cast<std::size_t>(options_.picture.light)];
     s.terrain = options_.picture.terrain;
     s.scene = options_.picture.scene;
     s.log = options_.log;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ public:
 
     /// Draws over the pictures from now on; what hashes and records say of a frame stays that of the display's own picture.
     void set_overlay(PictureOverlay overlay) { overlay_ = std::move(overlay); }
+
+    /// From now on this legend is shown, whatever switches and bus ask for.
+    void ask_legend(flight::LegendShow legend) { legend_ = legend; }
 
     /// Plays the flight to the instant, plans, draws and reads the picture back.
     [[nodiscard]] const FrameResult& draw(base::Time time);
@@ -59,6 +63,7 @@ private:
     FrameRecordWriter records_;
     RunStory story_;
     flight::FrameInput input_;
+    std::optional<flight::LegendShow> legend_;
     FrameResult result_;
     PictureOverlay overlay_;
     RgbaPicture overlaid_;  ///< the picture of `result_`, where there is an overlay

@@ -271,6 +271,8 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                       {"suppressed", record.labels.suppressed},
                       {"changed", record.labels.changed},
                       {"decluttered", record.labels.decluttered}};
+    json["legend"] = {
+        {"show", text(name_of(record.legend.show))}, {"entries", record.legend.entries}, {"left_out", record.legend.left_out}};
     json["foci"] = Json::array();
     for (const display::FocusRecord& focus : record.foci) json["foci"].push_back(focus_json(focus));
     json["bytes"] = {{"cpu", record.bytes.cpu},

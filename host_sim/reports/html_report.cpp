@@ -53,6 +53,8 @@ std::string summary_table(const RunSummary& s) {
     row("scene", s.scene);
     row("design", s.design);
     row("aircraft", s.aircraft);
+    row("palette of the symbology", s.palette);
+    row("light", s.light);
     row("device", s.device);
     row("size", std::to_string(s.width) + " x " + std::to_string(s.height));
     row("surface", s.gl);

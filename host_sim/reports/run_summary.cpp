@@ -77,6 +77,8 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["device"] = summary.device;
     json["design"] = summary.design;
     json["aircraft"] = summary.aircraft;
+    json["palette"] = summary.palette;
+    json["light"] = summary.light;
     json["terrain"] = summary.terrain;
     json["scene"] = summary.scene;
     json["log"] = summary.log;

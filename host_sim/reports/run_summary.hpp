@@ -28,7 +28,7 @@ struct RunSummary {
     std::uint64_t terrain_frames = 0;                     ///< that show terrain
     double worst_error_px = 0, worst_start_error_px = 0;  ///< FlightTally
     std::uint64_t gl_calls_outside_device = 0;
-    std::string device, design, aircraft, terrain, scene, log, switches;  ///< as they were named
+    std::string device, design, aircraft, palette, light, terrain, scene, log, switches;  ///< as they were named
     std::uint32_t width = 0, height = 0;
     DeadlineSummary deadline;
     std::string costs;  ///< file of measured costs, or empty

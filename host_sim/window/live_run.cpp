@@ -73,6 +73,8 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
       recorder_(options_, session, player),
       overlay_({options.accuracy, true, kErrorCell_px, ErrorMapStyle::dots}, options.picture.terrain) {
     controller_.set_accuracy(options.accuracy);
+    controller_.set_light(options.picture.light);
+    controller_.set_legend(options.picture.legend);
 }
 
 bool LiveRun::turn(base::Duration wall) {
@@ -81,9 +83,10 @@ bool LiveRun::turn(base::Duration wall) {
     if (controller_.take_help()) console_.note(window_keys_help());
     watch_design(wall);
     turn_accuracy();
+    turn_light();
     const Shown next = wanted();
     const bool same = shown_ && shown_->frame == next.frame && shown_->revision == next.revision && shown_->mode == next.mode &&
-                      same_pose(shown_->camera, next.camera);
+                      shown_->light == next.light && shown_->legend == next.legend && same_pose(shown_->camera, next.camera);
     const bool same_overlay = same && shown_->accuracy == next.accuracy;
     if (!same) draw(next);
     if (same && !same_overlay) draw_again();
@@ -143,6 +146,8 @@ LiveRun::Shown LiveRun::wanted() const {
     wanted.revision = revision_;
     wanted.mode = controller_.camera_mode();
     wanted.accuracy = controller_.accuracy();
+    wanted.light = controller_.light();
+    wanted.legend = controller_.asked_legend();
     if (wanted.mode == CameraMode::free) wanted.camera = controller_.camera().pose();
     if (wanted.mode == CameraMode::tour) wanted.camera = tour_->at(seconds(shown_time()));
     return wanted;
@@ -158,6 +163,7 @@ void LiveRun::aim(const Shown& wanted) {
 
 void LiveRun::draw(const Shown& wanted) {
     aim(wanted);
+    turn_legend(wanted);
     if (shown_ && (shown_->revision != wanted.revision || shown_->mode != wanted.mode)) preroll_.forget();
     const base::Time now = shown_time();
     preroll_.preroll(now);
@@ -171,6 +177,14 @@ void LiveRun::draw(const Shown& wanted) {
     }
     controller_.record_picture(pose, session_.display().planned().picture.camera.view.focal_px);
     present();
+}
+
+void LiveRun::turn_legend(const Shown& wanted) {
+    if (!wanted.legend || (shown_ && shown_->legend == wanted.legend)) return;
+    recorder_.ask_legend(*wanted.legend);
+    recorder_.note("the legend was set to '" + std::string(name_of(*wanted.legend)) + "' after " +
+                   std::to_string(recorder_.kept()) + " frames");
+    options_.picture.legend = *wanted.legend;
 }
 
 /// The frame that is shown, with another overlay; nothing of it is planned or kept again.
@@ -187,6 +201,16 @@ void LiveRun::turn_accuracy() {
         console_.note(error.what());
         controller_.set_accuracy(overlay_.shown());
     }
+}
+
+/// The saved config has the last light.
+void LiveRun::turn_light() {
+    if (controller_.light() == options_.picture.light) return;
+    options_.picture.light = controller_.light();
+    session_.display().planner().settings().light = options_.picture.light;
+    recorder_.note("the symbology was switched to " +
+                   std::string(design::kSymbologyLightNames[static_cast<std::size_t>(options_.picture.light)]) + " after " +
+                   std::to_string(recorder_.kept()) + " frames");
 }
 
 void LiveRun::present() {

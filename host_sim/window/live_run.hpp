@@ -46,6 +46,8 @@ private:
         CameraMode mode = CameraMode::cockpit;
         CameraPose camera;
         AccuracyShown accuracy;
+        design::SymbologyLight light = design::SymbologyLight::day;
+        std::optional<flight::LegendShow> legend;
     };
     void take_events();
     void turn_switches(std::uint32_t pattern);
@@ -54,6 +56,8 @@ private:
     void draw(const Shown& wanted);
     void draw_again();
     void turn_accuracy();
+    void turn_light();
+    void turn_legend(const Shown& wanted);
     void present();
     void aim(const Shown& wanted);
     void show_title();

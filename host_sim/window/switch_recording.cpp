@@ -14,7 +14,9 @@ std::vector<bus::SwitchEdge> edges_to_pattern(const bus::SwitchConfig& config, c
         levels.known |= bit;
         levels.high = edge.level ? levels.high | bit : levels.high & ~bit;
     }
-    const std::uint32_t changed = (levels.high ^ high) | (config.all_lines() & ~levels.known);
+    // The line of the legend stays as it is.
+    const std::uint32_t phase = config.phase_lines();
+    const std::uint32_t changed = ((levels.high ^ high) & phase) | (config.all_lines() & ~levels.known);
     std::vector<bus::SwitchEdge> edges;
     for (std::size_t line = 0; line < config.lines.size(); ++line) {
         const std::uint32_t bit = std::uint32_t{1} << line;

@@ -67,12 +67,14 @@ void WindowController::press_once(const KeyMeaning& meaning) {
         case WindowAction::switch_pattern: select(meaning.pattern); break;
         case WindowAction::next_pattern: select(pattern_ ? (*pattern_ + 1) % patterns_ : 0); break;
         case WindowAction::previous_pattern: select(pattern_.value_or(0) == 0 ? patterns_ - 1 : *pattern_ - 1); break;
+        case WindowAction::next_legend: ask_next_legend(); break;
         case WindowAction::free_camera: toggle(CameraMode::free); break;
         case WindowAction::tour:
             if (has_tour_) toggle(CameraMode::tour);
             break;
         case WindowAction::show_accuracy: accuracy_.figures = !accuracy_.figures; break;
         case WindowAction::error_map: accuracy_.error_map = !accuracy_.error_map; break;
+        case WindowAction::light: toggle_light(); break;
         default: break;
     }
 }
@@ -82,9 +84,20 @@ void WindowController::select(std::uint32_t pattern) {
     pattern_ = wanted_pattern_ = pattern;
 }
 
+/// Key, whole, none, and the key again.
+void WindowController::ask_next_legend() {
+    using flight::LegendShow;
+    const LegendShow now = asked_legend_.value_or(legend_);
+    asked_legend_ = now == LegendShow::key ? LegendShow::whole : now == LegendShow::whole ? LegendShow::none : LegendShow::key;
+}
+
 void WindowController::toggle(CameraMode mode) {
     mode_ = mode_ == mode ? CameraMode::cockpit : mode;
     if (mode_ == CameraMode::free) camera_.place(pose_);
+}
+
+void WindowController::toggle_light() {
+    light_ = light_ == design::SymbologyLight::day ? design::SymbologyLight::night : design::SymbologyLight::day;
 }
 
 void WindowController::set_held(WindowAction action, bool held) {

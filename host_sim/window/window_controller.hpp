@@ -11,6 +11,8 @@
 #include "host_sim/window/transport.hpp"
 #include "host_sim/window/window_keys.hpp"
 #include "platform/window/window_events.hpp"
+#include "render_core/design/symbology_palette.hpp"
+#include "render_core/flight/legend_show.hpp"
 
 namespace tedavis::host_sim {
 
@@ -31,11 +33,19 @@ public:
     /// States which parts of the overlay are shown; keys turn them on and off.
     void set_accuracy(const AccuracyShown& shown) { accuracy_ = shown; }
 
+    /// States the light of the symbology; a key changes it.
+    void set_light(design::SymbologyLight light) { light_ = light; }
+
     [[nodiscard]] bool closed() const { return closed_; }
     [[nodiscard]] const Transport& transport() const { return transport_; }
     [[nodiscard]] CameraMode camera_mode() const { return mode_; }
     [[nodiscard]] const FreeCamera& camera() const { return camera_; }
     [[nodiscard]] const AccuracyShown& accuracy() const { return accuracy_; }
+    [[nodiscard]] design::SymbologyLight light() const { return light_; }
+    /// The legend that is shown where nobody at the window asks for another.
+    void set_legend(flight::LegendShow shown) { legend_ = shown; }
+    /// What the person at the window asks for; nothing before the first time.
+    [[nodiscard]] std::optional<flight::LegendShow> asked_legend() const { return asked_legend_; }
     /// The pattern that was selected since the last call.
     [[nodiscard]] std::optional<std::uint32_t> take_pattern();
     /// True where the list of keys was requested since the last call.
@@ -46,8 +56,10 @@ private:
     [[nodiscard]] bool press_transport(WindowAction action);
     void press_once(const KeyMeaning& meaning);
     void select(std::uint32_t pattern);
+    void ask_next_legend();
     void set_held(WindowAction action, bool held);
     void toggle(CameraMode mode);
+    void toggle_light();
 
     Transport transport_;
     std::uint32_t patterns_;
@@ -56,6 +68,9 @@ private:
     CameraMode mode_ = CameraMode::cockpit;
     FreeCamera camera_;
     AccuracyShown accuracy_;
+    design::SymbologyLight light_ = design::SymbologyLight::day;
+    flight::LegendShow legend_ = flight::LegendShow::key;
+    std::optional<flight::LegendShow> asked_legend_;
     CameraPose pose_;
     double focal_px_ = 1;
     std::uint32_t held_ = 0;  ///< one bit an action fly_...

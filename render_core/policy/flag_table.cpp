@@ -91,7 +91,7 @@ constexpr FlagRow kFlagRows[] = {
     {RecordFlag::traffic_cut, "traffic.cut", "More aircraft are received than the display can hold.",
      "Some of these aircraft are not shown."},
     {RecordFlag::legend_cut, "legend.cut", "There is no room for all entries of the legend.",
-     "The last entries are removed, and an amber number counts them."},
+     "The last entries are removed, and an amber number counts them; on a small screen the key stands in their place."},
     {RecordFlag::phase_switch_fault, "phase.switch_fault", "The phase switches have an impossible pattern.",
      "The last valid phase is kept."},
     {RecordFlag::phase_disagreement, "phase.disagreement", "Two sources state different flight phases.",

@@ -22,6 +22,7 @@ namespace {
 
 using base::degrees;
 using base::radians;
+using design::SymbolRole;
 using draw::Layout;
 using draw::Rect;
 using flight::AircraftState;
@@ -32,6 +33,8 @@ using test_support::gained_pixels;
 using test_support::kHillsNow;
 
 constexpr double kPitch_deg = 2, kFieldOfView_deg = 60;  // of the scene; of the default design, across the width
+
+design::Color color_of(SymbolRole role) { return design::kDaySymbology.color(role); }
 
 void set(AircraftState& state, Signal signal, double value) { state[signal] = {value, kHillsNow}; }
 void remove(AircraftState& state, Signal signal) { state[signal] = {}; }
@@ -77,7 +80,13 @@ struct Screen {
     explicit Screen(host_sim::PictureSize size)
         : width(size.width),
           height(size.height),
-          layout(draw::make_layout(size.width, size.height, design::default_design_settings().view.dpi)) {}
+          layout(draw::make_layout(size.width, size.height, design::default_design_settings().view.dpi, need_of_key())) {}
+    /// The key has the warning bands and the terrain.
+    static draw::LegendNeed need_of_key() {
+        draw::LegendNeed need;
+        need.key_entries = 2;
+        return need;
+    }
     [[nodiscard]] float share_x(float share) const { return share * static_cast<float>(width); }
     [[nodiscard]] float share_y(float share) const { return share * static_cast<float>(height); }
     [[nodiscard]] Rect middle() const { return {share_x(0.25f), share_y(0.2f), share_x(0.5f), share_y(0.5f)}; }
@@ -96,7 +105,7 @@ struct Point {
     std::string id;
     Change with, without;  ///< from the usual scene
     Place place;
-    design::Color color;
+    SymbolRole role;
     float min_texts;                                                           ///< pixels, in pixels of a text's height
     std::function<bool(const Record& with, const Record& without)> is_stated;  ///< by the records
 };
@@ -143,7 +152,6 @@ void level(AircraftState& state) { set(state, Signal::roll, 0); }
 constexpr ElementShow kAbsent = ElementShow::absent, kFailed = ElementShow::failed;
 
 std::vector<Point> attitude_points() {
-    using draw::kCautionColor, draw::kReferenceColor, draw::kScaleColor, draw::kWarningColor;
     const auto pitched = [](double pitch_deg) {
         return [=](AircraftState& state) {
             level(state);
@@ -160,66 +168,65 @@ std::vector<Point> attitude_points() {
         remove(state, Signal::true_track);
     };
     return {
-        {"P01 horizon line", level, pitched(14), horizon_band, kScaleColor, 12,
+        {"P01 horizon line", level, pitched(14), horizon_band, SymbolRole::scale, 12,
          [](const Record& a, const Record& b) { return a.pitch_rad < b.pitch_rad; }},
-        {"P04 headings on the horizon", level, stale_heading, above_horizon, kScaleColor, 0.5f,
+        {"P04 headings on the horizon", level, stale_heading, above_horizon, SymbolRole::scale, 0.5f,
          states(Element::heading, ElementShow::flagged)},
-        {"P05 pitch ladder", nothing, missing({Signal::pitch}), middle, kScaleColor, 5, states(Element::attitude, kFailed)},
-        {"P06 chevrons", pitched(45), nothing, middle, kWarningColor, 3, is_upset},
-        {"P08 bank scale", nothing, missing({Signal::roll}), bank_arc, kScaleColor, 5, states(Element::attitude, kFailed)},
-        {"P09 excessive bank", sets(Signal::roll, radians(50)), nothing, bank_arc, kCautionColor, 2,
+        {"P05 pitch ladder", nothing, missing({Signal::pitch}), middle, SymbolRole::scale, 5, states(Element::attitude, kFailed)},
+        {"P06 chevrons", pitched(45), nothing, middle, SymbolRole::warning, 3, is_upset},
+        {"P08 bank scale", nothing, missing({Signal::roll}), bank_arc, SymbolRole::scale, 5, states(Element::attitude, kFailed)},
+        {"P09 excessive bank", sets(Signal::roll, radians(50)), nothing, bank_arc, SymbolRole::caution, 2,
          [](const Record& a, const Record& b) { return a.roll_rad > radians(45) && b.roll_rad < radians(45); }},
-        {"P10 slip", nothing, missing({Signal::lateral_acceleration}), bank_arc, kReferenceColor, 0.5f,
+        {"P10 slip", nothing, missing({Signal::lateral_acceleration}), bank_arc, SymbolRole::reference, 0.5f,
          states(Element::slip, kAbsent)},
         {"P26 flight-path vector", nothing,
          [](AircraftState& state) { state.own_ship.velocity_north_mps = state.own_ship.velocity_east_mps = 1; }, middle,
-         kScaleColor, 2, states(Element::flight_path, kAbsent)},
+         SymbolRole::scale, 2, states(Element::flight_path, kAbsent)},
     };
 }
 
 std::vector<Point> speed_points() {
-    using draw::kEngagedColor, draw::kScaleColor, draw::kSelectedColor, draw::kWarningColor;
     const std::vector<Signal> airspeeds = {Signal::indicated_airspeed, Signal::calibrated_airspeed, Signal::true_airspeed};
     const auto slow = [](AircraftState& state) {
         for (const Signal speed : {Signal::indicated_airspeed, Signal::calibrated_airspeed}) set(state, speed, 33);
     };
     const Place tape = box(&Layout::airspeed);
     return {
-        {"P11 speed tape", nothing, missing(airspeeds), tape, kScaleColor, 5,
+        {"P11 speed tape", nothing, missing(airspeeds), tape, SymbolRole::scale, 5,
          states(Element::airspeed, ElementShow::substituted)},
-        {"P12 speed bands", nothing, missing({Signal::indicated_airspeed, Signal::calibrated_airspeed}), tape, kEngagedColor, 5,
+        {"P12 speed bands", nothing, missing({Signal::indicated_airspeed, Signal::calibrated_airspeed}), tape,
+         SymbolRole::engaged, 5, states(Element::airspeed, ElementShow::substituted)},
+        {"P13 low-speed cue", slow, missing(airspeeds), tape, SymbolRole::warning, 3,
          states(Element::airspeed, ElementShow::substituted)},
-        {"P13 low-speed cue", slow, missing(airspeeds), tape, kWarningColor, 3,
-         states(Element::airspeed, ElementShow::substituted)},
-        {"P14 speed trend", nothing, missing({Signal::airspeed_rate}), tape, kScaleColor, 1,
+        {"P14 speed trend", nothing, missing({Signal::airspeed_rate}), tape, SymbolRole::scale, 1,
          states(Element::airspeed_trend, kAbsent)},
-        {"P17 selected airspeed", nothing, missing({Signal::selected_airspeed}), tape, kSelectedColor, 1,
+        {"P17 selected airspeed", nothing, missing({Signal::selected_airspeed}), tape, SymbolRole::selected, 1,
          states(Element::selected_airspeed, kAbsent)},
     };
 }
 
 std::vector<Point> height_points() {
-    using draw::kScaleColor, draw::kSelectedColor;
     const std::vector<Signal> altitudes = {Signal::baro_altitude, Signal::true_altitude, Signal::standard_altitude,
                                            Signal::ellipsoid_height};
     const Place tape = box(&Layout::altitude), speed = box(&Layout::vertical_speed), foot = box(&Layout::ground_height);
     return {
-        {"P15 altitude tape", nothing, missing(altitudes), tape, kScaleColor, 5, states(Element::altitude, kFailed)},
-        {"P16 altitude trend", nothing, missing({Signal::vertical_speed}), tape, kScaleColor, 1,
+        {"P15 altitude tape", nothing, missing(altitudes), tape, SymbolRole::scale, 5, states(Element::altitude, kFailed)},
+        {"P16 altitude trend", nothing, missing({Signal::vertical_speed}), tape, SymbolRole::scale, 1,
          states(Element::vertical_speed, kFailed)},
-        {"P17 selected altitude", nothing, missing({Signal::selected_altitude}), tape, kSelectedColor, 1,
+        {"P17 selected altitude", nothing, missing({Signal::selected_altitude}), tape, SymbolRole::selected, 1,
          states(Element::selected_altitude, kAbsent)},
-        {"P17 selected vertical speed", nothing, missing({Signal::selected_vertical_speed}), speed, kSelectedColor, 1,
+        {"P17 selected vertical speed", nothing, missing({Signal::selected_vertical_speed}), speed, SymbolRole::selected, 1,
          states(Element::selected_vertical_speed, kAbsent)},
-        {"P18 vertical speed", nothing, missing({Signal::vertical_speed}), speed, kScaleColor, 5,
+        {"P18 vertical speed", nothing, missing({Signal::vertical_speed}), speed, SymbolRole::scale, 5,
          states(Element::vertical_speed, kFailed)},
-        {"P19 baro setting", nothing, missing({Signal::baro_setting}), box(&Layout::baro_setting), kScaleColor, 3,
+        {"P19 baro setting", nothing, missing({Signal::baro_setting}), box(&Layout::baro_setting), SymbolRole::scale, 3,
          states(Element::baro_setting, kAbsent)},
-        {"P19 minimum on the altimeter", nothing, missing({Signal::minimum_altitude}), tape, kSelectedColor, 1,
+        {"P19 minimum on the altimeter", nothing, missing({Signal::minimum_altitude}), tape, SymbolRole::selected, 1,
          states(Element::baro_minimum, kAbsent)},
-        {"P19 minimum on radio height", nothing, missing({Signal::decision_height}), foot, kSelectedColor, 1,
+        {"P19 minimum on radio height", nothing, missing({Signal::decision_height}), foot, SymbolRole::selected, 1,
          states(Element::radio_minimum, kAbsent)},
-        {"P20 height above ground", nothing, missing({Signal::radio_height, Signal::height_above_terrain}), foot, kScaleColor, 2,
+        {"P20 height above ground", nothing, missing({Signal::radio_height, Signal::height_above_terrain}), foot,
+         SymbolRole::scale, 2,
          [](const Record& a, const Record& b) {
              return shown(a, Element::ground_height) == ElementShow::normal && shown(b, Element::ground_height) >= kFailed;
          }},
@@ -227,7 +234,6 @@ std::vector<Point> height_points() {
 }
 
 std::vector<Point> guidance_points() {
-    using draw::kCautionColor, draw::kEngagedColor, draw::kGnssCourseColor, draw::kScaleColor, draw::kSelectedColor;
     const Place rose = box(&Layout::heading);
     const auto by_gnss = sets(Signal::navigation_source, static_cast<double>(flight::NavigationSource::gnss));
     const auto by_none = sets(Signal::navigation_source, static_cast<double>(flight::NavigationSource::none));
@@ -237,29 +243,29 @@ std::vector<Point> guidance_points() {
         state.own_ship.state = base::SignalState::lost;
     };
     return {
-        {"P17 selected heading", nothing, missing({Signal::selected_heading}), rose, kSelectedColor, 1,
+        {"P17 selected heading", nothing, missing({Signal::selected_heading}), rose, SymbolRole::selected, 1,
          states(Element::selected_heading, kAbsent)},
-        {"P21 rose", nothing, missing({Signal::true_heading, Signal::magnetic_heading, Signal::true_track}), rose, kScaleColor,
-         10, states(Element::heading, kFailed)},
-        {"P22 localizer", nothing, missing({Signal::ils1_localizer_deviation}), rose, kEngagedColor, 1,
+        {"P21 rose", nothing, missing({Signal::true_heading, Signal::magnetic_heading, Signal::true_track}), rose,
+         SymbolRole::scale, 10, states(Element::heading, kFailed)},
+        {"P22 localizer", nothing, missing({Signal::ils1_localizer_deviation}), rose, SymbolRole::engaged, 1,
          states(Element::lateral_deviation, kAbsent)},
         {"P22 glide slope", nothing, missing({Signal::ils1_glideslope_deviation}), box(&Layout::vertical_deviation),
-         kEngagedColor, 1, states(Element::vertical_deviation, kAbsent)},
-        {"P23 radio source", nothing, by_none, rose, kEngagedColor, 2, states(Element::course, kAbsent)},
-        {"P23 GNSS source", by_gnss, by_none, rose, kGnssCourseColor, 2, states(Element::course, kAbsent)},
-        {"P24 flight director", nothing, missing({Signal::flight_director_pitch}), middle, kEngagedColor, 5,
+         SymbolRole::engaged, 1, states(Element::vertical_deviation, kAbsent)},
+        {"P23 radio source", nothing, by_none, rose, SymbolRole::engaged, 2, states(Element::course, kAbsent)},
+        {"P23 GNSS source", by_gnss, by_none, rose, SymbolRole::gnss_course, 2, states(Element::course, kAbsent)},
+        {"P24 flight director", nothing, missing({Signal::flight_director_pitch}), middle, SymbolRole::engaged, 5,
          states(Element::flight_director, kAbsent)},
-        {"P25 flight-path reference", nothing, missing({Signal::selected_glidepath}), middle, kSelectedColor, 1,
+        {"P25 flight-path reference", nothing, missing({Signal::selected_glidepath}), middle, SymbolRole::selected, 1,
          states(Element::flight_path_reference, kAbsent)},
-        {"P39 loss of the synthetic view", lost, nothing, box(&Layout::notices), kCautionColor, 2,
+        {"P39 loss of the synthetic view", lost, nothing, box(&Layout::annunciations), SymbolRole::caution, 2,
          [](const Record& a, const Record& b) {
              return has_flag(a, "own_ship.lost") && !has_flag(b, "own_ship.lost") && a.terrain.triangles == 0 &&
                     b.terrain.triangles > 0;
          }},
         {"P40 wind", nothing, missing({Signal::wind_speed, Signal::wind_direction}),
-         [](const Screen& screen) { return draw::air_box(screen.layout); }, kScaleColor, 2, states(Element::wind, kAbsent)},
+         [](const Screen& screen) { return screen.layout.air; }, SymbolRole::scale, 2, states(Element::wind, kAbsent)},
         {"P40 outside temperature", nothing, missing({Signal::outside_temperature}),
-         [](const Screen& screen) { return draw::air_box(screen.layout); }, kScaleColor, 2,
+         [](const Screen& screen) { return screen.layout.air; }, SymbolRole::scale, 2,
          states(Element::outside_temperature, kAbsent)},
     };
 }
@@ -326,7 +332,7 @@ TEST_P(DisplayPoints, EachIsShownInItsPlaceAndColorAndStated) {
         const Rect place = point.place(display_.screen());
         const double needed = point.min_texts * display_.screen().layout.text_px;
         const auto gained = [&](const test_support::PointPictures& of) {
-            return static_cast<double>(gained_pixels(of, place, point.color));
+            return static_cast<double>(gained_pixels(of, place, color_of(point.role)));
         };
         EXPECT_GE(gained(pictures), needed) << point.id;
         EXPECT_LT(gained(removed(pictures)), needed) << point.id << ": control, removed";
@@ -409,9 +415,9 @@ TEST_P(DisplayPoints, P07TheRecoveryPictureEndsWithHysteresis) {
     EXPECT_TRUE(has_flag(going.record, "attitude.unusual"));
     EXPECT_FALSE(has_flag(back.record, "attitude.unusual"));
     const Rect deviation = display_.screen().layout.vertical_deviation;
-    EXPECT_GE(gained_pixels({coming.picture, going.picture}, deviation, draw::kEngagedColor), 10u)
+    EXPECT_GE(gained_pixels({coming.picture, going.picture}, deviation, color_of(SymbolRole::engaged)), 10u)
         << "what is not needed to recover is removed";
-    EXPECT_EQ(gained_pixels({going.picture, coming.picture}, deviation, draw::kEngagedColor), 0u);
+    EXPECT_EQ(gained_pixels({going.picture, coming.picture}, deviation, color_of(SymbolRole::engaged)), 0u);
 }
 
 TEST_P(DisplayPoints, P40TheFieldOfViewIsStatedWhereThereIsNoMap) {
@@ -419,8 +425,8 @@ TEST_P(DisplayPoints, P40TheFieldOfViewIsStatedWhereThereIsNoMap) {
     const test_support::PointPictures pictures{with.picture, without.picture};
     const Rect place = draw::field_of_view_box(display_.screen().layout);
     const auto needed = static_cast<std::size_t>(display_.screen().layout.text_px);
-    EXPECT_GE(gained_pixels(pictures, place, draw::kScaleColor), needed);
-    EXPECT_LT(gained_pixels(removed(pictures), place, draw::kScaleColor), needed) << "control";
+    EXPECT_GE(gained_pixels(pictures, place, color_of(SymbolRole::scale)), needed);
+    EXPECT_LT(gained_pixels(removed(pictures), place, color_of(SymbolRole::scale)), needed) << "control";
     EXPECT_EQ(with.record.view.mode, design::ViewMode::perspective);
 }
 
@@ -437,7 +443,7 @@ TEST_P(MapPoints, P40TheMapHasARangeRingWithItsDistance) {
     };
     const PointDisplay::Frame with = map_.frame(nothing), without = map_.frame(nothing_known);
     EXPECT_EQ(with.record.view.mode, design::ViewMode::map);
-    EXPECT_GE(gained_pixels({with.picture, without.picture}, map_.screen().middle(), draw::kScaleColor),
+    EXPECT_GE(gained_pixels({with.picture, without.picture}, map_.screen().middle(), color_of(SymbolRole::scale)),
               static_cast<std::size_t>(10 * map_.screen().layout.text_px));
     EXPECT_EQ(shown(with.record, Element::position), ElementShow::normal);
     EXPECT_EQ(shown(without.record, Element::position), ElementShow::failed);

@@ -66,6 +66,7 @@ RgbaPicture drawn(const SheetPlan::Picture& picture, const std::string& terrain,
     options.device = device;
     options.size = kSize;
     options.symbology = false;
+    options.legend = flight::LegendShow::none;  // what is held is the ground
     host_sim::DisplaySession session(options, false);
     static_cast<void>(posed_frame(session, plan().pose, {}));
     return upright(session.pixels());

@@ -48,7 +48,8 @@ TEST(BoardConfig, ReadsEverySetting) {
         "'costs.toml'\n[programs]\nfolder = 'sc2.programs'\n[can]\ninterface = 'can1'\nfd = true\n"
         "filter = false\nreceive_buffer_bytes = 65536\nreopen_s = 2.5\n[switches]\nconfig = '" +
         kRoot +
-        "/configs/switches/one_hot.toml'\n[surface]\nbackend = 'osmesa'\nwidth_px = 800\nheight_px = 600\n[memory]\ntouch = "
+        "/configs/switches/one_hot.toml'\n[surface]\nbackend = 'osmesa'\nwidth_px = 800\nheight_px = 600\n[display]\nlegend = "
+        "'whole'\n[memory]\ntouch = "
         "false\n");
     EXPECT_EQ(settings.title.view(), "a board");
     EXPECT_EQ(settings.device.name.view(), "es3-mid");
@@ -66,6 +67,7 @@ TEST(BoardConfig, ReadsEverySetting) {
     EXPECT_EQ(settings.surface.view(), "osmesa");
     EXPECT_EQ(settings.width_px, 800u);
     EXPECT_EQ(settings.height_px, 600u);
+    EXPECT_EQ(settings.legend, flight::LegendShow::whole);
     EXPECT_EQ(settings.residency, platform::Residency::lazy);
 }
 
@@ -75,6 +77,7 @@ TEST(BoardConfig, DefaultsAreThoseOfADisplay) {
     EXPECT_TRUE(settings.terrain.empty());
     EXPECT_FALSE(settings.has_switches);
     EXPECT_EQ(settings.surface.view(), "egl");
+    EXPECT_EQ(settings.legend, flight::LegendShow::key);
     EXPECT_EQ(settings.width_px, settings.device.width_px);
     EXPECT_EQ(settings.height_px, settings.device.height_px);
     EXPECT_EQ(settings.residency, platform::Residency::touched);
@@ -164,6 +167,20 @@ TEST(BoardConfig, AnAircraftFileMayBeNamed) {
                 StartsWith(board.folder.file("own.toml") + ":3: 'vne' has no unit"));
 }
 
+TEST(BoardConfig, StatesTheSymbologysPaletteAndLight) {
+    Board board;
+    const std::string can = "[can]\ninterface = 'can0'\n";
+    EXPECT_EQ(board.settings(can).symbology.name.view(), "standard");
+    EXPECT_EQ(board.settings(can).light, design::SymbologyLight::day);
+    EXPECT_EQ(board.settings("light = 'night'\n" + can).light, design::SymbologyLight::night);
+    EXPECT_THAT(board.load_with("light = 'dusk'\n" + can), StartsWith(board.path + ":6: "));
+    const std::string own = "symbology = '" + kRoot + "/configs/palettes/symbology/standard.toml'\n";
+    EXPECT_EQ(board.settings(own + can).symbology.of(design::SymbologyLight::night).colors,
+              design::standard_symbology_palettes().of(design::SymbologyLight::night).colors);
+    board.folder.write("own.toml", "name = 'own'\n[day]\nscale = 'white'\n");
+    EXPECT_THAT(board.load_with("symbology = 'own.toml'\n" + can), StartsWith(board.folder.file("own.toml") + ":3: 'scale'"));
+}
+
 TEST(BoardConfig, DesignsOfPhasesLieBesideTheDesignThatNamesThem) {
     Board board;
     const auto with = [&board](const std::string& phases) {
@@ -230,6 +247,14 @@ TEST(BusFilters, PassWhatTheDecoderKnowsAndNothingElse) {
     EXPECT_TRUE(passes(1840) && passes(1851) && passes(1830));
     EXPECT_FALSE(passes(1839) || passes(1852));
     bus.traffic = {};
+
+    bus.display.legend_identifier = 1852;
+    bus::SocketCanSettings with_legend;
+    add_bus_filters(with_legend, bus);
+    EXPECT_TRUE(std::any_of(with_legend.filters.begin(), with_legend.filters.end(), [](const bus::CanFilter& filter) {
+        return (1852u & filter.mask) == (filter.identifier & filter.mask);
+    }));
+    bus.display = {};
 
     bus.guidance.first_identifier = 1832;
     bus::SocketCanSettings with_guidance;

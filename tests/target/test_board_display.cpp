@@ -47,6 +47,14 @@ TEST(BoardDisplay, HasTheBoardsAircraft) {
     EXPECT_EQ(board_host_settings(settings).display.aircraft.name.view(), "own");
 }
 
+TEST(BoardDisplay, HasTheBoardsPaletteAndLight) {
+    BoardSettings settings = board_settings();
+    settings.symbology.name = "own";
+    settings.light = design::SymbologyLight::night;
+    EXPECT_EQ(board_host_settings(settings).display.symbology.name.view(), "own");
+    EXPECT_EQ(board_host_settings(settings).display.light, design::SymbologyLight::night);
+}
+
 TEST(BoardDisplay, WithoutTerrainThatThereShouldBeItSaysTerrainFail) {
     const test_support::TemporaryFolder folder;
     const std::string sound(embedded_inputs().terrain.begin(), embedded_inputs().terrain.end());

@@ -4,7 +4,9 @@
 #include "render_core/base/ports/program_store.hpp"
 #include "render_core/design/aircraft_settings.hpp"
 #include "render_core/design/phase_designs.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/effects/device.hpp"
+#include "render_core/flight/legend_show.hpp"
 
 namespace tedavis::display {
 
@@ -13,9 +15,12 @@ struct DisplaySettings {
     design::DesignSettings design;                 ///< where no phase has another
     const design::PhaseDesigns* phases = nullptr;  ///< null: none has; copied at start()
     design::AircraftSettings aircraft;             ///< not stated: no speeds are known, and the eye point is the antenna
+    design::SymbologyPalettes symbology = design::standard_symbology_palettes();
+    design::SymbologyLight light = design::SymbologyLight::day;  ///< may change between frames
     std::uint32_t width_px = 0, height_px = 0;
-    bool generated_flight = false;           ///< said on the display
-    bool expects_scene = false;              ///< one may come later, by take_scene()
+    flight::LegendShow legend = flight::LegendShow::key;  ///< where neither the panel nor the bus asks for another
+    bool generated_flight = false;                        ///< said on the display
+    bool expects_scene = false;                           ///< one may come later, by take_scene()
     bool terrain_failed_at_start = false;    ///< there should be terrain, and start() is given none: said as a failure
     base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
 

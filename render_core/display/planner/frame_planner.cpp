@@ -106,6 +106,7 @@ void FramePlanner::begin(const flight::FrameInput& input, PlannerMemory& memory,
     frame.time = input.time;
     frame.phase = input.phase;
     frame.trail = input.trail;
+    frame.legend.show = input.legend.value_or(settings_.legend);
     sync_look();
     if (elements_.is_started()) elements_.labels().restore(memory.labels);
 }
@@ -297,9 +298,10 @@ void FramePlanner::put_symbology() {
                                     : frame_->conditions.is_map  ? draw::SymbolGround::map
                                                                  : draw::SymbolGround::perspective;
     const FrameContext frame = context_of(*frame_, frame_->picture.camera);
-    frame_->maps_beside = plan_symbology({frame, frame_->state, settings_.aircraft, settings_.width_px, settings_.height_px, over,
-                                          data_, frame_->data, elements_.reports()},
-                                         symbology_, *frame_);
+    frame_->maps_beside =
+        plan_symbology({frame, frame_->state, settings_.aircraft, settings_.symbology.of(settings_.light), settings_.width_px,
+                        settings_.height_px, over, data_, frame_->data, elements_.reports(), frame_->legend.show},
+                       symbology_, *frame_);
 }
 
 void FramePlanner::plan_data() {

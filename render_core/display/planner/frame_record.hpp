@@ -15,6 +15,7 @@
 #include "render_core/effects/effect_planner.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/flight/legend_show.hpp"
 #include "render_core/policy/display_decisions.hpp"
 #include "render_core/policy/terrain_light.hpp"
 
@@ -81,6 +82,12 @@ struct DataRecord {
 struct StaleRecord {
     base::FixedString<31> layer;
     double age_s = 0;
+};
+
+/// What explains the colors of the picture.
+struct LegendRecord {
+    flight::LegendShow show = flight::LegendShow::key;
+    std::uint32_t entries = 0, left_out = 0;  ///< scales that are explained, and those for which there is no room
 };
 
 /// Of icons and names; labels are names.
@@ -150,6 +157,7 @@ struct FrameStatement {
     TerrainRecord terrain;
     std::uint64_t scene_revision = 0;          ///< of the scene database that is shown; 0: none
     base::FixedVector<StaleRecord, 16> stale;  ///< with the flag data.stale
+    LegendRecord legend;
     LabelRecord labels;
     base::FixedVector<FocusRecord, scene::kMaxFoci> foci;
     base::FixedString<47> design;  ///< that the phase has

@@ -25,6 +25,19 @@ policy::FlapsRange known_flaps(const flight::AircraftState& state, base::Time no
     return {0, has_lever ? std::clamp(state[Signal::flaps_lever].value_or(0), 0.0, 1.0) : 0};
 }
 
+/// The terrain's legend counts as one entry, and is never left out.
+void state_legend(const draw::SymbologyInput& symbology, const draw::Layout& layout, LegendRecord& legend) {
+    if (!symbology.shown.legend || symbology.decisions.unusual_attitude) return;
+    if (layout.has_legend_rows) {
+        const draw::DataLegendPlan plan = draw::plan_data_legends(symbology.data_legends, layout);
+        legend.entries = static_cast<std::uint32_t>(plan.shown + (symbology.legend.ground ? 1 : 0));
+        legend.left_out = static_cast<std::uint32_t>(plan.cut);
+        return;
+    }
+    legend.entries = static_cast<std::uint32_t>(layout.key.shown);
+    legend.left_out = static_cast<std::uint32_t>(layout.key.cut);
+}
+
 }  // namespace
 
 GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyInput& symbology) noexcept {
@@ -58,7 +71,9 @@ std::uint32_t maps_drawn(const draw::SymbologyInput& symbology, const draw::Layo
 
 void flag_symbology_data(const draw::SymbologyInput& symbology, const draw::Layout& layout, GroundDataState maps,
                          FrameStatement& record) noexcept {
-    if (symbology.shown.legend && draw::plan_data_legends(symbology.data_legends, layout).cut > 0)
+    state_legend(symbology, layout, record.legend);
+    const bool is_cut = record.legend.left_out > 0 || (symbology.shown.legend && !layout.has_legend_rows);
+    if (symbology.legend_show == flight::LegendShow::whole && is_cut && !symbology.decisions.unusual_attitude)
         flag(policy::RecordFlag::legend_cut, record);
     if (maps == GroundDataState::not_asked_for || symbology.decisions.unusual_attitude) return;
     if (maps != GroundDataState::shown) return flag(policy::RecordFlag::adjacent_missing, record);

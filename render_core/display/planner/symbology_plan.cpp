@@ -25,10 +25,12 @@ MapsBeside plan_symbology(const SymbologyFrame& planned, draw::QuadBatch& batch,
     draw::SymbologyInput symbology =
         draw::make_symbology_input(planned.state, frame.decisions, frame.record.phase, frame.design, frame.record.time,
                                    planned.width, planned.height, frame.aircraft_msl_m);
+    symbology.palette = planned.palette;
     set_terrain_legend(frame, symbology.legend);
     symbology.excessive_bank_rad = planned.aircraft.excessive_bank_rad;
     symbology.standard_turn_radps = planned.aircraft.standard_turn_rad_s;
     symbology.bands = shown_speed_bands(planned.aircraft, planned.state, frame.decisions, frame.record.time);
+    symbology.legend_show = planned.legend;
     symbology.over = planned.over;
     symbology.map = make_map_input(frame, planned.state);
     MapsBeside maps;

@@ -2,6 +2,7 @@
 /// layout has them, and signs where the symbology leaves the picture free. So neither covers the other. Pure; any thread.
 #pragma once
 
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/display/planner/element_planner.hpp"
 #include "render_core/display/planner/frame_context.hpp"
 #include "render_core/display/planner/symbology_data.hpp"
@@ -13,11 +14,13 @@ struct SymbologyFrame {
     const FrameContext& frame;
     const flight::AircraftState& state;
     const design::AircraftSettings& aircraft;
+    const design::SymbologyPalette& palette;
     std::uint32_t width = 0, height = 0;
     draw::SymbolGround over = draw::SymbolGround::perspective;
     const SpatialData& data;
     const SpatialDataPlan& data_plan;
     const ElementReports& reports;
+    flight::LegendShow legend = flight::LegendShow::key;
 };
 
 /// Ordinary text of a display, without what legends ask for.

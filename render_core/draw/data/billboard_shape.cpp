@@ -5,6 +5,7 @@
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/text_size.hpp"
 #include "render_core/scene/area_limits.hpp"
 
 namespace tedavis::draw {
@@ -46,7 +47,7 @@ float SignText::width_px(float size_px) const {
     return widest;
 }
 
-float BillboardShape::line_px() const { return kNameSize * text_px; }
+float BillboardShape::line_px() const { return std::max(kNameSize * text_px, kMinText_px); }
 
 SignBox BillboardShape::on_the_spot() const {
     SignBox made = box;

@@ -7,6 +7,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/text_size.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
@@ -128,9 +129,10 @@ public:
     }
 
 private:
-    [[nodiscard]] float texts_px() const { return 2 * kLine * text_px_; }
+    [[nodiscard]] float line_px() const { return std::max(kLine * text_px_, kMinText_px); }
+    [[nodiscard]] float texts_px() const { return 2 * line_px(); }
     [[nodiscard]] float width_px() const {
-        return std::max(text_width_px(name_.view(), text_px_), text_width_px(distance_.view(), text_px_));
+        return std::max(text_width_px(name_.view(), line_px()), text_width_px(distance_.view(), line_px()));
     }
     /// Of a shape with two lines of text.
     [[nodiscard]] Rect box(Point middle, float half) const {
@@ -163,10 +165,9 @@ private:
     }
     /// Two lines below a place.
     void write(Point top) const {
-        const TextStyle style{kLine * text_px_, color_, kHalo_px, kDark};
-        const float line_px = kLine * text_px_;
-        static_cast<void>(sheet_.signs().text(name_.view(), {top.x, top.y + 0.6f * line_px}, TextAnchor::center, style));
-        static_cast<void>(sheet_.signs().text(distance_.view(), {top.x, top.y + 1.6f * line_px}, TextAnchor::center, style));
+        const TextStyle style{line_px(), color_, kHalo_px, kDark};
+        static_cast<void>(sheet_.signs().text(name_.view(), {top.x, top.y + 0.6f * line_px()}, TextAnchor::center, style));
+        static_cast<void>(sheet_.signs().text(distance_.view(), {top.x, top.y + 1.6f * line_px()}, TextAnchor::center, style));
     }
 
     BillboardSheet& sheet_;

@@ -12,6 +12,7 @@
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/traffic_state.hpp"
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/text_size.hpp"
 #include "render_core/earth/wgs84.hpp"
 
 namespace tedavis::draw {
@@ -93,7 +94,7 @@ private:
         return true;
     }
 
-    [[nodiscard]] float size_px() const { return kSize * sheet_.text_px(); }
+    [[nodiscard]] float size_px() const { return std::max(kSize * sheet_.text_px(), kMinText_px); }
     [[nodiscard]] float half_px() const { return (kHalf + kGap) * sheet_.text_px(); }
 
     /// Of a text with its halo.

@@ -16,7 +16,6 @@ using design::AdjacentShows;
 using policy::Element;
 using policy::ElementShow;
 
-constexpr design::Color kMapGround{0, 0, 0, 255};  // in no scale of data
 constexpr double kMaxLatitude_rad = base::radians(89.875), kLatitudeStep_rad = base::radians(0.125);
 constexpr float kMinCell_px = 4;
 constexpr float kDot_px = 3, kStroke_px = 2;
@@ -62,7 +61,7 @@ public:
 
     void build(const scene::Attribute& attribute) const {
         const AdjacentInput& maps = input_.adjacent;
-        painter_.batch().box(box_, kMapGround);
+        painter_.batch().box(box_, painter_.color(SymbolRole::readout_ground));  // in no scale of data
         const MapLattice lattice(maps, box_);
         const scene::GridField field(*maps.layer, attribute);
         for (std::uint32_t row = 0; row < lattice.rows(); ++row)
@@ -73,7 +72,7 @@ public:
                 if (!cell.box.empty()) build_cell(painter_, cell, maps.sign);
             }
         build_own_ship();
-        painter_.batch().frame(box_, painter_.stroke_px(), kScaleColor);
+        painter_.batch().frame(box_, painter_.stroke_px(), painter_.color(SymbolRole::scale));
     }
     void number(std::uint32_t member) const {
         const float t = painter_.text_px();
@@ -86,11 +85,11 @@ private:
         const flight::Signal heading = input_.decisions.view_heading;
         const bool is_trusted = input_.decisions[Element::position].show == ElementShow::normal,
                    is_heading = heading != flight::Signal::true_track;
-        const design::Color color = is_trusted && is_heading ? kReferenceColor : kCautionColor;
+        const design::Color color = painter_.color(is_trusted && is_heading ? SymbolRole::reference : SymbolRole::caution);
         const float size = std::min(kMark * painter_.text_px(), kMarkShare * box_.width);
         const Point center = box_.center();
         if (heading == flight::Signal::count_) {
-            painter_.batch().box({center.x - size / 2, center.y - size / 2, size, size}, kRimColor);
+            painter_.batch().box({center.x - size / 2, center.y - size / 2, size, size}, painter_.color(SymbolRole::rim));
             painter_.batch().box({center.x - size / 4, center.y - size / 4, size / 2, size / 2}, color);
             return;
         }
@@ -102,7 +101,7 @@ private:
         const double ahead = input_.view_heading_rad;
         const Point wedge[4] = {off(ahead, size), off(ahead - kBack_rad, size), off(ahead, -0.3f * size),
                                 off(ahead + kBack_rad, size)};
-        painter_.batch().polyline(wedge, 1.5f * painter_.stroke_px(), kRimColor, true);
+        painter_.batch().polyline(wedge, 1.5f * painter_.stroke_px(), painter_.color(SymbolRole::rim), true);
         painter_.batch().triangle(wedge[0], wedge[1], wedge[2], color);
         painter_.batch().triangle(wedge[0], wedge[2], wedge[3], color);
     }
@@ -122,18 +121,19 @@ base::FixedString<31> title_of(const AdjacentInput& input) {
 /// Two lines: what it is, and how far it reaches to the edges; north is up.
 void build_caption(const Painter& painter, const AdjacentInput& input, const Rect& box) {
     const float t = painter.text_px();
-    painter.plate({box.x, box.y, box.width, kLine * t}, title_of(input).view(), 0.75f, kScaleColor);
+    painter.plate({box.x, box.y, box.width, kLine * t}, title_of(input).view(), 0.75f, painter.color(SymbolRole::scale));
     char range[24];
     std::snprintf(range, sizeof range, "RNG %.3g NM", input.view.range_m / base::kMetresPerNauticalMile);
     const Rect line{box.x, box.y + kLine * t, box.width, kLine * t};
-    painter.batch().box(line, kReadoutGround);
+    painter.batch().box(line, painter.color(SymbolRole::readout_ground));
     const float arrow = 1.2f * t;
-    painter.fitted_text(range, {line.x, line.y, line.width - arrow, line.height}, TextAnchor::left, kSmall, kScaleColor,
-                        TextRim::none);
-    painter.text("N", {line.right() - 0.75f * t, line.center().y}, TextAnchor::right, kSmall, kScaleColor, 0, TextRim::none);
+    painter.fitted_text(range, {line.x, line.y, line.width - arrow, line.height}, TextAnchor::left, kSmall,
+                        painter.color(SymbolRole::scale), TextRim::none);
+    painter.text("N", {line.right() - 0.75f * t, line.center().y}, TextAnchor::right, kSmall, painter.color(SymbolRole::scale), 0,
+                 TextRim::none);
     const Point at{line.right() - 0.45f * t, line.center().y};
     painter.batch().triangle({at.x, at.y - 0.35f * t}, {at.x + 0.22f * t, at.y + 0.3f * t}, {at.x - 0.22f * t, at.y + 0.3f * t},
-                             kScaleColor);
+                             painter.color(SymbolRole::scale));
 }
 
 }  // namespace

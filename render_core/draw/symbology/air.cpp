@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/font_atlas.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 
 namespace tedavis::draw {
@@ -11,10 +12,7 @@ using policy::Element;
 using policy::ElementShow;
 
 // In texts.
-constexpr float kWidth = 4.6f;
-constexpr float kRow = 1.3f;
 constexpr float kText = 0.85f;
-constexpr float kFromSide = 0.1f;
 
 constexpr double kCalm_kt = 0.5;
 constexpr double kMax_kt = 399;
@@ -61,22 +59,35 @@ void build_arrow(const Painter& painter, Point center, double toward_rad, double
     painter.batch().triangle(at(0.58f, 0), at(0, 0.28f), at(0, -0.28f), color);
 }
 
+/// On small screens an old wind has its age in the arrow's place.
+bool has_room_for_arrow(const Painter& painter, const Rect& row, std::string_view text) {
+    return text_width_px(text, kMinText_px) <= row.width - row.height - painter.stroke_px();
+}
+
+Rect beside_arrow(const Painter& painter, const Rect& row, std::string_view text) {
+    const float side = has_room_for_arrow(painter, row, text) ? row.height : 0;
+    return {row.x + side, row.y, row.width - side, row.height};
+}
+
 void build_wind(const Painter& painter, const Rect& row, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::wind].show;
     if (show == ElementShow::absent) return;
     if (show == ElementShow::failed) return painter.crossed_out(row, "WIND");
     ShortText text = wind_text(input);
     append_age(show, input.wind_age, text);
-    painter.batch().box(row, kReadoutGround);
-    const float side = row.height;
+    painter.batch().box(row, painter.color(SymbolRole::readout_ground));
     const bool is_calm = input.wind_speed_mps < kCalm_kt * base::kMpsPerKnot;
     const bool has_up = input.over != SymbolGround::moving && input.decisions.view_heading != flight::Signal::count_;
     const double up_rad = input.over == SymbolGround::map ? input.map.up_rad : input.view_heading_rad;
-    if (!is_calm && has_up)
-        build_arrow(painter, {row.x + 0.5f * side, row.center().y}, limited(input.wind_from_rad, 0, 2 * base::kPi) + base::kPi,
-                    up_rad, label_color(show));
-    painter.fitted_text(text.view(), {row.x + side, row.y, row.width - side, row.height}, TextAnchor::left, kText,
-                        label_color(show), TextRim::none);
+    if (!is_calm && has_up && has_room_for_arrow(painter, row, text.view()))
+        build_arrow(painter, {row.x + 0.5f * row.height, row.center().y},
+                    limited(input.wind_from_rad, 0, 2 * base::kPi) + base::kPi, up_rad, painter.label_color(show));
+    const std::size_t unit = text.view().find("KT");
+    ShortText short_text(text.view().substr(0, unit));
+    if (unit != std::string_view::npos) short_text.append(text.view().substr(unit + 2));
+    const Rect place = beside_arrow(painter, row, text.view());
+    painter.fitted_text({text.view(), short_text.view()}, place, TextAnchor::left, kText, painter.label_color(show),
+                        TextRim::none);
 }
 
 void build_temperature(const Painter& painter, const Rect& row, const SymbologyInput& input) {
@@ -85,19 +96,15 @@ void build_temperature(const Painter& painter, const Rect& row, const SymbologyI
     if (show == ElementShow::failed) return painter.crossed_out(row, "OAT");
     ShortText text = temperature_text(input);
     append_age(show, input.temperature_age, text);
-    painter.batch().box(row, kReadoutGround);
-    painter.fitted_text(text.view(), row, TextAnchor::center, kText, label_color(show), TextRim::none);
+    painter.batch().box(row, painter.color(SymbolRole::readout_ground));
+    painter.fitted_text({text.view(), text.view().substr(4)}, row, TextAnchor::center, kText, painter.label_color(show),
+                        TextRim::none);
 }
 
 }  // namespace
 
-Rect air_box(const Layout& layout) noexcept {
-    const float t = layout.text_px;
-    return {layout.attitude.right() - (kWidth + kFromSide) * t, layout.attitude.y + kFromSide * t, kWidth * t, 2 * kRow * t};
-}
-
 void build_air(const Painter& painter, const SymbologyInput& input) {
-    const Rect box = air_box(painter.layout());
+    const Rect& box = painter.layout().air;
     build_wind(painter, {box.x, box.y, box.width, 0.5f * box.height}, input);
     build_temperature(painter, {box.x, box.center().y, box.width, 0.5f * box.height}, input);
 }

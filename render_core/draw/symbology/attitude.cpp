@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -45,8 +46,10 @@ void build_rung(const Painter& painter, const LadderFrame& ladder, int degrees) 
     painter.line(right.at, along_and_across(right.at, along, 0, hook));
     const ShortText number = whole_number(std::abs(degrees));
     const float angle = std::atan2(along.y, along.x);
-    painter.text(number.view(), along_and_across(left.at, along, -0.3f * t, 0), TextAnchor::right, 0.75f, kScaleColor, angle);
-    painter.text(number.view(), along_and_across(right.at, along, 0.3f * t, 0), TextAnchor::left, 0.75f, kScaleColor, angle);
+    painter.text(number.view(), along_and_across(left.at, along, -0.3f * t, 0), TextAnchor::right, 0.75f,
+                 painter.color(SymbolRole::scale), angle);
+    painter.text(number.view(), along_and_across(right.at, along, 0.3f * t, 0), TextAnchor::left, 0.75f,
+                 painter.color(SymbolRole::scale), angle);
 }
 
 /// Red chevrons that point to the horizon at steep pitch.
@@ -58,14 +61,14 @@ void build_chevron(const Painter& painter, const LadderFrame& ladder, int degree
     const ProjectedPoint right = ladder.at(radians(degrees + 4 * outwards), ladder.tangent_of(2 * t));
     if (!tip.in_front || !left.in_front || !right.in_front) return;
     const Point corners[3] = {left.at, tip.at, right.at};
-    painter.polyline(corners, kWarningColor, 3);
+    painter.polyline(corners, painter.color(SymbolRole::warning), 3);
 }
 
 /// Where the picture's own horizon is seen: across the whole screen, also behind the tapes and the rose, but not behind legends
 /// that stand above the attitude.
 Rect horizon_box(const Layout& layout) {
-    const Rect &box = layout.attitude, &legends = layout.data_legends[1];
-    const bool has_legends_above = !legends.empty() && legends.bottom() <= box.y;
+    const Rect &box = layout.attitude, &legends = layout.data_legends[1], &key = layout.key.box;
+    const bool has_legends_above = (!legends.empty() && legends.bottom() <= box.y) || (!key.empty() && key.bottom() <= box.y);
     const float top = has_legends_above ? box.y : layout.screen.y;
     return {layout.screen.x, top, layout.screen.width, layout.heading.bottom() - top};
 }
@@ -89,7 +92,7 @@ void build_horizon_headings(const Painter& painter, const SymbologyInput& input,
         painter.line(at.at, along_and_across(at.at, along, 0, -0.35f * t));
         const Point label = along_and_across(at.at, along, 0, -0.85f * t);
         if (degrees % 30 == 0 && room.contains(label))
-            painter.text(compass_text(degrees).view(), label, TextAnchor::center, 0.75f, kScaleColor,
+            painter.text(compass_text(degrees).view(), label, TextAnchor::center, 0.75f, painter.color(SymbolRole::scale),
                          std::atan2(along.y, along.x));
     }
 }
@@ -166,13 +169,13 @@ void build_aircraft_symbol(const Painter& painter) {
     const Point c = painter.layout().screen.center();
     const Point left[3] = {{c.x - 4.6f * t, c.y}, {c.x - 3.1f * t, c.y}, {c.x - 3.1f * t, c.y + 0.5f * t}};
     const Point right[3] = {{c.x + 4.6f * t, c.y}, {c.x + 3.1f * t, c.y}, {c.x + 3.1f * t, c.y + 0.5f * t}};
-    painter.polyline(left, kReferenceColor, 2);
-    painter.polyline(right, kReferenceColor, 2);
+    painter.polyline(left, painter.color(SymbolRole::reference), 2);
+    painter.polyline(right, painter.color(SymbolRole::reference), 2);
     const Rect nose{c.x - 0.2f * t, c.y - 0.2f * t, 0.4f * t, 0.4f * t};
     painter.batch().box({nose.x - painter.stroke_px(), nose.y - painter.stroke_px(), nose.width + 2 * painter.stroke_px(),
                          nose.height + 2 * painter.stroke_px()},
-                        kRimColor);
-    painter.batch().box(nose, kReferenceColor);
+                        painter.color(SymbolRole::rim));
+    painter.batch().box(nose, painter.color(SymbolRole::reference));
 }
 
 }  // namespace
@@ -189,8 +192,9 @@ void build_attitude(const Painter& painter, const SymbologyInput& input) {
     build_aircraft_symbol(painter);
     if (show != ElementShow::flagged) return;
     const float t = painter.text_px();
-    const Rect plate{box.center().x - 4.5f * t, box.bottom() - 1.4f * t, 9 * t, 1.4f * t};
-    painter.framed_plate(plate, "ATTITUDE STALE", 0.85f, kCautionColor);
+    const float width = painter.plate_px("ATTITUDE STALE", 9), height = std::max(1.4f * t, 1.2f * kMinText_px);
+    painter.framed_plate({box.center().x - width / 2, box.bottom() - height, width, height}, "ATTITUDE STALE", 0.85f,
+                         painter.color(SymbolRole::caution));
 }
 
 }  // namespace tedavis::draw

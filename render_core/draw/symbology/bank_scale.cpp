@@ -41,7 +41,9 @@ void build_ticks(const Painter& painter, const BankCircle& circle) {
     for (int degrees : {-60, -45, -30, -20, -10, 10, 20, 30, 45, 60})
         painter.line(circle.at(radians(degrees)), circle.at(radians(degrees), (degrees % 30 == 0 ? 0.8f : 0.45f) * t));
     const Point zero = circle.at(0);
-    painter.batch().triangle(zero, {zero.x - 0.4f * t, zero.y - 0.7f * t}, {zero.x + 0.4f * t, zero.y - 0.7f * t}, kScaleColor);
+    const Point corners[3] = {zero, {zero.x - 0.4f * t, zero.y - 0.7f * t}, {zero.x + 0.4f * t, zero.y - 0.7f * t}};
+    painter.batch().polyline(corners, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
+    painter.batch().triangle(corners[0], corners[1], corners[2], painter.color(SymbolRole::scale));
 }
 
 void build_slip(const Painter& painter, const SymbologyInput& input, const BankCircle& circle, double sky_rad) {
@@ -61,12 +63,13 @@ void build_slip(const Painter& painter, const SymbologyInput& input, const BankC
     const Point corners[4] = {
         along_and_across(base, up, 0, aside - 0.8f * half), along_and_across(base, up, 0, aside + 0.8f * half),
         along_and_across(base, up, -kSlipHeight * t, aside + half), along_and_across(base, up, -kSlipHeight * t, aside - half)};
-    const design::Color color = show == ElementShow::flagged ? kCautionColor : kReferenceColor;
+    const design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::reference);
     painter.batch().triangle(corners[0], corners[1], corners[2], color);
     painter.batch().triangle(corners[0], corners[2], corners[3], color);
-    painter.batch().polyline(corners, painter.stroke_px(), kRimColor, true);
+    painter.batch().polyline(corners, painter.stroke_px(), painter.color(SymbolRole::rim), true);
     if (show == ElementShow::flagged)
-        painter.text("STALE", along_and_across(base, up, -1.1f * t, 0), TextAnchor::center, 0.75f, kCautionColor);
+        painter.text("STALE", along_and_across(base, up, -1.1f * t, 0), TextAnchor::center, 0.75f,
+                     painter.color(SymbolRole::caution));
 }
 
 /// Right bank turns the sky to the left.
@@ -76,7 +79,7 @@ void build_pointer(const Painter& painter, const BankCircle& circle, double sky_
     const Point left = along_and_across(tip, up, -0.9f * t, -0.5f * t), right = along_and_across(tip, up, -0.9f * t, 0.5f * t);
     painter.batch().triangle(tip, left, right, color);
     const Point rim[3] = {tip, left, right};
-    painter.batch().polyline(rim, painter.stroke_px(), kRimColor, true);
+    painter.batch().polyline(rim, painter.stroke_px(), painter.color(SymbolRole::rim), true);
 }
 
 }  // namespace
@@ -102,10 +105,11 @@ void build_bank_scale(const Painter& painter, const SymbologyInput& input) {
     const double sky_rad = -input.roll_rad;
     const bool is_excessive = std::fabs(input.roll_rad) > input.excessive_bank_rad;
     build_ticks(painter, circle);
-    build_pointer(painter, circle, sky_rad, is_excessive ? kCautionColor : kReferenceColor);
+    build_pointer(painter, circle, sky_rad, painter.color(is_excessive ? SymbolRole::caution : SymbolRole::reference));
     if (!input.decisions.unusual_attitude) build_slip(painter, input, circle, sky_rad);
     if (is_excessive && !input.decisions.unusual_attitude)
-        painter.text("BANK", circle.at(0, 1.2f * painter.text_px()), TextAnchor::center, 0.85f, kCautionColor);
+        painter.text("BANK", circle.at(0, 1.2f * painter.text_px()), TextAnchor::center, 0.85f,
+                     painter.color(SymbolRole::caution));
 }
 
 }  // namespace tedavis::draw

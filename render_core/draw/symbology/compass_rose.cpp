@@ -21,6 +21,7 @@ constexpr float kAboveScale = 2.1f;  // readout, and what stands outside the sca
 constexpr float kAroundScale = 0.6f;
 constexpr float kRoseRow = 1.2f;
 constexpr float kMaxSideText = 5.2f;
+constexpr float kSideTextEms = 4.7f;  // the same in the smallest text
 constexpr float kCrossedText = 3.3f;
 constexpr float kCardText = 0.7f;
 constexpr float kMarkText = 0.8f;
@@ -33,7 +34,6 @@ constexpr float kTenTick = 0.6f;
 constexpr float kFiveTick = 0.35f;
 
 constexpr float kMinTickGap_px = 4;
-constexpr float kLegibleText_px = 11;
 constexpr double kTrend_s = 6;
 constexpr double kMaxTurnRate_degps = 4;
 constexpr int kTrendSteps = 8;
@@ -45,8 +45,8 @@ int label_step(float label_radius, float label_px) {
 }
 
 /// Amber where the value is old.
-design::Color mark_color(const SymbologyInput& input, Element element, design::Color color) {
-    return input.decisions[element].show == ElementShow::flagged ? kCautionColor : color;
+design::Color mark_color(const SymbologyInput& input, Element element, SymbolRole role) {
+    return input.palette.color(input.decisions[element].show == ElementShow::flagged ? SymbolRole::caution : role);
 }
 
 /// A block outside the scale with a notch at the direction.
@@ -54,7 +54,7 @@ void build_heading_bug(const Painter& painter, const CompassRose& rose, double a
     const float m = rose.mark_px, inner = rose.radius + 0.02f * m, outer = rose.radius + 0.5f * m;
     const Point corners[5] = {rose.at(angle, outer, -0.5f * m), rose.at(angle, outer, 0.5f * m), rose.at(angle, inner, 0.5f * m),
                               rose.at(angle, rose.radius + 0.28f * m), rose.at(angle, inner, -0.5f * m)};
-    painter.batch().polyline(corners, 2 * painter.stroke_px(), kRimColor, true);
+    painter.batch().polyline(corners, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
     painter.batch().triangle(corners[0], corners[3], corners[4], color);
     painter.batch().triangle(corners[0], corners[1], corners[3], color);
     painter.batch().triangle(corners[1], corners[2], corners[3], color);
@@ -74,7 +74,7 @@ void build_track_mark(const Painter& painter, const CompassRose& rose, double an
     const float half = 0.42f * rose.mark_px;
     const Point corners[4] = {rose.at(angle, rose.radius), rose.at(angle, rose.radius - half, 0.7f * half),
                               rose.at(angle, rose.radius - 2 * half), rose.at(angle, rose.radius - half, -0.7f * half)};
-    painter.polyline(corners, kScaleColor, 1, true);
+    painter.polyline(corners, painter.color(SymbolRole::scale), 1, true);
 }
 
 struct SideText {
@@ -91,8 +91,8 @@ void build_direction_text(const Painter& painter, const SymbologyInput& input, c
     ShortText text(side.name);
     text.append(" ");
     text.append(rose_degrees(input, true_rad).view());
-    painter.fitted_text(text.view(), side.place, side.anchor, legible_size(painter, kMarkText),
-                        mark_color(input, side.element, kSelectedColor));
+    painter.fitted_text({text.view(), text.view().substr(side.name.size() + 1)}, side.place, side.anchor,
+                        legible_size(painter, kMarkText), mark_color(input, side.element, SymbolRole::selected));
 }
 
 /// Names what is old: its color says which value.
@@ -100,7 +100,7 @@ void build_stale_row(const Painter& painter, const CompassRose& rose, const Symb
     for (const Element element : {Element::selected_heading, Element::waypoint_bearing, Element::turn_rate}) {
         if (input.decisions[element].show != ElementShow::flagged) continue;
         return painter.fitted_text("STALE", rose.side_row(RoseSide::right, 2), TextAnchor::right,
-                                   legible_size(painter, kMarkText), kCautionColor);
+                                   legible_size(painter, kMarkText), painter.color(SymbolRole::caution));
     }
 }
 
@@ -119,7 +119,8 @@ Rect CompassRose::side_row(RoseSide side, int row) const noexcept {
     // The nearer of its edges to the center's height says how far the card reaches.
     const float nearest = std::clamp(center.y, y, y + height) - center.y, reach = radius + kAroundScale * text_px;
     const float half_card = std::sqrt(std::max(0.0f, reach * reach - nearest * nearest));
-    const float outer = std::min(box.width / 2, reach + kMaxSideText * text_px), width = outer - half_card;
+    const float longest = std::max(kMaxSideText * text_px, kSideTextEms * kMinText_px);
+    const float outer = std::min(box.width / 2, reach + longest), width = outer - half_card;
     return {side == RoseSide::left ? center.x - outer : center.x + half_card, y, width, height};
 }
 
@@ -156,7 +157,7 @@ ShortText rose_degrees(const SymbologyInput& input, double true_rad) noexcept {
     return whole_number(static_cast<int>(std::lround(base::degrees(earth::wrap_heading(shown)))) % 360, 3);
 }
 
-float legible_size(const Painter& painter, float size) noexcept { return std::max(size, kLegibleText_px / painter.text_px()); }
+float legible_size(const Painter& painter, float size) noexcept { return std::max(size, kMinText_px / painter.text_px()); }
 
 void build_rose_card(const Painter& painter, const CompassRose& rose, double heading_rad) {
     const float t = rose.text_px, m = rose.mark_px, size = legible_size(painter, kCardText);
@@ -167,10 +168,11 @@ void build_rose_card(const Painter& painter, const CompassRose& rose, double hea
         const double angle = radians(degrees) - heading_rad;
         const bool is_ten = degrees % 10 == 0;
         const float length = (is_ten ? kTenTick : kFiveTick) * m;
-        painter.line(rose.at(angle, rose.radius - length), rose.at(angle, rose.radius), kScaleColor, is_ten ? 1 : 0.7f);
+        painter.line(rose.at(angle, rose.radius - length), rose.at(angle, rose.radius), painter.color(SymbolRole::scale),
+                     is_ten ? 1 : 0.7f);
         if (degrees % labels == 0)
-            painter.text(compass_text(degrees).view(), rose.at(angle, label_radius), TextAnchor::center, size, kScaleColor,
-                         static_cast<float>(earth::angle_difference(angle, 0)));
+            painter.text(compass_text(degrees).view(), rose.at(angle, label_radius), TextAnchor::center, size,
+                         painter.color(SymbolRole::scale), static_cast<float>(earth::angle_difference(angle, 0)));
     }
 }
 
@@ -179,8 +181,8 @@ void build_lubber_line(const Painter& painter, const CompassRose& rose) {
     const Point tip = rose.at(0, rose.radius), left = rose.at(0, rose.radius + 0.45f * m, -0.35f * m),
                 right = rose.at(0, rose.radius + 0.45f * m, 0.35f * m);
     const Point rim[3] = {tip, left, right};
-    painter.batch().polyline(rim, 2 * painter.stroke_px(), kRimColor, true);
-    painter.batch().triangle(tip, left, right, kScaleColor);
+    painter.batch().polyline(rim, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
+    painter.batch().triangle(tip, left, right, painter.color(SymbolRole::scale));
     painter.line(tip, rose.at(0, rose.radius - kTenTick * m));
 }
 
@@ -195,13 +197,13 @@ void build_turn_trend(const Painter& painter, const CompassRose& rose, const Sym
     const double end = limited(input.guidance.turn_rate_radps, -limit, limit) * kTrend_s;
     Point arc[kTrendSteps + 1];
     for (int i = 0; i <= kTrendSteps; ++i) arc[i] = rose.at(end * i / kTrendSteps, rose.radius + 0.22f * m);
-    painter.polyline(arc, mark_color(input, Element::turn_rate, kScaleColor), 2);
+    painter.polyline(arc, mark_color(input, Element::turn_rate, SymbolRole::scale), 2);
 }
 
 void build_rose_marks(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
     if (std::isnan(input.from_true_rad)) return;
     const auto angle = [&](double true_rad) { return rose_angle_rad(input, true_rad); };
-    const auto color = [&](Element element) { return mark_color(input, element, kSelectedColor); };
+    const auto color = [&](Element element) { return mark_color(input, element, SymbolRole::selected); };
     // On a rose that the track itself turns, its mark would say nothing.
     if (input.shows_track && input.decisions[Element::heading].source != flight::Signal::true_track)
         build_track_mark(painter, rose, angle(input.track_rad));
@@ -218,7 +220,8 @@ void build_rose_texts(const Painter& painter, const CompassRose& rose, const Sym
     if (heading == ElementShow::flagged) {
         // STALE stands there already, and nothing has a place on an old card.
     } else if (std::isnan(input.from_true_rad)) {
-        painter.fitted_text("VAR", selected, TextAnchor::left, legible_size(painter, kMarkText), kCautionColor);
+        painter.fitted_text("VAR", selected, TextAnchor::left, legible_size(painter, kMarkText),
+                            painter.color(SymbolRole::caution));
     } else {
         const Rect cross{selected.x, selected.y, std::min(selected.width, kCrossedText * t), kRoseRow * t};
         build_direction_text(painter, input, {Element::selected_heading, "SEL", selected, cross, TextAnchor::left},
@@ -232,7 +235,7 @@ void build_rose_texts(const Painter& painter, const CompassRose& rose, const Sym
     if (show == ElementShow::failed) painter.crossed_out(rose.side_cross(RoseSide::right, 1), "TURN");
     if (show == ElementShow::flagged)
         painter.fitted_text("TURN", rose.side_row(RoseSide::right, 1), TextAnchor::right, legible_size(painter, kMarkText),
-                            kCautionColor);
+                            painter.color(SymbolRole::caution));
     build_stale_row(painter, rose, input);
 }
 

@@ -28,8 +28,8 @@ constexpr float kPathName = 1.2f;
 bool is_radio(NavigationSource source) { return source == NavigationSource::radio1 || source == NavigationSource::radio2; }
 
 design::Color source_color(const SymbologyInput& input, Element element) {
-    if (input.decisions[element].show == ElementShow::flagged) return kCautionColor;
-    return is_radio(input.guidance.navigation_source) ? kEngagedColor : kGnssCourseColor;
+    if (input.decisions[element].show == ElementShow::flagged) return input.palette.color(SymbolRole::caution);
+    return input.palette.color(is_radio(input.guidance.navigation_source) ? SymbolRole::engaged : SymbolRole::gnss_course);
 }
 
 /// Without a statement of the source nothing says whose deviation is lost.
@@ -65,13 +65,13 @@ void build_dot(const Painter& painter, Point center, float radius) {
         circle[i] = {center.x + radius * static_cast<float>(std::cos(angle)),
                      center.y + radius * static_cast<float>(std::sin(angle))};
     }
-    painter.polyline(circle, kScaleColor, 1, true);
+    painter.polyline(circle, painter.color(SymbolRole::scale), 1, true);
 }
 
 /// Filled, or its outline where the deviation is beyond the scale.
 void build_shape(const Painter& painter, const Point (&corners)[4], design::Color color, bool is_hollow) {
     if (is_hollow) return painter.polyline(corners, color, 0.9f, true);
-    painter.batch().polyline(corners, 2 * painter.stroke_px(), kRimColor, true);
+    painter.batch().polyline(corners, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
     painter.batch().triangle(corners[0], corners[1], corners[2], color);
     painter.batch().triangle(corners[0], corners[2], corners[3], color);
 }
@@ -82,7 +82,7 @@ void build_needle(const Painter& painter, const CompassRose& rose, double angle,
     painter.line(rose.at(angle, inner), rose.at(angle, neck), color, 1.6f);
     painter.line(rose.at(angle, -inner), rose.at(angle, -tip), color, 1.6f);
     const Point head[3] = {rose.at(angle, tip), rose.at(angle, neck, 0.42f * m), rose.at(angle, neck, -0.42f * m)};
-    painter.batch().polyline(head, 2 * painter.stroke_px(), kRimColor, true);
+    painter.batch().polyline(head, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
     painter.batch().triangle(head[0], head[1], head[2], color);
 }
 
@@ -166,7 +166,7 @@ void build_course(const Painter& painter, const CompassRose& rose, const Symbolo
 void build_course_texts(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
     const auto row = [&](int number) { return rose.side_row(RoseSide::left, number); };
     const float size = legible_size(painter, kCourseText);
-    const auto write = [&](int number, std::string_view text, design::Color color) {
+    const auto write = [&](int number, const Words& text, design::Color color) {
         painter.fitted_text(text, row(number), TextAnchor::left, size, color);
     };
     if (input.decisions[Element::course].show == ElementShow::failed)
@@ -174,7 +174,7 @@ void build_course_texts(const Painter& painter, const CompassRose& rose, const S
     if (shows_value(input.decisions[Element::course].show) && !std::isnan(input.from_true_rad)) {
         ShortText course("CRS ");
         course.append(rose_degrees(input, input.guidance.course_rad).view());
-        write(0, course.view(), source_color(input, Element::course));
+        write(0, {course.view(), course.view().substr(4)}, source_color(input, Element::course));
     }
     const bool has_course = shows_value(input.decisions[Element::course].show),
                has_deviation = shows_value(input.decisions[Element::lateral_deviation].show);
@@ -183,7 +183,7 @@ void build_course_texts(const Painter& painter, const CompassRose& rose, const S
     const DeviationScale scale = deviation_scale(input.guidance.navigation_source, input.phase.presented);
     if (has_deviation && !scale.name.empty()) write(2, scale.name, source_color(input, Element::lateral_deviation));
     const auto is_stale = [&](Element element) { return input.decisions[element].show == ElementShow::flagged; };
-    if (is_stale(Element::course) || is_stale(Element::lateral_deviation)) write(3, "STALE", kCautionColor);
+    if (is_stale(Element::course) || is_stale(Element::lateral_deviation)) write(3, "STALE", painter.color(SymbolRole::caution));
 }
 
 void build_vertical_deviation(const Painter& painter, const SymbologyInput& input) {
@@ -204,8 +204,8 @@ void build_vertical_deviation(const Painter& painter, const SymbologyInput& inpu
     const DotsOff off = dots_off(input.guidance.vertical_deviation, scale.vertical);
     build_path_pointer(painter, {center.x, center.y + static_cast<float>(off.dots) * spacing}, input, off.is_beyond);
     if (show == ElementShow::flagged)
-        painter.text("STALE", {box.right() - 0.45f * t, box.center().y}, TextAnchor::center, size, kCautionColor,
-                     static_cast<float>(-0.5 * base::kPi));
+        painter.text("STALE", {box.right() - 0.45f * t, box.center().y}, TextAnchor::center, size,
+                     painter.color(SymbolRole::caution), static_cast<float>(-0.5 * base::kPi));
 }
 
 }  // namespace tedavis::draw

@@ -28,7 +28,8 @@ bool attitude_is_valid(const SymbologyInput& input) {
 Rect failure_place(const Painter& painter, float rows, float width) {
     const float t = painter.text_px();
     const Rect& attitude = painter.layout().attitude;
-    return {attitude.x, attitude.bottom() - (1.4f + 1.5f * rows) * t, width * t, 1.4f * t};
+    const float height = std::max(1.4f * t, 1.15f * kMinText_px), pitch = height + 0.1f * t;
+    return {attitude.x, attitude.bottom() - height - pitch * rows, width, height};
 }
 
 void build_dash(const Painter& painter, const LadderFrame& ladder, double elevation_rad, float from, float to,
@@ -45,26 +46,30 @@ void build_flight_director(const Painter& painter, const SymbologyInput& input) 
     const ElementShow show = input.decisions[Element::flight_director].show;
     const bool is_over_stale = input.decisions[Element::attitude].show == ElementShow::flagged;
     if (show == ElementShow::absent || (!attitude_is_valid(input) && !is_over_stale)) return;
-    if (show == ElementShow::failed || is_over_stale) return painter.crossed_out(failure_place(painter, 1, kCrossWidth), "FD");
+    if (show == ElementShow::failed || is_over_stale)
+        return painter.crossed_out(failure_place(painter, 1, kCrossWidth * painter.text_px()), "FD");
     const float t = painter.text_px(), reach = kMaxBarTexts * t;
     const Point c = painter.layout().screen.center();
     const double up_px = input.view.focal_px * std::tan(limited(input.guidance.director_pitch_rad, -0.5, 0.5));
     const double right_px = limited(input.guidance.director_roll_rad, -1, 1) * static_cast<double>(kBarTexts_per_rad * t);
     const float y = c.y - std::clamp(static_cast<float>(up_px), -reach, reach);
     const float x = c.x + std::clamp(static_cast<float>(right_px), -reach, reach);
-    const design::Color color = show == ElementShow::flagged ? kCautionColor : kEngagedColor;
+    const design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::engaged);
     painter.line({c.x - kHalfBar * t, y}, {c.x + kHalfBar * t, y}, color, 2);
     painter.line({x, c.y - kHalfBar * t}, {x, c.y + kHalfBar * t}, color, 2);
-    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 1, kPlateWidth), "FD STALE", 0.8f, kCautionColor);
+    if (show == ElementShow::flagged)
+        painter.plate(failure_place(painter, 1, painter.plate_px("FD STALE", kPlateWidth)), "FD STALE", painter.type().label,
+                      painter.color(SymbolRole::caution));
 }
 
 void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::flight_path_reference].show;
     if (show == ElementShow::absent || !attitude_is_valid(input)) return;
-    if (show == ElementShow::failed) return painter.crossed_out(failure_place(painter, 2, kCrossWidth), "PATH");
+    if (show == ElementShow::failed)
+        return painter.crossed_out(failure_place(painter, 2, painter.plate_px("PATH", kCrossWidth)), "PATH");
     const LadderFrame ladder(input);
     const double descent_rad = limited(input.guidance.path_reference_rad, -kMaxReference_rad, kMaxReference_rad);
-    const design::Color color = show == ElementShow::flagged ? kCautionColor : kSelectedColor;
+    const design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::selected);
     painter.batch().set_clip(painter.layout().attitude);
     build_dash(painter, ladder, -descent_rad, -kDashTo, -kDashFrom, color);
     build_dash(painter, ladder, -descent_rad, kDashFrom, kDashTo, color);
@@ -74,7 +79,9 @@ void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const auto roll = static_cast<float>(-limited(input.roll_rad, -base::kPi, base::kPi));
     if (label.in_front) painter.text(text, label.at, TextAnchor::left, 0.75f, color, roll);
     painter.batch().lift_clip();
-    if (show == ElementShow::flagged) painter.plate(failure_place(painter, 2, kPlateWidth), "PATH STALE", 0.8f, kCautionColor);
+    if (show == ElementShow::flagged)
+        painter.plate(failure_place(painter, 2, painter.plate_px("PATH STALE", kPlateWidth)), "PATH STALE", painter.type().label,
+                      painter.color(SymbolRole::caution));
 }
 
 }  // namespace tedavis::draw

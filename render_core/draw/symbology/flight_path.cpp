@@ -14,7 +14,7 @@ constexpr int kCircleSteps = 16;
 /// Circle, wings and fin. At the edge of its box it is no longer conformal: amber and without fin.
 void build_symbol(const Painter& painter, Point at, bool conformal) {
     const float t = painter.text_px(), radius = 0.5f * t;
-    const design::Color color = conformal ? kScaleColor : kCautionColor;
+    const design::Color color = painter.color(conformal ? SymbolRole::scale : SymbolRole::caution);
     Point circle[kCircleSteps];
     for (int i = 0; i < kCircleSteps; ++i) {
         const double angle = 2 * base::kPi * i / kCircleSteps;

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/font_atlas.hpp"
 #include "render_core/draw/symbology/compass_rose.hpp"
 #include "render_core/draw/symbology/course_deviation.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
@@ -20,21 +22,24 @@ std::string_view heading_label(Signal source) {
 /// The digits in an open frame, between the source's name and what is wrong with it.
 void build_heading_readout(const Painter& painter, const CompassRose& rose, const policy::ElementDecision& decision,
                            double heading_rad) {
-    const float t = rose.text_px, size = legible_size(painter, 0.8f);
+    const float t = rose.text_px, size = legible_size(painter, painter.type().label);
     const Rect& number = rose.readout;
     const bool flagged = decision.show == ElementShow::flagged;
-    const design::Color color = flagged ? kCautionColor : kScaleColor;
+    const design::Color color = painter.color(flagged ? SymbolRole::caution : SymbolRole::scale);
     const Rect frame = number.shrunk(painter.stroke_px());
     const Point corners[4] = {
         {frame.x, frame.y}, {frame.right(), frame.y}, {frame.right(), frame.bottom()}, {frame.x, frame.bottom()}};
     painter.polyline(corners, color, 1, true);
     const ShortText digits = whole_number(static_cast<int>(std::lround(base::degrees(heading_rad))) % 360, 3);
-    painter.fitted_text(digits.view(), number, TextAnchor::center, 1.15f, color);
+    painter.fitted_text(digits.view(), number, TextAnchor::center, painter.type().value, color);
     const Rect label{rose.box.x, number.y, number.x - rose.box.x, number.height};
-    painter.fitted_text(heading_label(decision.source), label, TextAnchor::right, size, label_color(decision.show));
+    painter.fitted_text(heading_label(decision.source), label, TextAnchor::right, size, painter.label_color(decision.show));
     const Rect right{number.right() + 0.2f * t, number.y, 2.6f * t, number.height};
     if (decision.show == ElementShow::substituted) painter.crossed_out(right, "HDG");
-    if (flagged) painter.fitted_text("STALE", right, TextAnchor::left, size, kCautionColor);
+    const float stale = std::max(right.width, text_width_px("STALE", painter.em_px(size)) + 0.4f * t);
+    if (flagged)
+        painter.fitted_text("STALE", {right.x, right.y, stale, right.height}, TextAnchor::left, size,
+                            painter.color(SymbolRole::caution));
 }
 
 }  // namespace

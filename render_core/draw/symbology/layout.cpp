@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render_core/draw/text_size.hpp"
+
 namespace tedavis::draw {
 namespace {
 
@@ -13,24 +15,32 @@ constexpr double kLegibleText_inch = 0.1;  // 2.5 mm an em at arm's length
 // In texts.
 constexpr float kMargin = 0.4f;
 constexpr float kGap = 0.3f;
-constexpr float kTopBar = 2.6f;
-constexpr float kPhaseWidth = 13.5f;
+constexpr float kStrip = 1.9f, kStripOfTwoRows = 2.9f;
+constexpr float kTextsForOneRow = 48;  // across the screen: the phase, and three notices beside it
 constexpr float kAirspeedWidth = 5.2f;
-constexpr float kLegendWidth = 5.0f;  // what the two columns on the right take more than the one on the left
+constexpr float kLegendWidth = 5.0f;  // at least: what the two columns on the right take more than the one on the left
 constexpr float kAltitudeWidth = 6.0f;
 constexpr float kVerticalSpeedWidth = 4.2f;
 constexpr float kBottomRow = 3.0f;
 constexpr float kInformation = 1.2f;
 constexpr float kTextsForSecondColumn =
-    48.5f;                           // across the screen: the heading keeps 12 texts, the view's middle 6 to either side
-constexpr float kLegendRow = 2.65f;  // the shortest legends of data side by side
+    48.5f;                             // across the screen: the heading keeps 12 texts, the view's middle 6 to either side
+constexpr float kMinHalfView = 6.05f;  // of the view's middle, to either side
+constexpr float kLegendRow = 2.65f;    // the shortest legends of data side by side
 constexpr float kDeviationWidth = 2.0f;
 constexpr float kDeviationHeight = 7.2f;       // below the ends of the scale of bank
 constexpr float kAttitudeBelowCenter = 6.02f;  // what the ladder and the scale of bank keep above the rose
 
+// In ems of the smallest text: what a height above ground with its label takes, and wind and temperature.
+constexpr float kGroundHeightEms = 5.6f, kAirEms = 5.4f, kAirRowEms = 1.15f, kLegendEms = 9.2f;
+constexpr float kAirWidth = 4.6f, kAirRow = 1.3f, kAirInset = 0.1f;
+constexpr float kMaxKeyRowsOfHeight = 0.08f;  // of the screen's height, for more than one row
+
 // The rose in shares of the screen's height, and of half its own width.
 constexpr float kMaxRoseOfHeight = 0.3f;
 constexpr float kMaxRoseOfHalfWidth = 1.7f;  // a whole rose with its readout
+// What the card takes of its box to either side of its middle, and what stands beside it in texts.
+constexpr float kRoseHalfOfHeight = 0.76f, kRoseTexts = 4.3f;
 
 float text_size(float width, float height, double dpi) {
     const float ordinary = std::min(width, height) / kTextsAcrossShortSide;
@@ -38,10 +48,24 @@ float text_size(float width, float height, double dpi) {
     return std::min({std::max(ordinary, legible), width / kTextsAcrossWidth, height / kTextsAcrossHeight});
 }
 
+/// As wide as the smallest text asks for, if the view keeps its middle beside the columns.
+float legend_width(const Layout& layout, float from) {
+    const float t = layout.text_px, gap = kGap * t;
+    const float room = layout.screen.center().x - kMinHalfView * t - from;
+    const float most = layout.screen.width >= kTextsForSecondColumn * t ? room / 2 - gap : room - gap;
+    return std::max(kLegendWidth * t, std::min(kLegendEms * kMinText_px, most));
+}
+
+/// Where the columns beside the attitude end: on small screens above the height above ground, which is wider than the tape.
+float columns_foot(const Layout& layout) {
+    const bool is_above = layout.ground_height.right() > layout.legend.x;
+    return is_above ? layout.ground_height.y - kGap * layout.text_px : layout.baro_setting.bottom();
+}
+
 /// The foot of the legends' column, as large as what the legends need at least lets it be.
 void add_adjacent(Layout& layout, const LegendNeed& need) {
     const float t = layout.text_px, gap = kGap * t;
-    const float foot = layout.baro_setting.bottom(), width = layout.legend.width / t;
+    const float foot = columns_foot(layout), width = layout.legend.width / t;
     const float for_data = need.data.entries > 0 ? need.data.shortest * t + gap : 0;
     const float room = foot - layout.legend.y - need.terrain_least * t - for_data - gap;
     for (std::uint32_t across = maps_across(need.adjacent, width); across <= kMaxMapsAcross; ++across) {
@@ -56,7 +80,7 @@ void add_adjacent(Layout& layout, const LegendNeed& need) {
 /// Parts the legend's column between terrain above and data below; what does not fit gets room from the attitude.
 void add_data_legends(Layout& layout, const LegendNeed& need) {
     const float t = layout.text_px, gap = kGap * t;
-    const float foot = layout.adjacent.empty() ? layout.baro_setting.bottom() : layout.adjacent.y - gap;
+    const float foot = layout.adjacent.empty() ? columns_foot(layout) : layout.adjacent.y - gap;
     const Rect column{layout.legend.x, layout.legend.y, layout.legend.width, foot - layout.legend.y};
     const float above = need.terrain_most > 0 ? gap : 0, room = column.height - above, whole = need.data.whole * t;
     const bool is_wide = layout.screen.width >= kTextsForSecondColumn * t;
@@ -83,42 +107,93 @@ void add_data_legends(Layout& layout, const LegendNeed& need) {
 void add_rose(Layout& layout) {
     const float t = layout.text_px, gap = kGap * t, bottom = layout.baro_setting.bottom();
     const Point center = layout.screen.center();
-    const float half = std::min(center.x - layout.attitude.x, layout.altitude.x - gap - center.x);
+    const float left = std::max(layout.attitude.x, layout.ground_height.right() + gap);
+    const float half = std::min(center.x - left, layout.altitude.x - gap - center.x);
     const float room = bottom - gap - (center.y + kAttitudeBelowCenter * t);
     const float height = std::min({room, kMaxRoseOfHeight * layout.screen.height, kMaxRoseOfHalfWidth * half});
     layout.heading = {center.x - half, bottom - height, 2 * half, height};
     layout.attitude.height = layout.heading.y - gap - layout.attitude.y;
 }
 
+/// Beside the rose, which keeps the width of its card and texts; else above the attitude, which gives way.
+void add_key(Layout& layout, std::size_t entries) {
+    const float t = layout.text_px, gap = kGap * t, center = layout.screen.center().x;
+    const float picture_px2 = layout.screen.width * layout.screen.height;
+    const float half = std::min(layout.heading.width / 2, kRoseHalfOfHeight * layout.heading.height + kRoseTexts * t);
+    const float left = std::max(layout.attitude.x, layout.ground_height.right() + gap);
+    const Rect beside{left, layout.heading.y, center - half - gap - left, layout.heading.height};
+    layout.key = plan_key(beside, KeyOrder::column, entries, picture_px2, t);
+    if (layout.key.shown > 0) {
+        layout.heading = {center - half, layout.heading.y, 2 * half, layout.heading.height};
+        return;
+    }
+    const float rows = std::max(key_cell(t).height_px, kMaxKeyRowsOfHeight * layout.screen.height);
+    layout.key =
+        plan_key({layout.attitude.x, layout.attitude.y, layout.attitude.width, rows}, KeyOrder::rows, entries, picture_px2, t);
+    if (layout.key.shown == 0) return;
+    const float taken = layout.key.box.height + gap;
+    layout.attitude.y += taken;
+    layout.attitude.height -= taken;
+}
+
+void add_air(Layout& layout) {
+    const float t = layout.text_px, inset = kAirInset * t;
+    const float row = std::max(kAirRow * t, kAirRowEms * kMinText_px);
+    const float width = std::max(kAirWidth * t, row + kAirEms * kMinText_px);  // an arrow stands before the wind
+    layout.air = {layout.attitude.right() - inset - width, layout.attitude.y + inset, width, 2 * row};
+    const Rect& key = layout.key.box;
+    const bool has_room_above = !key.empty() && key.bottom() <= layout.attitude.y && key.right() <= layout.air.x;
+    if (has_room_above) layout.air.y = key.y;
+}
+
+/// Legends or the key, not both.
+LegendNeed fitting_need(const LegendNeed& asked, float text_px) {
+    LegendNeed need = asked;
+    if (!asked.has_legends()) return need;
+    if (text_px >= kMinLegendText_px) {
+        need.key_entries = 0;
+        return need;
+    }
+    need.terrain_most = need.terrain_least = 0;
+    need.data = {};
+    need.keeps_column = false;
+    return need;
+}
+
 }  // namespace
 
-Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& need) noexcept {
+Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& asked) noexcept {
     Layout layout;
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
     const float t = text_size(w, h, dpi);
+    const LegendNeed need = fitting_need(asked, t);
+    layout.has_legend_rows = need.has_legends();
     const float margin = kMargin * t, gap = kGap * t;
     layout.text_px = t;
     layout.stroke_px = std::max(1.25f, t * 0.1f);
     layout.screen = {0, 0, w, h};
 
-    layout.phase = {margin, margin, kPhaseWidth * t, kTopBar * t};
-    layout.notices = {layout.phase.right() + gap, margin, w - margin - layout.phase.right() - gap, kTopBar * t};
+    layout.annunciations = {0, 0, w, (w < kTextsForOneRow * t ? kStripOfTwoRows : kStrip) * t};
     layout.information = {margin, h - margin - kInformation * t, w - 2 * margin, kInformation * t};
 
     const float bottom_row = layout.information.y - gap - kBottomRow * t;
-    const float top = layout.phase.bottom() + gap;
+    const float top = layout.annunciations.bottom() + gap;
     const float tall = bottom_row - gap - top;
     layout.airspeed = {margin, top, kAirspeedWidth * t, tall};
     layout.vertical_speed = {w - margin - kVerticalSpeedWidth * t, top, kVerticalSpeedWidth * t, tall};
     layout.altitude = {layout.vertical_speed.x - gap - kAltitudeWidth * t, top, kAltitudeWidth * t, tall};
-    layout.legend = {layout.airspeed.right() + gap, top, kLegendWidth * t, tall};
-    layout.attitude = {layout.legend.right() + gap, top, layout.altitude.x - gap - layout.legend.right() - gap, tall};
+    const float beside_airspeed = layout.airspeed.right() + gap;
+    if (need.has_column()) layout.legend = {beside_airspeed, top, legend_width(layout, beside_airspeed), tall};
+    const float left = need.has_column() ? layout.legend.right() + gap : beside_airspeed;
+    layout.attitude = {left, top, layout.altitude.x - gap - left, tall};
 
-    layout.ground_height = {margin, bottom_row, kAirspeedWidth * t, kBottomRow * t};
+    layout.ground_height = {margin, bottom_row, std::max(kAirspeedWidth * t, kGroundHeightEms * kMinText_px), kBottomRow * t};
     layout.baro_setting = {layout.altitude.x, bottom_row, w - margin - layout.altitude.x, kBottomRow * t};
     if (need.adjacent.maps > 0) add_adjacent(layout, need);
     if (need.data.entries > 0) add_data_legends(layout, need);
     add_rose(layout);
+    if (need.key_entries > 0) add_key(layout, need.key_entries);
+    add_air(layout);
     layout.vertical_deviation = {layout.attitude.right() - kDeviationWidth * t, (h - kDeviationHeight * t) / 2,
                                  kDeviationWidth * t, kDeviationHeight * t};
     return layout;

@@ -11,6 +11,7 @@
 
 #include "render_core/draw/rect.hpp"
 #include "render_core/draw/symbology/adjacent_plan.hpp"
+#include "render_core/draw/symbology/key_plan.hpp"
 
 namespace tedavis::draw {
 
@@ -25,52 +26,57 @@ struct LegendNeed {
     float terrain_most = 0, terrain_least = 0;  ///< 0: there is none
     DataLegendNeed data;
     AdjacentNeed adjacent;
+    bool keeps_column = false;    ///< the column stays while nothing stands in it, so that the attitude does not move
+    std::size_t key_entries = 0;  ///< of the key, which stands where there are no legends, or no room for their rows
+
+    [[nodiscard]] bool has_legends() const { return keeps_column || terrain_most > 0 || data.entries > 0; }
+    [[nodiscard]] bool has_column() const { return has_legends() || adjacent.maps > 0; }
 };
 
 inline constexpr std::size_t kDataLegendAreas = 2;
+/// Texts smaller than this have rows of legends that are lower than the smallest text: the key stands in their place.
+inline constexpr float kMinLegendText_px = 10.5f;
 
 struct Layout {
     float text_px = 0;    ///< pixels an em of ordinary text
     float stroke_px = 0;  ///< width of ordinary lines
     Rect screen;
-    Rect phase;               ///< top left
-    Rect notices;             ///< top right: warnings and cautions
-    Rect airspeed;            ///< left tape
-    Rect legend;              ///< right of the airspeed: what the colours mean; 5 x at least 19 texts
-    Rect attitude;            ///< around the middle of the screen, above the rose; ladder, roll scale
-    Rect altitude;            ///< right tape
-    Rect vertical_speed;      ///< right of it
-    Rect ground_height;       ///< bottom left
-    Rect heading;             ///< compass rose with its readout: bottom, centred on the screen; compass_rose.hpp parts it
-    Rect baro_setting;        ///< bottom right
-    Rect vertical_deviation;  ///< at the right edge of the attitude and within it, at the height of the screen's middle
-    Rect information;         ///< last line: where the flight and the data come from
+    Rect annunciations;            ///< strip along the whole top: flight phase, warnings and cautions (annunciations.hpp)
+    Rect airspeed;                 ///< left tape
+    bool has_legend_rows = false;  ///< legends were asked for, and their rows do not touch each other
+    Rect legend;                   ///< right of the airspeed: what the colours mean; 5 x at least 19 texts. Empty without legends
+    Rect attitude;                 ///< around the middle of the screen, above the rose; ladder, roll scale
+    Rect altitude;                 ///< right tape
+    Rect vertical_speed;           ///< right of it
+    Rect ground_height;            ///< bottom left; on small screens wider than the tape above it
+    Rect heading;                  ///< compass rose with its readout: bottom, centred on the screen; compass_rose.hpp parts it
+    Rect baro_setting;             ///< bottom right
+    Rect vertical_deviation;       ///< at the right edge of the attitude and within it, at the height of the screen's middle
+    Rect information;              ///< last line: where the flight and the data come from
     /// Legends of data: the foot of the column of the legend, down to the last row; then, where these are too many for it, a
     /// column beside it, or on screens that are too narrow a row below the attitude. Empty where there is no need.
     std::array<Rect, kDataLegendAreas> data_legends{};
+    /// Wind and temperature: the upper right corner of the attitude, or of the row of the key where that leaves room.
+    Rect air;
+    /// The key of the scales that are shown: beside the rose at the foot of the airspeed, or a row above the attitude where the
+    /// rose leaves no room for it. Its box is empty where there is no need.
+    KeyPlan key;
     /// Maps beside the picture: below all legends in their column. Empty where there is no need, or no room beside the shortest
     /// legends and the least of the terrain's.
     Rect adjacent;
 };
 static_assert(std::is_trivially_copyable_v<Layout>);
 
-inline constexpr std::size_t kLayoutBoxCount = 11;
+inline constexpr std::size_t kLayoutBoxCount = 10;
 struct LayoutBox {
     const char* name;
     Rect Layout::*box;
 };
 /// All boxes that share the screen.
 inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
-    {"phase", &Layout::phase},
-    {"notices", &Layout::notices},
-    {"airspeed", &Layout::airspeed},
-    {"legend", &Layout::legend},
-    {"attitude", &Layout::attitude},
-    {"altitude", &Layout::altitude},
-    {"vertical_speed", &Layout::vertical_speed},
-    {"ground_height", &Layout::ground_height},
-    {"heading", &Layout::heading},
-    {"baro_setting", &Layout::baro_setting},
+    {"annunciations", &Layout::annunciations}, {"airspeed", &Layout::airspeed}, {"legend", &Layout::legend},
+    {"attitude", &Layout::attitude},           {"altitude", &Layout::altitude}, {"vertical_speed", &Layout::vertical_speed},
+    {"ground_height", &Layout::ground_height}, {"heading", &Layout::heading},   {"baro_setting", &Layout::baro_setting},
     {"information", &Layout::information},
 };
 
@@ -79,6 +85,6 @@ inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
 [[nodiscard]] Rect conformal_box(const Layout& layout) noexcept;
 
 /// `width`, `height` in pixels, at least 320 x 240 either way round; `dpi` pixels an inch.
-[[nodiscard]] Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& need = {}) noexcept;
+[[nodiscard]] Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& asked = {}) noexcept;
 
 }  // namespace tedavis::draw

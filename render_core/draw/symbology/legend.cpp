@@ -6,8 +6,11 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/key_legend.hpp"
+#include "render_core/draw/symbology/legend_numbers.hpp"
 #include "render_core/draw/symbology/legend_sample.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
+#include "render_core/draw/symbology/terrain_scale.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -30,34 +33,6 @@ constexpr double kHatchDark = 0.4;
 
 constexpr int kBandSlices = 5;
 
-/// The values of the bar, as they are written.
-struct Scale {
-    double low = 0, high = 0;  ///< in the palette's unit
-    double factor = 1;         ///< written number of one of it
-    std::string_view unit;
-};
-
-double written_metre(design::HeightUnit unit) { return unit == design::HeightUnit::feet ? 1 / base::kMetresPerFoot : 1; }
-std::string_view unit_text(design::HeightUnit unit) { return unit == design::HeightUnit::feet ? "FT" : "M"; }
-
-Scale scale_of(const LegendInput& legend) {
-    const auto& stops = legend.palette.stops;
-    Scale scale{legend.lowest, legend.highest, 1, ""};
-    if (!(scale.high > scale.low)) scale = {stops[0].value, stops.back().value, 1, ""};
-    switch (legend.palette.unit) {
-        case design::PaletteUnit::metres:
-            scale.factor = written_metre(legend.unit);
-            scale.unit = unit_text(legend.unit);
-            break;
-        case design::PaletteUnit::degrees:
-            scale.factor = base::degrees(1);
-            scale.unit = "DEG";
-            break;
-        default: break;  // no quantity of the terrain has another
-    }
-    return scale;
-}
-
 /// The least of 1, 2, 5, 10, 20, ... that is not below `least`.
 double round_step(double least) {
     double step = std::pow(10, std::floor(std::log10(std::max(least, 1.0))));
@@ -68,17 +43,11 @@ double round_step(double least) {
     return step;
 }
 
-ShortText signed_number(double value) {
-    ShortText text(std::lround(value) > 0 ? "+" : "");
-    text.append(whole_number(value).view());
-    return text;
-}
-
 /// Pieces of the legend from the top of its plate down.
 class LegendBuilder {
 public:
     LegendBuilder(const Painter& painter, const LegendInput& legend)
-        : painter_(painter), legend_(legend), scale_(scale_of(legend)), t_(painter.text_px()) {}
+        : painter_(painter), legend_(legend), scale_(terrain_scale(legend)), t_(painter.text_px()) {}
 
     /// In texts, with a bar and samples so high.
     [[nodiscard]] static float height(const LegendInput& legend, float bar, float sample) {
@@ -95,7 +64,7 @@ public:
         const float whole = height(legend_, 0, sample_) * t_ + (legend_.tint ? bar : 0);
         plate_ = {box.x, box.bottom() - whole, box.width, whole};
         y_ = plate_.y;
-        painter_.batch().box(plate_, kTapeGround);
+        painter_.batch().box(plate_, painter_.color(SymbolRole::tape_ground));
         if (legend_.tint) build_tint(bar);
         build_samples();
         if (legend_.bands) build_bands();
@@ -114,14 +83,15 @@ private:
         base::FixedString<31> text(name);
         if (!unit.empty()) text.append(" ");
         text.append(unit);
-        painter_.plate(row, text.view(), 0.8f, kScaleColor);
+        painter_.plate(row, text.view(), 0.8f, painter_.color(SymbolRole::scale));
         y_ += row.height;
     }
 
     /// Text right of a sample, its middle at `y`.
     void note(std::string_view text, float y) const {
         const float left = sample(0, 0).right() + 0.15f * t_;
-        painter_.fitted_text(text, {left, y - 0.5f * t_, plate_.right() - left, t_}, TextAnchor::left, kNumberSize, kScaleColor);
+        painter_.fitted_text(text, {left, y - 0.5f * t_, plate_.right() - left, t_}, TextAnchor::left, kNumberSize,
+                             painter_.color(SymbolRole::scale));
     }
 
     void build_tint(float bar_height) {
@@ -150,7 +120,7 @@ private:
             painter_.batch().box({bar.x, top, bar.width, std::min(slice + kUnder_px, bar.bottom() - top)},
                                  color_of_value(legend_.palette, scale_.low + (scale_.high - scale_.low) * share));
         }
-        painter_.batch().frame(bar, painter_.stroke_px(), kScaleColor);
+        painter_.batch().frame(bar, painter_.stroke_px(), painter_.color(SymbolRole::scale));
     }
 
     void build_numbers(const Rect& bar) const {
@@ -162,7 +132,7 @@ private:
             const double value = (first + n) * step;
             const float y = bar.bottom() - bar.height * static_cast<float>((value - low) / (high - low));
             painter_.batch().box({bar.right() - 0.4f * t_, y - painter_.stroke_px() / 2, 0.4f * t_, painter_.stroke_px()},
-                                 kScaleColor);
+                                 painter_.color(SymbolRole::scale));
             note(whole_number(value).view(), y);
         }
     }
@@ -171,7 +141,7 @@ private:
     Rect build_sample(std::string_view name, Color color) {
         const Rect at = sample(y_ + 0.1f * sample_ * t_, 0.8f * sample_ * t_);
         painter_.batch().box(at, color);
-        painter_.batch().frame(at, painter_.stroke_px(), kScaleColor);
+        painter_.batch().frame(at, painter_.stroke_px(), painter_.color(SymbolRole::scale));
         note(name, at.center().y);
         y_ += sample_ * t_;
         return at;
@@ -189,27 +159,28 @@ private:
     }
 
     void build_bands() {
-        title("RELATIVE", unit_text(legend_.unit));
+        title("RELATIVE", height_unit_text(legend_.unit));
         y_ += kPad * t_;
         const Rect whole = sample(y_, kBand * t_ * static_cast<float>(legend_.warning_bands.size()));
         for (const design::WarningBand& band : legend_.warning_bands) {
             build_band(sample(y_, std::min(kBand * t_ + kUnder_px, whole.bottom() - y_)), band);
             y_ += kBand * t_;
-            painter_.batch().box({whole.x, y_ - painter_.stroke_px() / 2, whole.width, painter_.stroke_px()}, kScaleColor);
-            note(signed_number(band.lower_m * written_metre(legend_.unit)).view(), y_);
+            painter_.batch().box({whole.x, y_ - painter_.stroke_px() / 2, whole.width, painter_.stroke_px()},
+                                 painter_.color(SymbolRole::scale));
+            note(signed_number(band.lower_m * per_metre(legend_.unit)).view(), y_);
         }
-        painter_.batch().frame(whole, painter_.stroke_px(), kScaleColor);
+        painter_.batch().frame(whole, painter_.stroke_px(), painter_.color(SymbolRole::scale));
         y_ += kPad * t_;
         if (legend_.bands_lowered_m <= 0) return;
         base::FixedString<31> uncertainty("VERT ERR ");
-        uncertainty.append(whole_number(legend_.bands_lowered_m * written_metre(legend_.unit)).view());
+        uncertainty.append(whole_number(legend_.bands_lowered_m * per_metre(legend_.unit)).view());
         remark(uncertainty.view());
         if (legend_.accuracy_assumed) remark("ASSUMED");
     }
 
     void remark(std::string_view text) {
         const Rect row{plate_.x, y_, plate_.width, sample_ * t_};
-        painter_.fitted_text(text, row, TextAnchor::center, kNumberSize, kScaleColor);
+        painter_.fitted_text(text, row, TextAnchor::center, kNumberSize, painter_.color(SymbolRole::scale));
         y_ += row.height;
     }
 
@@ -227,7 +198,7 @@ private:
 
     const Painter& painter_;
     const LegendInput& legend_;
-    Scale scale_;
+    TerrainScale scale_;
     float t_;
     Rect plate_;
     float y_ = 0, sample_ = kSample;
@@ -237,9 +208,13 @@ private:
 
 LegendNeed legend_need(const SymbologyInput& input) noexcept {
     LegendNeed need;
+    const bool shows_whole = input.legend_show == flight::LegendShow::whole;
+    need.keeps_column = input.shown.legend && shows_whole;
     if (input.decisions.unusual_attitude) return need;
     need.adjacent = adjacent_need(input.adjacent);
     if (!input.shown.legend) return need;
+    need.key_entries = key_entries(input).size();
+    if (!shows_whole) return need;
     if (input.legend.ground) {
         need.terrain_most = LegendBuilder::height(input.legend, kTallestBar, kSample);
         need.terrain_least = LegendBuilder::height(input.legend, kShortestBar, kTightSample);
@@ -250,6 +225,7 @@ LegendNeed legend_need(const SymbologyInput& input) noexcept {
 
 void build_legend(const Painter& painter, const SymbologyInput& input) {
     if (input.decisions.unusual_attitude) return;
+    if (!painter.layout().has_legend_rows) return build_key(painter, input);
     if (input.legend.ground) LegendBuilder(painter, input.legend).build();
     build_data_legends(painter, input.data_legends);
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/legend_numbers.hpp"
 #include "render_core/draw/symbology/legend_sample.hpp"
 #include "render_core/draw/symbology/painter.hpp"
 
@@ -66,30 +67,6 @@ Rows rows_of(const DataLegend& legend, LegendDetail detail) {
     return rows;
 }
 
-double lowest(const design::DataScale& scale) { return scale.palette.stops[0].value; }
-double highest(const design::DataScale& scale) { return scale.palette.stops.back().value; }
-double written(const DataLegend& legend, double value) { return value * legend.factor + legend.offset; }
-
-/// The least of 1, 2, 5 times a power of ten that is not below `least`.
-double nice_step(double least) {
-    double step = std::pow(10, std::floor(std::log10(std::max(least, 1e-6))));
-    for (const double times : {2.0, 2.5, 2.0}) {
-        if (step >= least) break;
-        step *= times;
-    }
-    return step;
-}
-
-/// With as many decimals, at most three, as numbers of this step need; limits in one unit are rarely round in another.
-ShortText number_text(double value, double step) {
-    int decimals = 0;
-    for (double left = std::fabs(step); decimals < 3 && std::fabs(left - std::round(left)) > 1e-4 * left; left *= 10) ++decimals;
-    char text[24];
-    const double kept = limited(value, -9'999'999, 9'999'999);
-    std::snprintf(text, sizeof text, "%.*f", decimals, std::fabs(kept) < 0.5 * std::pow(10, -decimals) ? 0 : kept);
-    return ShortText(text);
-}
-
 /// Numbers along a scale, by their share of its length.
 struct Mark {
     float share = 0;
@@ -128,7 +105,7 @@ public:
         : painter_(painter), legend_(legend), detail_(detail), t_(painter.text_px()), box_(box), y_(box.y) {}
 
     void build(std::size_t cut) {
-        painter_.batch().box(box_, kTapeGround);
+        painter_.batch().box(box_, painter_.color(SymbolRole::tape_ground));
         build_title(cut);
         if (has_part_row(legend_, detail_)) build_centred(legend_.part.view(), false);
         if (legend_.has_scale) build_scale();
@@ -158,7 +135,7 @@ private:
             ShortText more("+");
             more.append(whole_number(static_cast<double>(cut)).view());
             at.width -= 1.2f * t_;
-            painter_.plate({at.right(), at.y, 1.2f * t_, at.height}, more.view(), kText, kCautionColor);
+            painter_.plate({at.right(), at.y, 1.2f * t_, at.height}, more.view(), kText, painter_.color(SymbolRole::caution));
         }
         base::FixedString<63> text;
         if (!legend_.part.empty() && !has_part_row(legend_, detail_)) {
@@ -168,7 +145,7 @@ private:
         text.append(legend_.title.view());
         if (!legend_.unit.empty()) text.append(" ");
         text.append(legend_.unit.view());
-        painter_.plate(at, text.view(), 0.75f, legend_.is_stale ? kCautionColor : kScaleColor);
+        painter_.plate(at, text.view(), 0.75f, painter_.color(legend_.is_stale ? SymbolRole::caution : SymbolRole::scale));
     }
 
     void build_names() {
@@ -185,7 +162,7 @@ private:
         ShortText text(before);
         text.append(whole_number(static_cast<double>(legend_.class_names.size() - named)).view());
         text.append(behind);
-        painter_.fitted_text(text.view(), at, TextAnchor::center, kText, kScaleColor, TextRim::none);
+        painter_.fitted_text(text.view(), at, TextAnchor::center, kText, painter_.color(SymbolRole::scale), TextRim::none);
     }
 
     /// A share of the bar's length from its low end: of class n where there are classes.
@@ -218,7 +195,7 @@ private:
                                      color);
             }
         }
-        painter_.batch().frame(bar, painter_.stroke_px(), kScaleColor);
+        painter_.batch().frame(bar, painter_.stroke_px(), painter_.color(SymbolRole::scale));
     }
 
     void build_upright() {
@@ -232,18 +209,18 @@ private:
             if (last - y < kRow * t_ - 0.1f) continue;
             last = y;
             painter_.batch().box({bar.right() - 0.4f * t_, y - painter_.stroke_px() / 2, 0.4f * t_, painter_.stroke_px()},
-                                 kScaleColor);
+                                 painter_.color(SymbolRole::scale));
             build_text(mark.text.view(), {bar.right(), y - kRow * t_ / 2, whole.right() - bar.right(), kRow * t_});
         }
     }
 
     /// So small that all limits have room, if they can be read then.
     [[nodiscard]] float number_size(const Marks& marks, float bar_width) const {
-        constexpr float kSmallest = 0.58f;
+        const float smallest = std::min(kText, std::max(0.58f, kMinText_px / t_));
         float widest = 0;
         for (const Mark& mark : marks) widest = std::max(widest, text_width_px(mark.text.view(), t_));
         const float room = bar_width / static_cast<float>(marks.size() + 1) - kNumberGap * t_;
-        return std::clamp(room / std::max(widest, 1.0f), kSmallest, kText);
+        return std::clamp(room / std::max(widest, 1.0f), smallest, kText);
     }
 
     void build_flat() {
@@ -252,22 +229,23 @@ private:
                        upper.height - 0.05f * t_};
         build_bar(bar, false);
         if (!legend_.class_names.empty()) return count_names(lower, "", 0, " CLASSES");
-        const double widest =
-            static_cast<double>(text_width_px(number_text(written(legend_, highest(legend_.scale)), 1).view(), kText * t_) +
-                                (kNumberGap + 0.5f) * t_);
+        const double widest = static_cast<double>(
+            text_width_px(number_text(written(legend_, highest(legend_.scale)), 1).view(), painter_.em_px(kText)) +
+            (kNumberGap + 0.5f) * t_);
         const Marks marks = has_classes() ? class_marks(legend_) : value_marks(legend_, widest / static_cast<double>(bar.width));
         float taken = lower.x;
         const float size = has_classes() ? number_size(marks, bar.width) : kText;
         for (const Mark& mark : marks) {
-            const float half = text_width_px(mark.text.view(), size * t_) / 2;
+            const float half = text_width_px(mark.text.view(), painter_.em_px(size)) / 2;
             const float x =
                 std::clamp(bar.x + bar.width * mark.share, lower.x + half + 0.1f * t_, lower.right() - half - 0.1f * t_);
             if (x - half < taken) continue;
             taken = x + half + kNumberGap * t_;
             painter_.batch().box({bar.x + bar.width * mark.share - painter_.stroke_px() / 2, bar.bottom() - 0.3f * t_,
                                   painter_.stroke_px(), 0.3f * t_},
-                                 kScaleColor);
-            painter_.text(mark.text.view(), {x, lower.center().y}, TextAnchor::center, size, kScaleColor, 0, TextRim::none);
+                                 painter_.color(SymbolRole::scale));
+            painter_.text(mark.text.view(), {x, lower.center().y}, TextAnchor::center, size, painter_.color(SymbolRole::scale), 0,
+                          TextRim::none);
         }
     }
 
@@ -279,7 +257,8 @@ private:
         for (std::size_t n = 0; n < rows.signs; ++n) build_sample(legend_.signs[n], legend_.signs[n].text.view());
         if (rows.time) build_time(rows.age);
         if (rows.source)
-            painter_.fitted_text(legend_.source.view(), row(kRow), TextAnchor::center, 0.6f, kScaleColor, TextRim::none);
+            painter_.fitted_text(legend_.source.view(), row(kRow), TextAnchor::center, 0.6f, painter_.color(SymbolRole::scale),
+                                 TextRim::none);
     }
 
     void build_time(bool in_two_rows) {
@@ -291,20 +270,21 @@ private:
     }
 
     void build_centred(std::string_view text, bool is_amber) {
-        painter_.fitted_text(text, row(kRow), TextAnchor::center, kText, is_amber ? kCautionColor : kScaleColor, TextRim::none);
+        painter_.fitted_text(text, row(kRow), TextAnchor::center, kText,
+                             painter_.color(is_amber ? SymbolRole::caution : SymbolRole::scale), TextRim::none);
     }
 
     void build_sample(const LegendSample& sample, std::string_view text) {
         const Rect at = row(kRow);
         if (sample.look == SampleLook::words)
-            return painter_.fitted_text(text, at, TextAnchor::center, kText, kScaleColor, TextRim::none);
+            return painter_.fitted_text(text, at, TextAnchor::center, kText, painter_.color(SymbolRole::scale), TextRim::none);
         const Rect swatch{at.x + kEntryInset * t_, at.y + 0.08f * t_, kSampleWidth * t_, at.height - 0.16f * t_};
         draw::build_sample(painter_, sample, swatch);
         build_text(text, {swatch.right(), at.y, at.right() - swatch.right(), at.height});
     }
 
     void build_text(std::string_view text, const Rect& at) const {
-        painter_.fitted_text(text, at, TextAnchor::left, kText, kScaleColor, TextRim::none);
+        painter_.fitted_text(text, at, TextAnchor::left, kText, painter_.color(SymbolRole::scale), TextRim::none);
     }
 
     /// The samples side by side with texts short enough to be read: "0", the full scale's number, "?".
@@ -320,7 +300,7 @@ private:
             const Rect swatch{x, at.y + 0.08f * t_, kSwatch * t_, at.height - 0.16f * t_};
             draw::build_sample(painter_, sample, swatch);
             painter_.fitted_text(text, {swatch.right() - 0.1f * t_, at.y, width - swatch.width + 0.1f * t_, at.height},
-                                 TextAnchor::left, kText, kScaleColor, TextRim::none);
+                                 TextAnchor::left, kText, painter_.color(SymbolRole::scale), TextRim::none);
             x += width;
         }
     }

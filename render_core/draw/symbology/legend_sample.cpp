@@ -82,8 +82,9 @@ void sign(QuadBatch& batch, const LegendSample& sample, const Rect& in) {
         batch.line({middle.x - half, middle.y + half}, {middle.x + half, middle.y - half}, 2, sample.color);
 }
 
-void question(QuadBatch& batch, const Rect& in) {
-    static_cast<void>(batch.text("?", in.center(), TextAnchor::center, {in.height, kScaleColor, 1, {0, 0, 0}}));
+void question(const Painter& painter, const Rect& in) {
+    const TextStyle style{in.height, painter.color(SymbolRole::scale), 1, painter.color(SymbolRole::rim)};
+    painter.batch().text("?", in.center(), TextAnchor::center, style);
 }
 
 /// Of looks that stand on something else than the data's colour.
@@ -97,12 +98,14 @@ Color ground_of(const LegendSample& sample) {
     }
 }
 
-void fill(QuadBatch& batch, const LegendSample& sample, const Rect& in, float stroke_px) {
+void fill(const Painter& painter, const LegendSample& sample, const Rect& in) {
+    QuadBatch& batch = painter.batch();
+    const float stroke_px = painter.stroke_px();
     const auto share = static_cast<float>(sample.share);
     switch (sample.look) {
         case SampleLook::plain: break;
         case SampleLook::cut_stripes: diagonals(batch, in, kStripePitch_px, kStripe_px, sample.under); break;
-        case SampleLook::question: question(batch, in); break;
+        case SampleLook::question: question(painter, in); break;
         case SampleLook::cut_grid: grid(batch, in, kGridPitch_px, 1, sample.under); break;
         case SampleLook::dots: dots(batch, in, sample.under); break;
         case SampleLook::grains: grains(batch, in, sample.share, sample.under); break;
@@ -126,9 +129,9 @@ void build_sample(const Painter& painter, const LegendSample& sample, const Rect
     batch.box(box, ground_of(sample));
     const Rect inside = box.shrunk(painter.stroke_px());
     batch.set_clip(inside);
-    fill(batch, sample, inside, painter.stroke_px());
+    fill(painter, sample, inside);
     batch.lift_clip();
-    batch.frame(box, painter.stroke_px(), kScaleColor);
+    batch.frame(box, painter.stroke_px(), painter.color(SymbolRole::scale));
 }
 
 }  // namespace tedavis::draw

@@ -66,11 +66,14 @@ ShortText distorted_label(const MapInput& map) {
     return label;
 }
 
+float north_label_px(const Painter& painter) { return std::max(kNorthLabel * painter.text_px(), 1.05f * kMinText_px); }
+
 Rect north_plate(const Painter& painter, const MapInput& map) {
     const float t = painter.text_px();
     const Rect& box = painter.layout().attitude;
     const int labels = 1 + (map.is_oblique ? 1 : 0) + (map.is_flat ? 1 : 0) + (map.magnified.empty() ? 0 : 1);
-    return {box.x + 0.2f * t, box.y + 0.2f * t, kNorthBox * t, (kNorthBox + static_cast<float>(labels) * kNorthLabel) * t};
+    return {box.x + 0.2f * t, box.y + 0.2f * t, painter.plate_px("NORTH -000", kNorthBox),
+            kNorthBox * t + static_cast<float>(labels) * north_label_px(painter)};
 }
 
 /// Where nothing is moved: no line of a circle that lies among what is.
@@ -84,7 +87,8 @@ void build_broken_circle(const Painter& painter, const MapInput& map, const Plan
     Point before = plane.off(center, 0, radius);
     for (int i = 1; i <= kRingSteps; ++i) {
         const Point next = plane.off(center, 2 * base::kPi * i / kRingSteps, radius);
-        if (is_unmoved(map, plane, before) && is_unmoved(map, plane, next)) painter.line(before, next, kScaleColor, 0.7f);
+        if (is_unmoved(map, plane, before) && is_unmoved(map, plane, next))
+            painter.line(before, next, painter.color(SymbolRole::scale), 0.7f);
         before = next;
     }
 }
@@ -92,7 +96,7 @@ void build_broken_circle(const Painter& painter, const MapInput& map, const Plan
 /// Beside the focus: over, under, left or right of it, or in its middle; empty where none of these is clear in the picture.
 Rect place_of_sign(const Painter& painter, const MapInput& map, const MagnifiedSign& sign) {
     const Rect& box = painter.layout().attitude;
-    const float t = painter.text_px(), wide = 4.8f * t, high = 2.2f * t;
+    const float t = painter.text_px(), wide = painter.plate_px("FOCUS 16x", 4.8f), high = std::max(2.2f * t, 2.1f * kMinText_px);
     const float across = sign.radius_px + 0.5f * wide + 0.2f * t;
     const float down = sign.radius_px * Plane(map).squash() + 0.5f * high + 0.2f * t;
     const Point away[] = {{0, -down}, {0, down}, {-across, 0}, {across, 0}, {0, 0}};
@@ -109,11 +113,12 @@ void build_magnified_signs(const Painter& painter, const MapInput& map) {
         if (!(plate.width > 0)) continue;
         ShortText larger = times_label("FOCUS ", sign.power);
         larger.append("x");
-        painter.batch().box(plate, kTapeGround);
+        painter.batch().box(plate, painter.color(SymbolRole::tape_ground));
         Rect row{plate.x, plate.y, plate.width, 0.5f * plate.height};
-        painter.fitted_text(larger.view(), row, TextAnchor::center, 0.8f, kScaleColor);
+        painter.fitted_text(larger.view(), row, TextAnchor::center, painter.type().label, painter.color(SymbolRole::scale));
         row.y += row.height;
-        painter.fitted_text(times_label("RIM 1/", sign.compression).view(), row, TextAnchor::center, 0.8f, kScaleColor);
+        painter.fitted_text(times_label("RIM 1/", sign.compression).view(), row, TextAnchor::center, painter.type().label,
+                            painter.color(SymbolRole::scale));
     }
 }
 
@@ -137,13 +142,14 @@ void build_ring(const Painter& painter, const MapInput& map) {
     if (!(ring.radius_m > 0)) return;
     const auto radius = static_cast<float>(ring.radius_m * map.px_per_m);
     if (map.magnified.empty())
-        build_circle<kRingSteps>(painter, plane, center, radius, kScaleColor, 0.7f);
+        build_circle<kRingSteps>(painter, plane, center, radius, painter.color(SymbolRole::scale), 0.7f);
     else
         build_broken_circle(painter, map, plane, center, radius);
     const Point at = plane.off(center, base::radians(135), radius);
-    const Rect plate{at.x - 2 * t, at.y - 0.6f * t, 4 * t, 1.2f * t};
-    painter.batch().box(plate, kTapeGround);
-    painter.fitted_text(ring.label, plate, TextAnchor::center, 0.8f, kScaleColor);
+    const float wide = painter.plate_px(ring.label, 4), high = std::max(1.2f * t, 1.1f * kMinText_px);
+    const Rect plate{at.x - wide / 2, at.y - high / 2, wide, high};
+    painter.batch().box(plate, painter.color(SymbolRole::tape_ground));
+    painter.fitted_text(ring.label, plate, TextAnchor::center, painter.type().label, painter.color(SymbolRole::scale));
 }
 
 /// From the own ship down to its place on the ground.
@@ -152,8 +158,9 @@ void build_drop(const Painter& painter, const MapInput& map) {
     const Point center = painter.layout().screen.center(), foot = foot_of(painter, map);
     if (!(foot.y > center.y)) return;
     const bool is_shown = foot.y < box.bottom();
-    painter.line(center, {foot.x, std::min(foot.y, box.bottom())}, kReferenceColor);
-    if (is_shown) build_circle<kDiscSteps>(painter, Plane(map), foot, 0.35f * painter.text_px(), kReferenceColor, 1);
+    painter.line(center, {foot.x, std::min(foot.y, box.bottom())}, painter.color(SymbolRole::reference));
+    if (is_shown)
+        build_circle<kDiscSteps>(painter, Plane(map), foot, 0.35f * painter.text_px(), painter.color(SymbolRole::reference), 1);
 }
 
 std::string_view up_label(Signal source) {
@@ -177,7 +184,7 @@ void build_north(const Painter& painter, const SymbologyInput& input) {
     const float t = painter.text_px();
     const MapInput& map = input.map;
     const Rect plate = north_plate(painter, map);
-    painter.batch().box(plate, kTapeGround);
+    painter.batch().box(plate, painter.color(SymbolRole::tape_ground));
     const Plane plane(map);
     const Point center{plate.center().x, plate.y + 0.5f * kNorthBox * t};
     const double north = -map.top_rad(), quarter = 0.5 * base::kPi;
@@ -185,17 +192,17 @@ void build_north(const Painter& painter, const SymbologyInput& input) {
     const Point neck = plane.off(center, north, 0.1f * t);
     painter.line(foot, neck);
     painter.batch().triangle(head, plane.off(neck, north + quarter, 0.5f * t), plane.off(neck, north - quarter, 0.5f * t),
-                             kScaleColor);
+                             painter.color(SymbolRole::scale));
     painter.text("N", plane.off(center, north, 1.65f * t), TextAnchor::center, 0.8f);
-    Rect label{plate.x, plate.y + kNorthBox * t, plate.width, kNorthLabel * t};
+    Rect label{plate.x, plate.y + kNorthBox * t, plate.width, north_label_px(painter)};
     const auto add = [&](std::string_view text, design::Color color) {
-        painter.fitted_text(text, label, TextAnchor::center, 0.8f, color);
-        label.y += kNorthLabel * t;
+        painter.fitted_text({text, text.substr(0, text.find(' '))}, label, TextAnchor::center, 0.8f, color);
+        label.y += label.height;
     };
-    add(top_label(input).view(), label_color(input.decisions[Element::map_up].show));
-    if (map.is_oblique) add("ORTHO", kScaleColor);
-    if (map.is_flat) add("FLAT", kScaleColor);
-    if (!map.magnified.empty()) add(distorted_label(map).view(), kCautionColor);
+    add(top_label(input).view(), painter.label_color(input.decisions[Element::map_up].show));
+    if (map.is_oblique) add("ORTHO", painter.color(SymbolRole::scale));
+    if (map.is_flat) add("FLAT", painter.color(SymbolRole::scale));
+    if (!map.magnified.empty()) add(distorted_label(map).view(), painter.color(SymbolRole::caution));
 }
 
 /// Fuselage, wings and tail from above.
@@ -205,7 +212,8 @@ void build_own_ship(const Painter& painter, const SymbologyInput& input) {
     const bool trusted = input.decisions[Element::position].show == ElementShow::normal;
     const Signal heading = input.decisions.view_heading;
     // A track in the heading's place is not where the nose points.
-    const design::Color color = trusted && heading != Signal::true_track ? kReferenceColor : kCautionColor;
+    const design::Color color =
+        painter.color(trusted && heading != Signal::true_track ? SymbolRole::reference : SymbolRole::caution);
     const Plane plane(input.map);
     if (heading == Signal::count_) return build_circle<kDiscSteps>(painter, plane, center, 0.6f * t, color, 2);
     const double ahead = input.view_heading_rad - input.map.top_rad(), quarter = 0.5 * base::kPi;
@@ -240,8 +248,9 @@ void build_map_symbols(const Painter& painter, const SymbologyInput& input) {
     build_own_ship(painter, input);
     if (position != ElementShow::flagged) return;
     const float t = painter.text_px();
-    const Rect plate{box.center().x - 4.5f * t, box.bottom() - 1.4f * t, 9 * t, 1.4f * t};
-    painter.framed_plate(plate, "POSITION STALE", 0.85f, kCautionColor);
+    const float width = painter.plate_px("POSITION STALE", 9), height = std::max(1.4f * t, 1.2f * kMinText_px);
+    painter.framed_plate({box.center().x - width / 2, box.bottom() - height, width, height}, "POSITION STALE", 0.85f,
+                         painter.color(SymbolRole::caution));
 }
 
 }  // namespace tedavis::draw

@@ -5,23 +5,16 @@
 #include <string_view>
 
 #include "render_core/base/fixed_string.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/draw/quad_batch.hpp"
+#include "render_core/draw/symbology/fitted_words.hpp"
 #include "render_core/draw/symbology/layout.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
+#include "render_core/draw/text_size.hpp"
 
 namespace tedavis::draw {
 
-// AC 25-11B table 5-1: red warning, amber caution, white scales, green engaged. Colour is never the only cue.
-inline constexpr design::Color kScaleColor{255, 255, 255};
-inline constexpr design::Color kWarningColor{255, 48, 48};
-inline constexpr design::Color kCautionColor{255, 176, 0};
-inline constexpr design::Color kEngagedColor{64, 240, 96};
-inline constexpr design::Color kSelectedColor{0, 224, 255};     ///< what the pilot has selected
-inline constexpr design::Color kGnssCourseColor{255, 96, 255};  ///< course and deviations of GNSS; of radio: kEngagedColor
-inline constexpr design::Color kReferenceColor{255, 224, 0};
-inline constexpr design::Color kRimColor{0, 0, 0};
-inline constexpr design::Color kTapeGround{16, 20, 28, 150};
-inline constexpr design::Color kReadoutGround{0, 0, 0, 255};
+using design::SymbolRole;
 
 using ShortText = base::FixedString<31>;
 
@@ -35,29 +28,47 @@ enum class TextRim : std::uint8_t { dark, none };
 
 class Painter {
 public:
-    Painter(QuadBatch& batch, const Layout& layout) : batch_(batch), layout_(layout) {}
+    /// All must outlive the painter. AC 25-11B: color is never the only cue.
+    Painter(QuadBatch& batch, const Layout& layout, const design::SymbologyPalette& palette = design::kDaySymbology)
+        : batch_(batch), layout_(layout), palette_(palette) {}
 
     [[nodiscard]] QuadBatch& batch() const { return batch_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
     [[nodiscard]] float text_px() const { return layout_.text_px; }
     [[nodiscard]] float stroke_px() const { return layout_.stroke_px; }
+    [[nodiscard]] design::Color color(SymbolRole role) const { return palette_.color(role); }
+    /// Sizes of text.
+    [[nodiscard]] const design::SymbologyType& type() const { return palette_.type; }
+    /// Color of a label by how its element is shown: that of scales, or amber where it is not from its first source or is stale.
+    [[nodiscard]] design::Color label_color(policy::ElementShow show) const;
 
-    /// White by default, with a dark rim.
-    void line(Point from, Point to, design::Color color = kScaleColor, float strokes = 1) const;
-    void polyline(base::Span<const Point> points, design::Color color = kScaleColor, float strokes = 1,
-                  bool closed = false) const;
-    /// `size` in texts.
-    void text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color = kScaleColor,
-              float angle_rad = 0, TextRim rim = TextRim::dark) const;
-    /// Shrunk to the width where it does not fit; middle of the height.
-    void fitted_text(std::string_view text, const Rect& box, TextAnchor anchor, float size, design::Color color,
+    /// Pixels an em of a text of this size, in texts.
+    [[nodiscard]] float em_px(float size) const { return size * text_px() > kMinText_px ? size * text_px() : kMinText_px; }
+
+    /// Width of a plate that is so many texts wide, or as wide as its text of the smallest size needs.
+    [[nodiscard]] float plate_px(std::string_view text, float texts) const;
+
+    /// With a dark rim; without a color in that of scales.
+    void line(Point from, Point to, design::Color color, float strokes = 1) const;
+    void line(Point from, Point to) const { line(from, to, color(SymbolRole::scale)); }
+    void polyline(base::Span<const Point> points, design::Color color, float strokes = 1, bool closed = false) const;
+    void polyline(base::Span<const Point> points) const { polyline(points, color(SymbolRole::scale)); }
+    /// `size` in texts; no text is smaller than kMinText_px.
+    void text(std::string_view text, Point at, TextAnchor anchor, float size, design::Color color, float angle_rad = 0,
+              TextRim rim = TextRim::dark) const;
+    void text(std::string_view text, Point at, TextAnchor anchor, float size) const {
+        this->text(text, at, anchor, size, color(SymbolRole::scale));
+    }
+    /// Smaller where it does not fit; where it would be below the smallest text, in shorter words or with its last letters left
+    /// out. Middle of the height.
+    void fitted_text(const Words& words, const Rect& box, TextAnchor anchor, float size, design::Color color,
                      TextRim rim = TextRim::dark) const;
     /// Text in the middle of a black box, and with a frame of its colour.
-    void plate(const Rect& box, std::string_view text, float size, design::Color color) const;
-    void framed_plate(const Rect& box, std::string_view text, float size, design::Color color) const;
-    /// The picture of failed information in its place: a dark box, a red cross and what failed.
+    void plate(const Rect& box, const Words& words, float size, design::Color color) const;
+    void framed_plate(const Rect& box, const Words& words, float size, design::Color color) const;
+    /// The picture of failed information in its place: a dark box, a red cross and what failed, a word a line in a narrow box.
     void failed(const Rect& box, std::string_view text) const;
-    /// What is lost but replaced by something else: amber text over a red cross.
+    /// What is lost but replaced by something else: amber text over a red cross. A box that is too narrow is made wider.
     void crossed_out(const Rect& box, std::string_view text) const;
     /// Framed number over its scale; amber frame and digits when `flagged`.
     void readout(const Rect& box, std::string_view text, bool flagged) const;
@@ -65,9 +76,7 @@ public:
 private:
     QuadBatch& batch_;
     const Layout& layout_;
+    const design::SymbologyPalette& palette_;
 };
-
-/// Colour of a label by how its element is shown: white, or amber where it is not from its first source or is stale.
-[[nodiscard]] design::Color label_color(policy::ElementShow show) noexcept;
 
 }  // namespace tedavis::draw

@@ -6,13 +6,12 @@ namespace {
 
 using policy::Element;
 using policy::ElementShow;
-using policy::NoticeLevel;
 
 /// A label over a number in one box.
 void labelled_number(const Painter& painter, const Rect& box, std::string_view label, std::string_view number, ElementShow show) {
     const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
-    painter.plate(upper, label, 0.8f, label_color(show));
+    painter.plate(upper, label_words(label), painter.type().label, painter.label_color(show));
     painter.readout(lower, number, show == ElementShow::flagged);
 }
 
@@ -29,50 +28,14 @@ void build_radio_minimum(const Painter& painter, const SymbologyInput& input, co
     const ElementShow show = input.decisions[Element::radio_minimum].show;
     if (show == ElementShow::absent) return;
     if (show == ElementShow::failed) return painter.crossed_out(box, "DH");
-    design::Color color = show == ElementShow::flagged ? kCautionColor : kSelectedColor;
-    if (input.decisions.radio_minimum == policy::MinimumsState::near) color = kScaleColor;
-    if (input.decisions.radio_minimum == policy::MinimumsState::at_or_below) color = kCautionColor;
+    design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::selected);
+    if (input.decisions.radio_minimum == policy::MinimumsState::near) color = painter.color(SymbolRole::scale);
+    if (input.decisions.radio_minimum == policy::MinimumsState::at_or_below) color = painter.color(SymbolRole::caution);
     const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
     const double feet = limited(input.guidance.radio_minimum_m / base::kMetresPerFoot, 0, 9999);
-    painter.plate(upper, "DH", 0.8f, color);
+    painter.plate(upper, "DH", painter.type().label, color);
     painter.plate(lower, whole_number(feet).view(), 1, color);
-}
-
-/// "first_climb" as "FIRST CLIMB".
-void append_upper(base::FixedString<63>& text, std::string_view name) {
-    for (char c : name) {
-        const char upper = c == '_' ? ' ' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        text.append(std::string_view(&upper, 1));
-    }
-}
-
-std::string_view source_text(flight::PhaseSource source) {
-    switch (source) {
-        case flight::PhaseSource::switches: return "BY SWITCH";
-        case flight::PhaseSource::can: return "BY BUS";
-        case flight::PhaseSource::motion: return "FROM MOTION";
-        case flight::PhaseSource::held: return "HELD";
-        case flight::PhaseSource::none: break;
-    }
-    return "NO SOURCE";
-}
-
-design::Color notice_color(NoticeLevel level) {
-    if (level == NoticeLevel::information) return kScaleColor;
-    return level == NoticeLevel::warning ? kWarningColor : kCautionColor;
-}
-
-constexpr std::size_t kNoticePlaces = 4;  // two columns of two lines
-
-Rect notice_place(const Rect& box, std::size_t place, float gap) {
-    const float width = (box.width - gap) / 2, height = (box.height - gap) / 2;
-    const std::size_t row = place / 2, column = place % 2;
-    return {box.x + static_cast<float>(column) * (width + gap), box.y + static_cast<float>(row) * (height + gap), width, height};
-}
-
-void build_notice(const Painter& painter, const Rect& place, std::string_view text, NoticeLevel level) {
-    painter.framed_plate(place, text, 0.85f, notice_color(level));
 }
 
 }  // namespace
@@ -99,47 +62,16 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input) {
     labelled_number(painter, box, label.view(), whole_number(feet).view(), decision.show);
 }
 
-void build_phase(const Painter& painter, const SymbologyInput& input) {
-    const Rect& box = painter.layout().phase;
-    const Rect upper{box.x, box.y, box.width, box.height / 2}, lower{box.x, upper.bottom(), box.width, box.height / 2};
-    const bool uncertain = input.phase.source == flight::PhaseSource::none || input.phase.source == flight::PhaseSource::held;
-    base::FixedString<63> text;
-    append_upper(text, scenario_name(input.phase.phase));
-    const std::string_view sub_phase = sub_phase_name(input.phase.phase);
-    if (!sub_phase.empty()) text.append(" ");
-    append_upper(text, sub_phase);
-    painter.batch().box(box, kReadoutGround);
-    painter.fitted_text(text.view(), upper, TextAnchor::left, 0.9f, uncertain ? kCautionColor : kEngagedColor, TextRim::none);
-    base::FixedString<63> source("PHASE ");
-    source.append(source_text(input.phase.source));
-    painter.fitted_text(source.view(), lower, TextAnchor::left, 0.8f, uncertain ? kCautionColor : kScaleColor, TextRim::none);
-}
-
-void build_notices(const Painter& painter, const SymbologyInput& input) {
-    const Rect& box = painter.layout().notices;
-    const float gap = 0.15f * painter.text_px();
-    const auto& notices = input.decisions.notices;
-    std::size_t urgent = 0;
-    for (const policy::Notice& notice : notices) urgent += notice.level != NoticeLevel::information ? 1 : 0;
-    const std::size_t named = urgent <= kNoticePlaces ? urgent : kNoticePlaces - 1;
-    std::size_t place = 0;
-    base::FixedString<127> information;
-    for (const policy::Notice& notice : notices) {
-        if (notice.level == NoticeLevel::information) {
-            if (!information.empty()) information.append("  \xC2\xB7  ");
-            information.append(notice.text.view());
-        } else if (place < named) {
-            build_notice(painter, notice_place(box, place++, gap), notice.text.view(), notice.level);
-        }
+void build_information(const Painter& painter, const SymbologyInput& input) {
+    base::FixedString<127> text;
+    for (const policy::Notice& notice : input.decisions.notices) {
+        if (notice.level != policy::NoticeLevel::information) continue;
+        if (!text.empty()) text.append("  \xC2\xB7  ");
+        text.append(notice.text.view());
     }
-    if (named < urgent) {
-        ShortText more("+");
-        more.append(whole_number(static_cast<double>(urgent - named)).view());
-        more.append(" MORE");
-        build_notice(painter, notice_place(box, place, gap), more.view(), NoticeLevel::caution);
-    }
-    if (!information.empty())
-        painter.fitted_text(information.view(), painter.layout().information, TextAnchor::center, 0.8f, kScaleColor);
+    if (!text.empty())
+        painter.fitted_text(text.view(), painter.layout().information, TextAnchor::center, painter.type().label,
+                            painter.color(SymbolRole::scale));
 }
 
 }  // namespace tedavis::draw

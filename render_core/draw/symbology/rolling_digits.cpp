@@ -49,6 +49,8 @@ public:
         : painter_(painter), digits_(digits), color_(color), right_(window.right() - 0.2f * painter.text_px()), size_(size) {
         const float room = right_ - window.x - 0.05f * painter.text_px(), wanted = width_px();
         if (wanted > room) size_ *= std::max(0.0f, room) / wanted;
+        // Digits of the smallest text may come nearer to the sides.
+        if (width_px() > room) right_ = std::min(window.right(), window.center().x + width_px() / 2);
     }
 
     /// Writes the columns that roll, or those that do not.
@@ -63,13 +65,13 @@ public:
             left += width;
         }
     }
-    [[nodiscard]] float capitals_px() const { return font_atlas().cap_height_em * size_ * painter_.text_px(); }
+    [[nodiscard]] float capitals_px() const { return font_atlas().cap_height_em * painter_.em_px(size_); }
 
 private:
     [[nodiscard]] bool is_pair(std::size_t column) const { return digits_.columns[column].lower.size() == 2; }
     [[nodiscard]] float size_of(std::size_t column) const { return is_pair(column) ? kPairSize * size_ : size_; }
     [[nodiscard]] float column_px(std::size_t column) const {
-        return text_width_px(is_pair(column) ? "00" : "0", size_of(column) * painter_.text_px());
+        return text_width_px(is_pair(column) ? "00" : "0", painter_.em_px(size_of(column)));
     }
     [[nodiscard]] float width_px() const {
         float width = 0;

@@ -37,21 +37,22 @@ std::string_view altitude_label(Signal source) {
 
 /// A selected value is said above its scale, and has a bug on a scale of the same reference: on that of a substitute its place
 /// would be wrong. `value` in display units.
-void put_selected(VerticalTape& tape, ElementShow show, double value, const ShortText& text, std::string_view name) {
-    tape.selected = {show, text.view(), name, kSelectedColor};
+void put_selected(const Painter& painter, VerticalTape& tape, ElementShow show, double value, const ShortText& text,
+                  std::string_view name) {
+    tape.selected = {show, text.view(), name, painter.color(SymbolRole::selected)};
     if (tape.show != ElementShow::substituted) tape.marks.bug = {show, value};
 }
 
-design::Color band_color(policy::SpeedBandRole role) {
+SymbolRole band_role(policy::SpeedBandRole role) {
     switch (role) {
-        case policy::SpeedBandRole::low_caution: return kCautionColor;
-        case policy::SpeedBandRole::normal: return kEngagedColor;
-        case policy::SpeedBandRole::caution: return kReferenceColor;
-        case policy::SpeedBandRole::flaps_range: return kScaleColor;
+        case policy::SpeedBandRole::low_caution: return SymbolRole::caution;
+        case policy::SpeedBandRole::normal: return SymbolRole::engaged;
+        case policy::SpeedBandRole::caution: return SymbolRole::reference;
+        case policy::SpeedBandRole::flaps_range: return SymbolRole::scale;
         case policy::SpeedBandRole::low_warning:
         case policy::SpeedBandRole::above_limit: break;
     }
-    return kWarningColor;
+    return SymbolRole::warning;
 }
 
 TapeBandLook band_look(const policy::SpeedBands& bands, policy::SpeedBandRole role) {
@@ -60,28 +61,29 @@ TapeBandLook band_look(const policy::SpeedBands& bands, policy::SpeedBandRole ro
 }
 
 static_assert(policy::kSpeedBandRoles <= kMaxTapeBands && design::kMaxSpeedFlags <= kMaxTapeFlags);
-void put_bands(const policy::SpeedBands& bands, TapeMarks& marks) {
+void put_bands(const Painter& painter, const policy::SpeedBands& bands, TapeMarks& marks) {
     for (const policy::SpeedBand& band : bands.bands) {
         const bool added = marks.bands.try_push_back({band.low_mps / base::kMpsPerKnot, band.high_mps / base::kMpsPerKnot,
-                                                      band_color(band.role), band_look(bands, band.role)});
+                                                      painter.color(band_role(band.role)), band_look(bands, band.role)});
         TEDAVIS_CHECK(added);
     }
     for (const design::SpeedFlag& flag : bands.flags) {
-        const bool added = marks.flags.try_push_back({flag.speed_mps / base::kMpsPerKnot, flag.name, kScaleColor});
+        const bool added =
+            marks.flags.try_push_back({flag.speed_mps / base::kMpsPerKnot, flag.name, painter.color(SymbolRole::scale)});
         TEDAVIS_CHECK(added);
     }
 }
 
 bool is_current(ElementShow show) { return show == ElementShow::normal || show == ElementShow::substituted; }
 
-design::Color baro_minimum_color(const policy::DisplayDecisions& decisions) {
+SymbolRole baro_minimum_role(const policy::DisplayDecisions& decisions) {
     switch (decisions.baro_minimum) {
-        case policy::MinimumsState::near: return kScaleColor;
-        case policy::MinimumsState::at_or_below: return kCautionColor;
+        case policy::MinimumsState::near: return SymbolRole::scale;
+        case policy::MinimumsState::at_or_below: return SymbolRole::caution;
         case policy::MinimumsState::none:
         case policy::MinimumsState::above: break;
     }
-    return kSelectedColor;
+    return SymbolRole::selected;
 }
 
 /// Numbers keep clear of the needle at `fpm`.
@@ -98,8 +100,10 @@ void build_vertical_speed_ticks(const Painter& painter, const TapeScale& scale, 
 
 void build_needle(const Painter& painter, const TapeScale& scale, double fpm) {
     const float y = scale.y_of(fpm), half = 0.35f * painter.text_px(), base = scale.x_of(0.95f, painter);
-    painter.line({scale.x_of(0.7f, painter), y}, {scale.box.right(), y}, kScaleColor, 2);
-    painter.batch().triangle({scale.x_of(0.15f, painter), y}, {base, y - half}, {base, y + half}, kScaleColor);
+    painter.line({scale.x_of(0.7f, painter), y}, {scale.box.right(), y}, painter.color(SymbolRole::scale), 2);
+    const Point corners[3] = {{scale.x_of(0.15f, painter), y}, {base, y - half}, {base, y + half}};
+    painter.batch().polyline(corners, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
+    painter.batch().triangle(corners[0], corners[1], corners[2], painter.color(SymbolRole::scale));
 }
 
 /// Box and units of the fixed scale of vertical speeds.
@@ -114,7 +118,7 @@ TapeScale vertical_speed_scale(const Painter& painter, const Rect& box) {
 void build_vertical_speed_scale(const Painter& painter, const Rect& box, double fpm, const TapeBug& bug) {
     const TapeScale scale = vertical_speed_scale(painter, box);
     const double on_scale_fpm = limited(fpm, -kVerticalSpeedEnd_fpm, kVerticalSpeedEnd_fpm);
-    painter.batch().box(box, kTapeGround);
+    painter.batch().box(box, painter.color(SymbolRole::tape_ground));
     painter.batch().set_clip(box);
     build_vertical_speed_ticks(painter, scale, on_scale_fpm);
     build_tape_bug(painter, scale, bug);
@@ -150,8 +154,8 @@ void build_airspeed(const Painter& painter, const SymbologyInput& input) {
     tape.label = airspeed_label(decision.source);
     tape.failure = "SPD FAIL";
     tape.show = decision.show;
-    put_bands(input.bands, tape.marks);
-    put_selected(tape, input.decisions[Element::selected_airspeed].show, selected_kt, selected, "SPD SEL");
+    put_bands(painter, input.bands, tape.marks);
+    put_selected(painter, tape, input.decisions[Element::selected_airspeed].show, selected_kt, selected, "SPD SEL");
     const double rate_kt_per_s = input.guidance.airspeed_rate_mps2 / base::kMpsPerKnot;
     tape.marks.trend = {input.decisions[Element::airspeed_trend].show == ElementShow::normal,
                         tape.value + kTrend_s * rate_kt_per_s, kSlowestSpeedTrend_kt};
@@ -168,8 +172,9 @@ void build_altitude(const Painter& painter, const SymbologyInput& input) {
     VerticalTape tape = altitude_tape(decisions[Element::altitude]);
     tape.box = painter.layout().altitude;
     tape.value = limited(input.altitude_m / base::kMetresPerFoot, kLowestAltitude_ft, kHighestAltitude_ft);
-    put_selected(tape, decisions[Element::selected_altitude].show, selected_ft, selected, "ALT SEL");
-    tape.minimum = {decisions[Element::baro_minimum].show, minimum.view(), "MIN", baro_minimum_color(decisions)};
+    put_selected(painter, tape, decisions[Element::selected_altitude].show, selected_ft, selected, "ALT SEL");
+    tape.minimum = {decisions[Element::baro_minimum].show, minimum.view(), "MIN", painter.color(baro_minimum_role(decisions)),
+                    minimum.view().substr(4)};
     if (tape.show != ElementShow::substituted) tape.marks.minimum = {tape.minimum.show, minimum_ft, tape.minimum.color};
     tape.marks.trend = {is_current(tape.show) && is_current(decisions[Element::vertical_speed].show),
                         tape.value + kTrend_s * input.vertical_speed_mps / base::kMetresPerFoot, kSlowestAltitudeTrend_ft};
@@ -185,11 +190,13 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input) {
     Rect rest = painter.layout().vertical_speed;
     if (selected_show != ElementShow::absent) {
         const ShortText text = whole_number(limited(selected_fpm, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm));
-        build_tape_row(painter, take_top(rest, kTapeRowHeight * t), {selected_show, text.view(), "VS SEL", kSelectedColor});
+        build_tape_row(painter, take_top(rest, kTapeRowHeight * t),
+                       {selected_show, text.view(), "VS SEL", painter.color(SymbolRole::selected)});
     }
     if (show == ElementShow::failed) return painter.failed(rest, "VS FAIL");
     const bool is_flagged = show == ElementShow::flagged;
-    painter.plate(take_top(rest, kTapeRowHeight * t), is_flagged ? "STALE" : "FT/MIN", kTapeTextSize, label_color(show));
+    painter.plate(take_top(rest, kTapeRowHeight * t), is_flagged ? Words("STALE") : Words({"FT/MIN", "FPM"}), kTapeTextSize,
+                  painter.label_color(show));
     const Rect number{rest.x, rest.bottom() - 1.8f * t, rest.width, 1.8f * t};
     const double fpm =
         limited(input.vertical_speed_mps / base::kMpsPerFootPerMinute, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm);

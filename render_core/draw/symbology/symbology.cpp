@@ -1,5 +1,6 @@
 #include "render_core/draw/symbology/symbology.hpp"
 
+#include "render_core/draw/symbology/annunciations.hpp"
 #include "render_core/draw/symbology/course_deviation.hpp"
 #include "render_core/draw/symbology/flight_director.hpp"
 #include "render_core/draw/symbology/map_symbols.hpp"
@@ -8,7 +9,7 @@ namespace tedavis::draw {
 
 void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout& layout) {
     batch.clear();
-    const Painter painter(batch, layout);
+    const Painter painter(batch, layout, input.palette);
     const bool ahead = input.over == SymbolGround::perspective;
     if (input.shown.attitude && ahead) build_attitude(painter, input);
     if (input.shown.flight_path && ahead) {
@@ -25,11 +26,11 @@ void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout
     if (input.shown.baro_setting) build_baro_setting(painter, input);
     if (input.shown.ground_height) build_ground_height(painter, input);
     if (input.shown.air) build_air(painter, input);
-    if (input.shown.attitude && ahead && !input.decisions.unusual_attitude) build_field_of_view(painter, input);
-    if (input.shown.phase) build_phase(painter, input);
+    if (input.shown.attitude && ahead) build_field_of_view(painter, input);
     if (input.shown.legend) build_legend(painter, input);
     if (!input.decisions.unusual_attitude) build_adjacent_maps(painter, input);
-    build_notices(painter, input);  // no design can switch these off
+    build_annunciations(painter, input);  // no design can switch notices off
+    build_information(painter, input);
 }
 
 }  // namespace tedavis::draw

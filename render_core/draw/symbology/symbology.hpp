@@ -27,18 +27,18 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input);
 void build_heading(const Painter& painter, const SymbologyInput& input);
 void build_baro_setting(const Painter& painter, const SymbologyInput& input);
 void build_ground_height(const Painter& painter, const SymbologyInput& input);
-/// Wind and temperature that the own aircraft measures, in the upper right corner of the attitude's box: the arrow points where
+/// Wind and temperature that the own aircraft measures: the arrow points where
 /// the wind blows, up is ahead, or the map's up. What is stale is amber and shows its age.
 void build_air(const Painter& painter, const SymbologyInput& input);
-[[nodiscard]] Rect air_box(const Layout& layout) noexcept;
-/// The angle that the picture shows across its width, below wind and temperature.
+/// The angle that the picture shows across its width, below wind and temperature; nothing without an attitude, and in a recovery
+/// picture.
 void build_field_of_view(const Painter& painter, const SymbologyInput& input);
 [[nodiscard]] Rect field_of_view_box(const Layout& layout) noexcept;
-void build_phase(const Painter& painter, const SymbologyInput& input);
 /// For make_layout(): what the legends of this frame would take.
 [[nodiscard]] LegendNeed legend_need(const SymbologyInput& input) noexcept;
 /// Titles, numbers and samples of every colour with a meaning that the picture has; nothing in a recovery picture.
 void build_legend(const Painter& painter, const SymbologyInput& input);
-void build_notices(const Painter& painter, const SymbologyInput& input);
+/// The notices that are no warnings and no cautions, on the last line.
+void build_information(const Painter& painter, const SymbologyInput& input);
 
 }  // namespace tedavis::draw

@@ -7,11 +7,13 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/draw/symbology/adjacent_maps.hpp"
 #include "render_core/draw/symbology/data_legend.hpp"
 #include "render_core/draw/view_frame.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/flight/legend_show.hpp"
 #include "render_core/policy/display_decisions.hpp"
 #include "render_core/policy/speed_bands.hpp"
 
@@ -82,6 +84,7 @@ struct GuidanceInput {
 struct SymbologyInput {
     policy::DisplayDecisions decisions;
     design::SymbologySettings shown;
+    design::SymbologyPalette palette = design::kDaySymbology;
     design::UnusualAttitudeLimits unusual;
     double excessive_bank_rad = base::radians(45);  ///< beyond, the bank is said to be excessive
     double standard_turn_radps = base::radians(3);  ///< rate of a standard-rate turn
@@ -105,6 +108,7 @@ struct SymbologyInput {
     GuidanceInput guidance;
     double wind_speed_mps = 0, wind_from_rad = 0, outside_temperature_k = 0;
     base::Duration wind_age, temperature_age;  ///< of the older of the wind's two signals
+    flight::LegendShow legend_show = flight::LegendShow::key;
     LegendInput legend;
     DataLegends data_legends;
     AdjacentInput adjacent;

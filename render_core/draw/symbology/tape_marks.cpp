@@ -15,6 +15,7 @@ constexpr float kNotchReach = 0.4f;   // of a bug, up and down from its value, i
 constexpr float kNotchInset = 0.1f;   // where the notch ends, from the edge
 constexpr float kFlagHeight = 0.9f;
 constexpr float kFlagInset = 0.15f;    // of its letters, from the edge outwards
+constexpr float kBandRim = 2.0f;       // strokes; the line along the edge takes half a one
 constexpr float kStripeHeight = 0.5f;  // of a pole
 constexpr int kMaxStripes = 100;       // over the height of a screen
 
@@ -37,6 +38,11 @@ public:
         if (!(reach_ > notch_)) return;
         constexpr float kOverlap_px = 0.5f;  // the edge of a box fades out
         const Point a = corner(0, notch_ - kOverlap_px), b = corner(kBugWidth, reach_);
+        painter_.batch().box({std::min(a.x, b.x), std::min(a.y, b.y), std::fabs(b.x - a.x), std::fabs(b.y - a.y)}, color);
+    }
+    /// Between the bug and what lies beside the scale.
+    void edge(design::Color color) const {
+        const Point a = corner(0, 0), b = corner(painter_.stroke_px() / t_, reach_);
         painter_.batch().box({std::min(a.x, b.x), std::min(a.y, b.y), std::fabs(b.x - a.x), std::fabs(b.y - a.y)}, color);
     }
     /// Hollow, with a dark rim; or the rim alone, around what is filled.
@@ -70,7 +76,11 @@ void build_stripes(const Painter& painter, const TapeScale& scale, const Rect& b
         const float bottom = band.bottom() - (2 * (first + static_cast<float>(i)) + 1) * height;
         if (bottom <= band.y) return;
         const float top = std::max(bottom - height, band.y);
-        painter.batch().box({band.x, top, band.width, bottom - top}, kScaleColor);
+        const Rect stripe{band.x, top, band.width, bottom - top};
+        // Half of the rim lies within the stripe, so that red and white stay as high.
+        const float rim = std::max(painter.stroke_px() / 2, 1.0f);
+        painter.batch().box({stripe.x, stripe.y - rim, stripe.width, stripe.height + 2 * rim}, painter.color(SymbolRole::rim));
+        painter.batch().box({stripe.x, stripe.y + rim, stripe.width, stripe.height - 2 * rim}, painter.color(SymbolRole::scale));
     }
 }
 
@@ -85,9 +95,14 @@ void build_tape_bands(const Painter& painter, const TapeScale& scale, base::Span
     for (const TapeBand& band : bands) {
         if (!(band.high > band.low)) continue;
         const float width = (band.look == TapeBandLook::half ? 0.5f : 1.0f) * kBandWidth * painter.text_px();
-        const float x = scale.inwards > 0 ? scale.edge : scale.edge - width;
-        const float top = std::max(scale.y_of(band.high), scale.box.y), bottom = scale.y_of(band.low);
+        // A rim stands between the band and the line along the edge, and at the ends of the scale.
+        const float rim = kBandRim * painter.stroke_px();
+        const float x = scale.inwards > 0 ? scale.edge + rim : scale.edge - rim - width;
+        const float top = std::max(scale.y_of(band.high), scale.box.y + rim),
+                    bottom = std::min(scale.y_of(band.low), scale.box.bottom() - rim);
+        if (!(bottom > top)) continue;
         const Rect box{x, top, width, bottom - top};
+        painter.batch().box(box.shrunk(-rim), painter.color(SymbolRole::rim));
         painter.batch().box(box, band.color);
         if (band.look == TapeBandLook::pole) build_stripes(painter, scale, box);
     }
@@ -102,10 +117,12 @@ void build_tape_flags(const Painter& painter, const TapeScale& scale, base::Span
             std::any_of(taken.begin(), taken.end(), [&](float other) { return std::fabs(other - y) < apart; });
         if (is_covered || !taken.try_push_back(y)) continue;
         painter.line({scale.edge, y}, {scale.x_of(-0.12f, painter), y}, flag.color);
-        const float room = kFlagWidth - kFlagInset - 0.05f, wanted = text_width_px(flag.letters.view(), kTapeTextSize);
+        const float t = painter.text_px(), room = (kFlagWidth - kFlagInset - 0.05f) * t,
+                    wanted = text_width_px(flag.letters.view(), painter.em_px(kTapeTextSize));
+        const float size = painter.em_px(kTapeTextSize) / t * std::min(1.0f, room / wanted);
+        if (size * t < kMinText_px - 0.5f) continue;  // the line alone is left
         painter.text(flag.letters.view(), {scale.x_of(-kFlagInset, painter), y},
-                     scale.inwards > 0 ? TextAnchor::right : TextAnchor::left, kTapeTextSize * std::min(1.0f, room / wanted),
-                     flag.color);
+                     scale.inwards > 0 ? TextAnchor::right : TextAnchor::left, size, flag.color);
     }
 }
 
@@ -116,11 +133,12 @@ void build_tape_bug(const Painter& painter, const TapeScale& scale, const TapeBu
         const BugHalf half(painter, scale, y, way);
         if (half.empty()) continue;
         if (bug.show == ElementShow::flagged) {
-            half.outline(kRimColor, 2);
-            half.outline(kCautionColor, 1);
+            half.outline(painter.color(SymbolRole::rim), 2);
+            half.outline(painter.color(SymbolRole::caution), 1);
         } else {
-            half.outline(kRimColor, 2);
-            half.fill(kSelectedColor);
+            half.outline(painter.color(SymbolRole::rim), 2);
+            half.fill(painter.color(SymbolRole::selected));
+            half.edge(painter.color(SymbolRole::rim));
         }
     }
 }
@@ -129,8 +147,8 @@ void build_tape_trend(const Painter& painter, const TapeScale& scale, const Tape
     if (!trend.is_shown || !(std::fabs(trend.to - scale.middle) >= trend.threshold)) return;
     const float x = scale.x_of(kTrendInset, painter), from = scale.y_of(scale.middle), to = scale.y_of(trend.to);
     const float half_bar = 0.22f * painter.text_px();
-    painter.line({x, from}, {x, to}, kScaleColor, 1.5f);
-    painter.line({x - half_bar, to}, {x + half_bar, to}, kScaleColor, 1.5f);
+    painter.line({x, from}, {x, to}, painter.color(SymbolRole::scale), 1.5f);
+    painter.line({x - half_bar, to}, {x + half_bar, to}, painter.color(SymbolRole::scale), 1.5f);
 }
 
 void build_tape_minimum(const Painter& painter, const TapeScale& scale, const TapeMinimum& minimum) {
@@ -140,26 +158,28 @@ void build_tape_minimum(const Painter& painter, const TapeScale& scale, const Ta
     const Point corners[3] = {
         {scale.x_of(0.1f, painter), y}, {scale.x_of(0.95f, painter), y - half}, {scale.x_of(0.95f, painter), y + half}};
     const bool is_hollow = minimum.show == ElementShow::flagged;
-    painter.batch().polyline(corners, 2 * painter.stroke_px(), kRimColor, true);
+    painter.batch().polyline(corners, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
     if (is_hollow)
-        painter.batch().polyline(corners, painter.stroke_px(), kCautionColor, true);
+        painter.batch().polyline(corners, painter.stroke_px(), painter.color(SymbolRole::caution), true);
     else
         painter.batch().triangle(corners[0], corners[1], corners[2], minimum.color);
 }
 
 void build_tape_row(const Painter& painter, const Rect& box, const TapeRow& row) {
+    const Words text{row.text, row.short_text.empty() ? row.text : row.short_text};
     switch (row.show) {
         case ElementShow::absent: return;
-        case ElementShow::flagged: return painter.framed_plate(box, row.text, kTapeTextSize, kCautionColor);
+        case ElementShow::flagged: return painter.framed_plate(box, text, kTapeTextSize, painter.color(SymbolRole::caution));
         case ElementShow::failed: break;
         case ElementShow::normal:
-        case ElementShow::substituted: return painter.plate(box, row.text, kTapeTextSize, row.color);
+        case ElementShow::substituted: return painter.plate(box, text, kTapeTextSize, row.color);
     }
     const Rect cross = box.shrunk(1.5f * painter.stroke_px());
-    painter.batch().box(box, kReadoutGround);
-    painter.line({cross.x, cross.y}, {cross.right(), cross.bottom()}, kWarningColor);
-    painter.line({cross.x, cross.bottom()}, {cross.right(), cross.y}, kWarningColor);
-    painter.fitted_text(row.name, box, TextAnchor::center, kTapeTextSize, kWarningColor);
+    painter.batch().box(box, painter.color(SymbolRole::readout_ground));
+    painter.line({cross.x, cross.y}, {cross.right(), cross.bottom()}, painter.color(SymbolRole::warning));
+    painter.line({cross.x, cross.bottom()}, {cross.right(), cross.y}, painter.color(SymbolRole::warning));
+    painter.fitted_text({row.name, row.name.substr(row.name.rfind(' ') + 1)}, box, TextAnchor::center, kTapeTextSize,
+                        painter.color(SymbolRole::warning));
 }
 
 }  // namespace tedavis::draw

@@ -76,7 +76,7 @@ struct TapeTrend {
 struct TapeMinimum {
     policy::ElementShow show = policy::ElementShow::absent;
     double at = 0;
-    design::Color color = kSelectedColor;
+    design::Color color;
 };
 
 struct TapeMarks {
@@ -99,7 +99,8 @@ void build_tape_minimum(const Painter& painter, const TapeScale& scale, const Ta
 struct TapeRow {
     policy::ElementShow show = policy::ElementShow::absent;
     std::string_view text, name;
-    design::Color color = kSelectedColor;
+    design::Color color;
+    std::string_view short_text{};  ///< where the text is too long; empty: there is none
 };
 void build_tape_row(const Painter& painter, const Rect& box, const TapeRow& row);
 

@@ -38,8 +38,9 @@ void build_vertical_tape(const Painter& painter, const VerticalTape& tape);
 struct TapeLayout {
     Rect selected, label, minimum;
     TapeScale scale;
-    Rect readout;  ///< in the middle of the scale; its pointer reaches out of it
-    Rect stale;    ///< below the readout
+    Rect readout;            ///< in the middle of the scale; its pointer reaches out of it
+    Rect stale;              ///< below the readout
+    bool has_flags = false;  ///< there is room for them
 };
 [[nodiscard]] TapeLayout tape_layout(const Painter& painter, const VerticalTape& tape) noexcept;
 

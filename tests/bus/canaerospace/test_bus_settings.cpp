@@ -40,6 +40,8 @@ TEST(BusSettings, ShippedStandardFileStatesTheDefaults) {
     EXPECT_EQ(loaded.traffic.first_identifier, 1840) << "has no default";
     EXPECT_FALSE(defaults.guidance.is_carried());
     EXPECT_EQ(loaded.guidance.first_identifier, 1832) << "has no default";
+    EXPECT_FALSE(defaults.display.has(0)) << "no identifier is none";
+    EXPECT_EQ(loaded.display.legend_identifier, 1852) << "has no default";
     EXPECT_EQ(loaded.dialect.deviation, defaults.dialect.deviation);
     EXPECT_EQ(loaded.dialect.directions, defaults.dialect.directions);
     EXPECT_EQ(loaded.node.node, defaults.node.node);
@@ -91,6 +93,14 @@ TEST(BusSettings, FaultsNameFileLineAndRemedy) {
               std::string::npos);
     EXPECT_EQ(error_of("[traffic]\nfirst_identifier = 1840\n[guidance]\nfirst_identifier = 1832\n"), "accepted");
     EXPECT_NE(error_of("[guidance]\nfirst_identifier = 1825\n").find("phase of flight"), std::string::npos);
+    EXPECT_EQ(error_of("[display]\nlegend_identifier = 1852\n"), "accepted");
+    for (const char* taken : {"1830", "1831", "311"})
+        EXPECT_EQ(error_of("[display]\nlegend_identifier = " + std::string(taken) + "\n"),
+                  "bus.toml:2: this identifier has a meaning already; choose another");
+    EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1840\n[display]\nlegend_identifier = 1851\n").find("bus.toml:4"),
+              std::string::npos);
+    EXPECT_NE(error_of("[guidance]\nfirst_identifier = 1832\n[display]\nlegend_identifier = 1832\n").find("bus.toml:4"),
+              std::string::npos);
     EXPECT_NE(error_of("[dialect]\ndeviation_states = \"needle\"\n").find("own_ship, path"), std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nextrapolation_limit_s = 3.0\n").find("lost_after_s"), std::string::npos);
     EXPECT_NE(error_of("[own_ship]\nposition_noise_m = -1\n").find("bus.toml:2"), std::string::npos);

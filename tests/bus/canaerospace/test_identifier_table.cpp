@@ -150,7 +150,7 @@ TEST(IdentifierTable, ShippedDbcAgrees) {
         EXPECT_EQ(floats.count(entry.identifier) == 1, (entry.types & type_bit(DataType::float32)) != 0) << entry.name;
         names.erase(entry.identifier);
     }
-    EXPECT_EQ(names.count(1830) + names.count(1831), 2u);
+    EXPECT_EQ(names.count(1830) + names.count(1831) + names.count(1852), 3u);
     for (int part = 0; part < kTrafficIdentifiers; ++part) EXPECT_EQ(names.count(1840 + part), 1u);
     for (const IdentifierEntry& entry : guidance_table()) {
         const int identifier = 1832 + entry.identifier;
@@ -158,8 +158,8 @@ TEST(IdentifierTable, ShippedDbcAgrees) {
         EXPECT_EQ(units[identifier], to_string(entry.unit)) << entry.name;
         EXPECT_EQ(floats.count(identifier) == 1, (entry.types & type_bit(DataType::float32)) != 0) << entry.name;
     }
-    EXPECT_EQ(names.size(), 2u + kTrafficIdentifiers + kGuidanceIdentifiers)
-        << "the phase, guidance, other aircraft, and nothing else";
+    EXPECT_EQ(names.size(), 3u + kTrafficIdentifiers + kGuidanceIdentifiers)
+        << "the phase, guidance, other aircraft, the legend, and nothing else";
 }
 
 }  // namespace

@@ -234,6 +234,22 @@ TEST(MessageDecoder, PhaseMessages) {
     EXPECT_EQ(decode_one("73A#011000001600015A", moved).kind, MessageKind::phase);
 }
 
+TEST(MessageDecoder, LegendRequests) {
+    BusSettings settings;
+    EXPECT_EQ(decode_one("73C#010A000002", settings).kind, MessageKind::alien) << "this bus carries no request";
+    settings.display.legend_identifier = 1852;
+    const DecodedMessage whole = decode_one("73C#010A000002", settings);
+    ASSERT_EQ(whole.kind, MessageKind::legend_request);
+    EXPECT_TRUE(whole.healthy);
+    EXPECT_EQ(whole.legend, flight::LegendShow::whole);
+    EXPECT_EQ(decode_one("73C#010A000000", settings).legend, flight::LegendShow::none);
+    EXPECT_FALSE(decode_one("73C#010A000003", settings).healthy) << "there is no fourth";
+    EXPECT_FALSE(decode_one("73C#010A010002", settings).healthy) << "service code: invalid";
+    EXPECT_EQ(decode_one("73C#0102000000000002", settings).kind, MessageKind::alien) << "a code is an integer";
+    const DecodedMessage withdrawn = decode_one("73C#01000000", settings);
+    EXPECT_TRUE(withdrawn.healthy && withdrawn.nothing_selected);
+}
+
 TEST(MessageDecoder, ClocksInTheirDialects) {
     EXPECT_EQ(decode_one("4B0#091000060D2B1600").kind, MessageKind::utc) << "UCHAR4";
     EXPECT_EQ(decode_one("4B0#091B00060D2B16").kind, MessageKind::utc) << "UCHAR3";

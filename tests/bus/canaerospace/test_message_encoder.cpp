@@ -140,6 +140,24 @@ TEST(MessageEncoder, EveryPhaseGoesRoundAndInvalidIsSaid) {
     }
 }
 
+TEST(MessageEncoder, EveryLegendRequestGoesRound) {
+    CanFrame frame[1];
+    MessageEncoder without(BusSettings(), 3);
+    EXPECT_EQ(without.encode_legend_request(flight::LegendShow::whole, {}, frame), 0u) << "this bus carries no request";
+    BusSettings settings;
+    settings.display.legend_identifier = 1852;
+    MessageEncoder encoder(settings, 3);
+    MessageDecoder decoder(settings);
+    for (const flight::LegendShow show : {flight::LegendShow::none, flight::LegendShow::key, flight::LegendShow::whole}) {
+        ASSERT_EQ(encoder.encode_legend_request(show, {}, frame), 1u);
+        const DecodedMessage message = decoder.decode(frame[0]);
+        EXPECT_EQ(message.kind, MessageKind::legend_request);
+        EXPECT_EQ(message.legend, show);
+    }
+    ASSERT_EQ(encoder.encode_legend_request({}, {}, frame), 1u);
+    EXPECT_TRUE(decoder.decode(frame[0]).nothing_selected);
+}
+
 TEST(MessageEncoder, DatesCountMonthsAsTheDialectDoes) {
     BusSettings settings;
     settings.dialect.month_from_zero = true;

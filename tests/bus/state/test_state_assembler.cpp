@@ -147,6 +147,28 @@ TEST(StateAssembler, PhaseMessagesWithTheirTimeout) {
     EXPECT_EQ(snapshot.phase_request.phase.value_or({}), flight::kGoAroundAbort);
 }
 
+TEST(StateAssembler, ALegendRequestHoldsUntilTheNext) {
+    BusSettings settings;
+    settings.display.legend_identifier = 1852;
+    Bus bus(settings);
+    const auto send = [&](std::optional<flight::LegendShow> show, double seconds, bool is_valid = true) {
+        CanFrame frame;
+        ASSERT_EQ(bus.encoder.encode_legend_request(show, at(seconds), {&frame, 1}), 1u);
+        if (!is_valid) frame.data[2] = 1;
+        bus.assembler.feed({&frame, 1});
+    };
+    EXPECT_FALSE(bus.assembler.snapshot(at(0)).legend);
+    send(flight::LegendShow::whole, 0);
+    EXPECT_EQ(bus.assembler.snapshot(at(0)).legend, flight::LegendShow::whole);
+    EXPECT_EQ(bus.assembler.snapshot(at(3600)).legend, flight::LegendShow::whole) << "it does not grow stale";
+    send(flight::LegendShow::none, 1, false);
+    EXPECT_EQ(bus.assembler.snapshot(at(1)).legend, flight::LegendShow::whole) << "the sender says that it is invalid";
+    send(flight::LegendShow::none, 2);
+    EXPECT_EQ(bus.assembler.snapshot(at(2)).legend, flight::LegendShow::none);
+    send({}, 3);
+    EXPECT_FALSE(bus.assembler.snapshot(at(3)).legend) << "withdrawn";
+}
+
 TEST(StateAssembler, CountersAndClock) {
     Bus bus;
     const CanFrame frames[] = {frame_of("137#0102002A40A00000"), frame_of("7FF#00"), frame_of("20000040#0000000000000000"),

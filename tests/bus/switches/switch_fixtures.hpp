@@ -35,6 +35,15 @@ inline SwitchConfig three_lines() {
         "C']\n");
 }
 
+/// The same with a fourth line that asks for the legend.
+inline SwitchConfig three_lines_and_legend() {
+    return config_from(
+        "code = 'one_hot'\n[[line]]\nchip='p'\nname='A'\n[[line]]\nchip='p'\nname='B'\n[[line]]\nchip='p'\nname='C'\n"
+        "[legend]\nchip='p'\nname='LEGEND'\n"
+        "[[pattern]]\nphase='ground'\nhigh=['A']\n[[pattern]]\nphase='cruise'\nhigh=['B']\n[[pattern]]\nphase='approach'\nhigh=['"
+        "C']\n");
+}
+
 inline base::Time at_ms(std::int64_t ms) { return {1'700'000'000'000'000'000 + ms * 1'000'000}; }
 inline SwitchEdge edge(std::int64_t ms, int line, bool level) { return {at_ms(ms), static_cast<std::uint8_t>(line), level}; }
 

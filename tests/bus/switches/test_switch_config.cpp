@@ -41,6 +41,24 @@ TEST(SwitchConfig, reads_lines_patterns_and_times) {
     EXPECT_EQ(config.find_line("A"), 2u);
 }
 
+TEST(SwitchConfig, the_line_of_the_legend_is_no_part_of_the_patterns) {
+    const SwitchConfig config = three_lines_and_legend();
+    ASSERT_EQ(config.lines.size(), 4u);
+    EXPECT_EQ(config.find_line("p.LEGEND"), 3u) << "the last one";
+    EXPECT_EQ(config.all_lines(), 0b1111u);
+    EXPECT_EQ(config.phase_lines(), 0b0111u);
+    EXPECT_TRUE(config.asks_for_legend({0b1111, 0b1001}));
+    EXPECT_FALSE(config.asks_for_legend({0b1111, 0b0001}));
+    EXPECT_FALSE(config.asks_for_legend({0b0111, 0b1001})) << "its level is not known";
+    EXPECT_FALSE(three_lines().asks_for_legend({0b1111, 0b1111})) << "there is no such line";
+    EXPECT_EQ(three_lines().phase_lines(), 0b0111u);
+    EXPECT_EQ(message_of(kLine + "[legend]\nchip='p'\nname='L'\n[[pattern]]\nphase='ground'\nhigh=['L']\n"),
+              "t.toml:9: 'L' is none of the lines; correct it");
+    EXPECT_EQ(message_of(kLine + "[legend]\nchip='p'\nname='A'\n" + kPattern),
+              "t.toml:6: line 'p.A' is listed twice; remove one");
+    EXPECT_EQ(message_of("[legend]\nchip='p'\nname='L'\n"), "t.toml: no line is listed; add at least one [[line]]");
+}
+
 TEST(SwitchConfig, defaults_are_30_and_200_ms) {
     const SwitchConfig config = config_from(kLine + kPattern);
     EXPECT_EQ(config.debounce, base::Duration::milliseconds(30));

@@ -60,6 +60,17 @@ TEST(SwitchToPhase, every_pattern_of_the_shipped_files_states_its_phase_and_ever
     }
 }
 
+TEST(SwitchToPhase, the_line_of_the_legend_changes_no_phase) {
+    Panel panel(three_lines_and_legend());
+    panel.set(0, 0, false).set(0, 1, true).set(0, 2, false);
+    EXPECT_EQ(panel.at(1000), "cruise") << "before the line has reported";
+    panel.set(2000, 3, true);
+    EXPECT_EQ(panel.at(3000), "cruise");
+    EXPECT_EQ(panel.phase().status(at_ms(3000)).levels.high, 0b1010u);
+    panel.set(4000, 3, false);
+    EXPECT_EQ(panel.at(5000), "cruise");
+}
+
 TEST(SwitchToPhase, states_nothing_before_any_edge) { EXPECT_EQ(Panel().at(10'000), "-"); }
 
 TEST(SwitchToPhase, a_line_that_never_reports_is_a_fault_after_the_settle_time) {

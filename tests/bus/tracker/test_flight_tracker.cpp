@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -106,11 +107,13 @@ struct Counter final : FrameListener {
 
 /// A tracker and all that it reads.
 struct Tracked {
-    explicit Tracked(const Recording& recording, double below_m = 2500, bool has_panel = true, std::uint32_t max_batches = 64)
-        : can(recording.frames),
+    explicit Tracked(const Recording& recording, double below_m = 2500, bool has_panel = true, std::uint32_t max_batches = 64,
+                     const BusSettings& bus = BusSettings(), const SwitchConfig& lines = three_lines())
+        : config(lines),
+          can(recording.frames),
           panel(recording.edges),
           ground(below_m),
-          memory(std::make_unique<TrackerMemory>(BusSettings(), has_panel ? &config : nullptr, at_ms(0))),
+          memory(std::make_unique<TrackerMemory>(bus, has_panel ? &config : nullptr, at_ms(0))),
           tracker(*memory, {can, &panel, &counter, max_batches}) {}
 
     flight::FrameInput to(std::int64_t ms) { return tracker.advance_to(at_ms(ms), ground); }
@@ -120,7 +123,7 @@ struct Tracked {
         return to(to_ms);
     }
 
-    SwitchConfig config = three_lines();
+    SwitchConfig config;
     RecordedCan can;
     RecordedPanel panel;
     Ground ground;
@@ -129,11 +132,18 @@ struct Tracked {
     FlightTracker tracker;
 };
 
+BusSettings bus_with_legend() {
+    BusSettings settings;
+    settings.display.legend_identifier = 1852;
+    return settings;
+}
+
 /// What two inputs must have alike to be of one flight, every number exactly.
 std::string text_of(const flight::FrameInput& input) {
     std::string text = std::to_string(input.time.ns) + " " + flight::sub_phase_name(input.phase.phase) + " " +
                        flight::scenario_name(input.phase.phase) + " by " + flight::to_string(input.phase.source) + " since " +
-                       std::to_string(input.phase.presented_since.ns) + (input.phase.switch_fault ? " fault" : "");
+                       std::to_string(input.phase.presented_since.ns) + (input.phase.switch_fault ? " fault" : "") +
+                       (input.legend ? " legend " + std::string(name_of(*input.legend)) : "");
     const auto add = [&text](double value) {
         std::uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof bits);
@@ -172,6 +182,54 @@ TEST(FlightTracker, ThePhaseIsThatOfSwitchesThenOfTheBusThenOfMotion) {
     const flight::FrameInput by_switch = Tracked(recording).fly(0, 59'000, 1000);
     EXPECT_EQ(by_switch.phase.source, PhaseSource::switches);
     EXPECT_EQ(by_switch.phase.phase.scenario, Scenario::cruise);
+}
+
+/// A request for the whole legend at 10 s, for none at 30 s, and a line of the panel that is active from 20 s to 40 s.
+Recording flight_with_legends() {
+    Recording recording = recorded_flight();
+    MessageEncoder encoder(bus_with_legend(), 9);
+    const auto ask = [&](flight::LegendShow show, std::int64_t ms) {
+        CanFrame frame;
+        EXPECT_EQ(encoder.encode_legend_request(show, at_ms(ms), {&frame, 1}), 1u);
+        const auto later = std::find_if(recording.frames.begin(), recording.frames.end(),
+                                        [&](const CanFrame& other) { return other.time > frame.time; });
+        recording.frames.insert(later, frame);
+    };
+    ask(flight::LegendShow::key, 10'000);
+    ask(flight::LegendShow::none, 30'000);
+    recording.edges = {edge(0, 0, false), edge(0, 1, true),      edge(0, 2, false),
+                       edge(0, 3, false), edge(20'000, 3, true), edge(40'000, 3, false)};
+    return recording;
+}
+
+TEST(FlightTracker, TheLegendIsThatOfThePanelThenOfTheBus) {
+    using flight::LegendShow;
+    const Recording recording = flight_with_legends();
+    Tracked flight(recording, 2500, true, 64, bus_with_legend(), three_lines_and_legend());
+    EXPECT_FALSE(flight.fly(0, 9'000, 1000).legend) << "nobody asks";
+    EXPECT_EQ(flight.fly(9'000, 15'000, 1000).legend, LegendShow::key);
+    EXPECT_EQ(flight.fly(15'000, 25'000, 1000).legend, LegendShow::whole);
+    EXPECT_EQ(flight.fly(25'000, 35'000, 1000).legend, LegendShow::whole) << "the panel comes first";
+    flight.panel.is_lost = true;
+    EXPECT_EQ(flight.fly(35'000, 36'000, 1000).legend, LegendShow::none) << "a panel that fails asks for nothing";
+    flight.panel.is_lost = false;
+    EXPECT_EQ(flight.fly(36'000, 50'000, 1000).legend, LegendShow::none) << "the last request holds";
+    EXPECT_EQ(flight.to(50'000).phase.phase.scenario, Scenario::cruise) << "the line is no part of the pattern";
+}
+
+TEST(FlightTracker, ACheckpointCarriesTheLegend) {
+    const Recording recording = flight_with_legends();
+    Tracked flight(recording, 2500, true, 64, bus_with_legend(), three_lines_and_legend()),
+        copy(recording, 2500, true, 64, bus_with_legend(), three_lines_and_legend()),
+        other(recording, 2500, true, 64, bus_with_legend(), three_lines_and_legend());
+    (void)flight.fly(0, 15'010, 1000);
+    *copy.memory = *flight.memory;
+    copy.can.next = flight.can.next;
+    copy.panel.next = flight.panel.next;
+    other.can.next = flight.can.next;
+    EXPECT_EQ(copy.to(15'020).legend, flight::LegendShow::key);
+    EXPECT_FALSE(other.to(15'020).legend) << "the control: without the memory";
+    EXPECT_EQ(text_of(copy.fly(15'020, 25'000, 333)), text_of(flight.fly(15'020, 25'000, 1000)));
 }
 
 TEST(FlightTracker, APanelThatFailsStatesNoPhaseAndRaisesTheFault) {

@@ -46,6 +46,7 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
     const test_support::TemporaryFolder place;
     for (const auto& [shipped, kind] : {std::pair{"designs/cruise.toml", "a design"},
                                         {"palettes/slope.toml", "a palette of 6 colours"},
+                                        {"palettes/symbology/standard.toml", "a palette of the symbology"},
                                         {"devices/es3-mid.toml", "a device"},
                                         {"aircraft/jet.toml", "an aircraft"},
                                         {"buses/canaerospace.toml", "a bus"},
@@ -59,6 +60,17 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
     }
     const std::string by_phase = place.write("x.toml", "name = 'x'\n[phases]\nlunch = 'cruise'\n");
     EXPECT_THAT(check({by_phase}).notes, HasSubstr(by_phase + ":3: 'lunch' is no phase"));
+}
+
+TEST(CheckCommand, APaletteOfTheSymbologyWithTwoRolesAlikeIsRefused) {
+    const test_support::TemporaryFolder place;
+    std::string text = read_file(kConfigs + "palettes/symbology/standard.toml");
+    const std::string selected = "selected = \"#00e0ff\"";
+    text.replace(text.find(selected), selected.size(), "selected = \"#40f060\"");
+    const std::string path = place.write("x.toml", text);
+    const CommandRun run = check({path});
+    EXPECT_EQ(run.code, kFaultyInputExitCode);
+    EXPECT_THAT(run.notes, HasSubstr(path + ": engaged and selected in normal vision by day differ by 0.00 (CIEDE2000)"));
 }
 
 TEST(CheckCommand, ADesignIsPrintedWithWhatItInherits) {

@@ -8,8 +8,10 @@ using Displays = test_support::ParsedCommands<add_displays>;
 TEST_F(Displays, OptionsReachTheReplay) {
     parse({"replay",     "f.log", "--terrain", "x.tdb", "--size",   "320x240", "--gl",     "osmesa",
            "--from",     "2.5",   "--step",    "-1",    "--frames", "hash",    "--ledger", "--force-effects",
-           "--saliency", "heat",  "--clutter", "edges", "-o",       "run"});
+           "--saliency", "heat",  "--clutter", "edges", "--legend", "whole",   "-o",       "run"});
     EXPECT_EQ(line.replay.log, "f.log");
+    EXPECT_EQ(line.replay.picture.legend, flight::LegendShow::whole);
+    EXPECT_EQ(line.shot.picture.legend, flight::LegendShow::key) << "the default in flight";
     EXPECT_EQ(line.replay.picture.terrain, "x.tdb");
     ASSERT_TRUE(line.replay.picture.size.has_value());
     EXPECT_EQ(line.replay.picture.size->width, 320u);

@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -102,6 +103,52 @@ TEST(Replay, TheFrameAtTIsTheOneOfTheWholeRun) {
         EXPECT_EQ(some.begin()->first, from);
         for (const auto& [time, hash] : some) EXPECT_EQ(whole().at(time), hash) << time;
     }
+}
+
+/// The flight with requests for a legend on the bus: whole at 2.2 s, and withdrawn at 5.2 s.
+std::string log_with_requests() {
+    std::string log = read_file(files().log);
+    const std::string interface = log.substr(log.find(' ') + 1, log.find(' ', log.find(' ') + 1) - log.find(' ') - 1);
+    for (const auto& [second, frame] : {std::pair<int, std::string>{2, "73C#010A000002"}, {5, "73C#01000001"}}) {
+        const std::string stamp = "(" + std::to_string(test_support::FlownCircle::kBegin_s + second) + ".2";
+        const std::size_t line = log.find(stamp);
+        EXPECT_NE(line, std::string::npos);
+        log.insert(line, stamp + "00000) " + interface + " " + frame + "\n");
+    }
+    const std::string path = files().folder.file("requests.log");
+    std::ofstream(path, std::ios::binary) << log;
+    return path;
+}
+
+/// What each frame shows, by its time.
+std::map<double, std::string> legends_of(const std::string& folder) {
+    std::map<double, std::string> shown;
+    for (const auto& line : frame_lines(folder)) shown[line.at("time_s")] = line.at("legend").at("show");
+    return shown;
+}
+
+TEST(Replay, TheLegendIsThatOfTheOptionUntilTheBusAsksForAnother) {
+    ReplayOptions options = files().options("requests");
+    options.log = log_with_requests();
+    options.picture.legend = flight::LegendShow::none;
+    const auto all = replayed(options);
+    const auto shown = legends_of(options.output);
+    EXPECT_EQ(shown.at(2.0), "none");
+    EXPECT_EQ(shown.at(2.5), "whole");
+    EXPECT_EQ(shown.at(5.0), "whole") << "a request holds";
+    EXPECT_EQ(shown.at(5.5), "none") << "it was withdrawn";
+    for (const double from : {3.0, 6.0}) {
+        ReplayOptions part = options;
+        part.output = files().folder.file("requests_part");
+        part.from_s = from;
+        for (const auto& [time, hash] : replayed(part)) EXPECT_EQ(all.at(time), hash) << time;
+    }
+    // The control: without the messages the pictures between them are others.
+    ReplayOptions without = files().options("no_requests");
+    without.picture.legend = flight::LegendShow::none;
+    const auto plain = replayed(without);
+    EXPECT_NE(plain.at(3.0), all.at(3.0));
+    EXPECT_EQ(plain.at(6.0), all.at(6.0));
 }
 
 TEST(Replay, OtherStepsMeetTheSameFrames) {

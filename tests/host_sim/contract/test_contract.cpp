@@ -36,6 +36,16 @@ TEST(Contract, AConditionHasWhatTheFileSays) {
     EXPECT_EQ(one.grid.count(), 12);
 }
 
+TEST(Contract, MeasuresOfTheSymbologysPaletteNeedALimit) {
+    const ContractCondition contrast = condition("measure = \"symbology_contrast\"\nleast = 4.5\n");
+    EXPECT_FALSE(contrast.limit.is_most);
+    EXPECT_EQ(contrast.least_px, 12);
+    EXPECT_TRUE(needs_layers(contrast));
+    EXPECT_FALSE(needs_layers(condition("measure = \"symbology_difference\"\nleast = 6\n")));
+    refused("measure = \"symbology_difference\"\nmost = 6\n", "least");
+    refused("measure = \"symbology_contrast\"\nleast = 30\n", "least");
+}
+
 TEST(Contract, MeasuresHaveTheirOwnKeysAndDefaults) {
     EXPECT_EQ(condition("measure = \"clutter\"\nmost = 0.1\n").region, ClutterRegion::picture);
     const ContractCondition third = condition("measure = \"clutter\"\nmost = 0.1\nregion = \"lower right\"\n");

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host_sim/input_file.hpp"
+#include "host_sim/reports/run_folder.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 #include "tests/support/sheets/contract_runs.hpp"
 
@@ -62,6 +65,49 @@ TEST_F(ContractMeterOfARun, WithoutMasksItSaysHowTheyAreMade) {
         EXPECT_THAT(all[n].words, HasSubstr("replay the run again with --layers"));
     }
     EXPECT_EQ(all[5].state, ReadingState::measured) << "neither do colours of the design";
+}
+
+/// The palette file and the light are those of the run's summary.
+class ContractMeterOfAPalette : public ::testing::Test {
+protected:
+    ContractReading reading(const std::string& measure, const std::string& summary) {
+        test_support::write_painted_run(place_, "run", 1, [](std::uint64_t) { return PaintedFrame(); });
+        place_.write("run/" + std::string(kSummaryName), summary);
+        contract_ = read_contract(place_.write("c.toml", "[[condition]]\nmeasure = \"" + measure + "\"\nleast = 4\n"));
+        const FlightRun run = read_flight_run(place_.file("run"));
+        PictureMeter meter({});
+        return ContractMeter(contract_, run).readings(meter, run.frames[0])[0];
+    }
+    test_support::TemporaryFolder place_;
+    Contract contract_;
+};
+
+TEST_F(ContractMeterOfAPalette, RolesAreComparedInTheRunsLight) {
+    const ContractReading day = reading("symbology_difference", R"({"design": "default", "light": "day"})"),
+                          night = reading("symbology_difference", R"({"design": "default", "light": "night"})");
+    EXPECT_EQ(day.state, ReadingState::measured);
+    EXPECT_EQ(day.region, "palette standard");
+    EXPECT_GT(day.value, 6);
+    EXPECT_GT(night.value, 6);
+    EXPECT_NE(day.value, night.value);
+}
+
+TEST_F(ContractMeterOfAPalette, TwoRolesAlikeAreNamed) {
+    std::string text = read_file(shipped_root() + "/configs/palettes/symbology/standard.toml");
+    const std::string caution = "caution = \"#ffb000\"";
+    text.replace(text.find(caution), caution.size(), "caution = \"#ff3838\"");
+    const ContractReading alike = reading(
+        "symbology_difference", R"({"design": "default", "light": "day", "palette": ")" + place_.write("p.toml", text) + "\"}");
+    EXPECT_LT(alike.value, 2);
+    EXPECT_THAT(alike.words, HasSubstr("warning and caution in"));
+}
+
+TEST_F(ContractMeterOfAPalette, ARunThatDoesNotSayItsLightIsToBeReplayedAgain) {
+    const ContractReading old = reading("symbology_contrast", R"({"design": "default"})");
+    EXPECT_EQ(old.state, ReadingState::missing);
+    EXPECT_THAT(old.words, HasSubstr("replay the run again"));
+    EXPECT_EQ(reading("symbology_contrast", R"({"design": "default", "light": "day"})").state, ReadingState::absent)
+        << "its pictures have no symbology";
 }
 
 TEST_F(ContractMeterOfARun, ColorsAreThoseOfTheFramesDesign) {

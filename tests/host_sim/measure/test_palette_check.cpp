@@ -42,6 +42,7 @@ std::vector<std::string> in_default_design(const Palette& palette) {
 TEST(PaletteCheck, EveryShippedPaletteHoldsByItselfAndInEveryShippedDesign) {
     std::size_t palettes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/palettes")) {
+        if (entry.is_directory()) continue;  // palettes of the symbology
         const Palette palette = shipped(entry.path().stem().string());
         EXPECT_THAT(palette_faults(palette, "p"), IsEmpty()) << entry.path();
         EXPECT_THAT(in_default_design(palette), IsEmpty()) << entry.path();

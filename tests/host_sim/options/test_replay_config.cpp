@@ -33,10 +33,13 @@ TEST(ReplayConfig, DefaultsStayDefaults) {
     EXPECT_EQ(loaded.switch_config, "one_hot");
     EXPECT_EQ(loaded.picture.design, "default");
     EXPECT_EQ(loaded.picture.aircraft, "");
+    EXPECT_EQ(loaded.picture.palette, "");
+    EXPECT_EQ(loaded.picture.light, design::SymbologyLight::day);
     EXPECT_EQ(loaded.picture.terrain, "");
     EXPECT_FALSE(loaded.picture.size);
     EXPECT_FALSE(loaded.picture.tau_px);
     EXPECT_FALSE(loaded.picture.force_effects);
+    EXPECT_EQ(loaded.picture.legend, flight::LegendShow::key);
     EXPECT_FALSE(loaded.picture.saliency);
     EXPECT_FALSE(loaded.picture.clutter);
     EXPECT_FALSE(loaded.accuracy.any());
@@ -57,10 +60,13 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.device = "es2-small";
     options.picture.bus = "glider";
     options.picture.aircraft = "jet";
+    options.picture.palette = "standard";
+    options.picture.light = design::SymbologyLight::night;
     options.picture.size = PictureSize{641, 483};
     options.picture.gl = GlChoice::osmesa;
     options.picture.tau_px = 0.3;
     options.picture.force_effects = true;
+    options.picture.legend = flight::LegendShow::whole;
     options.picture.saliency = design::SaliencyView::map;
     options.picture.clutter = design::ClutterView::regions;
     options.picture.deadline_ms = 16.7;
@@ -69,6 +75,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.accuracy = {true, true};
     const ReplayOptions loaded = round_trip(options);
     EXPECT_EQ(loaded.accuracy, options.accuracy);
+    EXPECT_EQ(loaded.picture.legend, options.picture.legend);
     EXPECT_EQ(loaded.picture.deadline_ms, options.picture.deadline_ms);
     EXPECT_EQ(loaded.picture.costs, options.picture.costs);
     EXPECT_EQ(loaded.picture.foci, options.picture.foci);
@@ -83,6 +90,8 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.picture.device, options.picture.device);
     EXPECT_EQ(loaded.picture.bus, options.picture.bus);
     EXPECT_EQ(loaded.picture.aircraft, options.picture.aircraft);
+    EXPECT_EQ(loaded.picture.palette, options.picture.palette);
+    EXPECT_EQ(loaded.picture.light, options.picture.light);
     ASSERT_TRUE(loaded.picture.size);
     EXPECT_EQ(loaded.picture.size->width, 641u);
     EXPECT_EQ(loaded.picture.size->height, 483u);

@@ -31,7 +31,7 @@ EffectLedger flown(const std::string& device, const std::string& design) {
         session.display().plan({instant.state, instant.phase, time, instant.trail});
         session.draw();
         ledger.note(session.display().record());
-        ledger.take({n, time, instant.state, instant.phase, *instant.trail, upright(session.pixels())});
+        ledger.take({n, time, instant.state, instant.phase, instant.legend, *instant.trail, upright(session.pixels())});
     }
     session.rest();
     return ledger;

@@ -23,7 +23,8 @@ const test_support::FlownFiles& files() {
     return kFiles;
 }
 
-constexpr PictureSize kSmall{160, 120};  ///< most of what a frame costs here is its pixels
+constexpr PictureSize kWithLabels{320, 240};  ///< on which the smallest text leaves room for some labels
+constexpr PictureSize kSmall{160, 120};       ///< most of what a frame costs here is its pixels
 constexpr double kScarce_ms = 3;
 constexpr double kStep_s = 1.0 / 30;  ///< of the device: terrain arrives while frames are drawn
 
@@ -256,6 +257,7 @@ const std::string& crowded_scene() {
 ReplayOptions crowded(double from_s, double to_s, double step_s) {
     ReplayOptions o = options(from_s, to_s, step_s);
     o.picture.scene = crowded_scene();
+    o.picture.size = kWithLabels;
     return o;
 }
 
@@ -282,6 +284,7 @@ TEST(FramePreroll, LabelsOfTwoDesignsAreTheSameHoweverAFrameIsReached) {
     const auto crowd = [](double from_s, double step_s) {
         ReplayOptions o = of_two_designs(from_s, 3, step_s);
         o.picture.scene = crowded_scene();
+        o.picture.size = kWithLabels;
         return o;
     };
     const auto all = run(crowd(0, kStep_s), true);

@@ -82,6 +82,7 @@ TEST(FrameRecordJson, TellsLabelsAndWeights) {
     result.record.labels = {5, 7, 2, 1};
     ASSERT_TRUE(result.record.weights.try_push_back({display::Name("obstacles"), 0.75, 0.5}));
     const Json json = parsed(result);
+    EXPECT_EQ(json["legend"], Json({{"show", "key"}, {"entries", 0}, {"left_out", 0}}));
     EXPECT_EQ(json["labels"], Json({{"placed", 5}, {"suppressed", 7}, {"changed", 2}, {"decluttered", 1}}));
     EXPECT_EQ(json["presentation"]["weights"]["obstacles"], Json({{"weight", 0.75}, {"stated", 0.5}}));
 }

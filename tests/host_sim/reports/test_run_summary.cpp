@@ -60,6 +60,8 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                             "device",
                             "design",
                             "aircraft",
+                            "palette",
+                            "light",
                             "terrain",
                             "scene",
                             "log",

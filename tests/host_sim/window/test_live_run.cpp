@@ -144,6 +144,20 @@ TEST(LiveRun, TheOverlayIsOnTheScreenAlone) {
         EXPECT_FALSE(line.contains("accuracy_overlay"));
 }
 
+TEST(LiveRun, AKeyShowsAnotherLegendAndTheRunSaysSo) {
+    Desk desk(files().options("live_legend"));
+    desk.turns(2);
+    desk.window->press(Key::space);
+    desk.turn();
+    desk.window->press('l');
+    EXPECT_TRUE(desk.turn()) << "also while it is paused";
+    EXPECT_FALSE(desk.turn()) << "nothing new to show";
+    desk.finish();
+    EXPECT_EQ(test_support::frame_lines(desk.options.output).back().at("legend").at("show"), "whole");
+    const std::string summary = read_file(desk.options.output + "/summary.json");
+    EXPECT_THAT(summary, HasSubstr("the legend was set to 'whole'"));
+}
+
 TEST(LiveRun, AMapWithoutTerrainIsRefusedInTheWindow) {
     ReplayOptions options = files().options("live_no_map");
     options.picture.terrain.clear();

@@ -46,6 +46,19 @@ TEST(SwitchRecording, StatesEveryLineFirstAndThenOnlyChanges) {
     EXPECT_EQ(edges_to_pattern(config, first, config.patterns[3].high, kNow).size(), 2u);
 }
 
+TEST(SwitchRecording, AKeyOfThePatternsLeavesTheLineOfTheLegend) {
+    bus::SwitchConfig config = panel("one_hot");
+    ASSERT_TRUE(config.lines.try_push_back({"panel", "LEGEND"}));
+    config.has_legend_line = true;
+    const auto legend = static_cast<std::uint8_t>(config.lines.size() - 1);
+    std::vector<bus::SwitchEdge> edges = edges_to_pattern(config, {}, config.patterns[0].high, kNow);
+    ASSERT_EQ(edges.size(), config.lines.size()) << "a log has the level of every line";
+    EXPECT_FALSE(edges.back().level);
+    edges.push_back({kNow + base::Duration{1000}, legend, true});
+    for (const bus::SwitchEdge& edge : edges_to_pattern(config, edges, config.patterns[3].high, kNow + base::Duration{2000}))
+        EXPECT_NE(edge.line, legend);
+}
+
 TEST(SwitchRecording, TheLogReadsBack) {
     const bus::SwitchConfig config = panel("one_hot");
     std::vector<bus::SwitchEdge> edges = edges_to_pattern(config, {}, config.patterns[2].high, kNow + base::Duration{1000});

@@ -199,6 +199,37 @@ TEST(WindowController, KeysTurnTheOverlayOnAndOff) {
     EXPECT_EQ(session.controller.accuracy(), (AccuracyShown{true, false}));
 }
 
+TEST(WindowController, AKeyTurnsTheSymbologyToNightAndBack) {
+    using design::SymbologyLight;
+    Session session;
+    EXPECT_EQ(session.controller.light(), SymbologyLight::day);
+    session.press('n');
+    EXPECT_EQ(session.controller.light(), SymbologyLight::night);
+    session.repeat('n');
+    EXPECT_EQ(session.controller.light(), SymbologyLight::night) << "a held key does not flicker";
+    session.press('n');
+    EXPECT_EQ(session.controller.light(), SymbologyLight::day);
+    session.controller.set_light(SymbologyLight::night);
+    session.press('n');
+    EXPECT_EQ(session.controller.light(), SymbologyLight::day);
+}
+
+TEST(WindowController, AKeyAsksForOneLegendAfterTheOther) {
+    using flight::LegendShow;
+    Session session;
+    EXPECT_FALSE(session.controller.asked_legend()) << "switches and bus are heard until then";
+    for (const LegendShow next : {LegendShow::whole, LegendShow::none, LegendShow::key, LegendShow::whole}) {
+        session.press('l');
+        EXPECT_EQ(session.controller.asked_legend(), next);
+    }
+    session.repeat('l');
+    EXPECT_EQ(session.controller.asked_legend(), LegendShow::whole) << "a held key does not flicker";
+    Session other;
+    other.controller.set_legend(LegendShow::whole);
+    other.press('l');
+    EXPECT_EQ(other.controller.asked_legend(), LegendShow::none) << "after the one of the option";
+}
+
 TEST(WindowController, ClosesAndHelps) {
     Session session;
     session.press('h');

@@ -52,7 +52,7 @@ TEST(WindowKeys, OtherKeysMeanNothing) {
 TEST(WindowKeys, HelpNamesThemAll) {
     const std::string help = window_keys_help();
     for (const char* word : {"space", "escape", "backspace", "home end", "w s a d e q", "1 .. 9 0", "proven error",
-                             "error of the ground", "mouse", "window.switches"})
+                             "error of the ground", "symbology by night", "mouse", "window.switches"})
         EXPECT_THAT(help, ::testing::HasSubstr(word));
 }
 

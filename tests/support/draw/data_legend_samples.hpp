@@ -68,7 +68,7 @@ inline draw::DataLegends list_of(std::initializer_list<draw::DataLegend> entries
 
 /// A layout with one area of so many texts.
 inline draw::Layout area_of(float height) {
-    draw::Layout layout = draw::make_layout(640, 480, 96);
+    draw::Layout layout = draw::make_layout(1280, 960, 96);
     layout.data_legends = {};
     layout.data_legends[0] = {100, 20, 5 * layout.text_px, height * layout.text_px};
     return layout;

@@ -46,7 +46,10 @@ draw::SymbologyInput scene_input(const flight::AircraftState& state, std::uint32
                                  const policy::DisplayConditions& conditions) {
     const design::DesignSettings design = design::default_design_settings();
     const policy::DisplayDecisions decisions = policy::decide_display(state, kSceneNow, conditions, design);
-    return draw::make_symbology_input(state, decisions, conditions.phase, design, kSceneNow, width, height, 1380);
+    draw::SymbologyInput input =
+        draw::make_symbology_input(state, decisions, conditions.phase, design, kSceneNow, width, height, 1380);
+    input.legend_show = flight::LegendShow::whole;
+    return input;
 }
 
 std::string text_of(const draw::QuadBatch& batch) {

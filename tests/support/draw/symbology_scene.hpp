@@ -16,8 +16,12 @@ inline constexpr base::Time kSceneNow{1'000'000'000'000};
 [[nodiscard]] flight::AircraftState scene_state(double heading_deg, double pitch_deg, double roll_deg);
 /// Terrain ready, phase approach.final by switch.
 [[nodiscard]] policy::DisplayConditions scene_conditions();
+/// With the whole legend.
 [[nodiscard]] draw::SymbologyInput scene_input(const flight::AircraftState& state, std::uint32_t width, std::uint32_t height,
                                                const policy::DisplayConditions& conditions = scene_conditions());
+
+/// The color of a role by day, which painters without a palette have.
+[[nodiscard]] inline design::Color day_color(draw::SymbolRole role) { return design::kDaySymbology.color(role); }
 
 /// What is written in a batch, in order, halos left out; glyphs that a clip cut away are missing.
 [[nodiscard]] std::string text_of(const draw::QuadBatch& batch);

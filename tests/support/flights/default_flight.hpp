@@ -101,6 +101,7 @@ public:
         settings.display.width_px = width;
         settings.display.height_px = height;
         settings.display.generated_flight = true;
+        settings.display.legend = flight::LegendShow::whole;
         settings.surface = {backend, &HeadlessDisplay::make_surface, this};
         settings.terrain.bytes = terrain;
         settings.scene.bytes = scene;

@@ -47,6 +47,27 @@ TEST(FramePlanner, EqualInputAndCopiesOfOneMemoryGiveEqualFrames) {
     EXPECT_FALSE(are_same(*one, *hills->plan(input_at(0.1, 1900), third))) << "control: from 100 m higher";
 }
 
+TEST(FramePlanner, TheLegendIsThatOfTheInputAndElseOfTheSettings) {
+    using flight::LegendShow;
+    auto hills = std::make_unique<HillsPlanner>(test_support::shipped_design("default"));
+    hills->settle(input_at(0));
+    flight::FrameInput input = input_at(0.1);
+    EXPECT_EQ(hills->plan(input, hills->memory)->legend.show, LegendShow::key) << "the default in flight";
+    const std::size_t with_key = hills->planner().symbology().vertices().size();
+    input.legend = LegendShow::none;
+    const auto bare = hills->plan(input, hills->memory);
+    EXPECT_EQ(bare->legend.show, LegendShow::none);
+    EXPECT_EQ(bare->legend.entries, 0u);
+    EXPECT_LT(hills->planner().symbology().vertices().size(), with_key);
+    input.legend = LegendShow::whole;
+    const auto whole = hills->plan(input, hills->memory);
+    EXPECT_GE(whole->legend.entries, 1u);
+    EXPECT_EQ(hills->planner().symbology().vertices().size(), with_key) << "on 320 x 240 the key stands in its place";
+    hills->planner().settings().legend = LegendShow::none;
+    input.legend.reset();
+    EXPECT_EQ(hills->plan(input, hills->memory)->legend.show, LegendShow::none);
+}
+
 TEST(FramePlanner, TheMemoryDecidesWhatTheFrameFollowsFrom) {
     design::DesignSettings design = test_support::shipped_design("default");
     design.view.mode = design::ViewMode::map;

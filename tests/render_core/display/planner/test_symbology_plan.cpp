@@ -21,12 +21,13 @@ struct Planned {
     bool plan() {
         DrawContext frame{design_, decisions, camera, record, 2000, 2000};
         frame.heights = heights;
-        plan_symbology({frame, state, aircraft, kWidth, kHeight, over, data, data_plan, reports}, batch, record);
+        plan_symbology({frame, state, aircraft, palette, kWidth, kHeight, over, data, data_plan, reports, legend}, batch, record);
         return record.flags.empty();
     }
     design::DesignSettings design_;
     flight::AircraftState state = test_support::aircraft_over_hills(2000);
     design::AircraftSettings aircraft;
+    design::SymbologyPalette palette = design::kDaySymbology;
     policy::DisplayConditions conditions;
     policy::DisplayDecisions decisions;
     Camera camera;
@@ -36,6 +37,7 @@ struct Planned {
     SpatialData data;
     SpatialDataPlan data_plan;
     ElementReports reports;
+    flight::LegendShow legend = flight::LegendShow::key;
     std::vector<draw::QuadVertex> vertices = std::vector<draw::QuadVertex>(draw::kSymbologyVertices);
     std::vector<std::uint16_t> indices = std::vector<std::uint16_t>(draw::kSymbologyIndices);
     draw::QuadBatch batch{{vertices.data(), vertices.size()}, {indices.data(), indices.size()}};
@@ -51,6 +53,23 @@ TEST(SymbologyPlan, FillsTheBatchWithTheSymbologyAnew) {
     planned.over = draw::SymbolGround::moving;
     EXPECT_TRUE(planned.plan());
     EXPECT_LT(planned.batch.vertices().size(), first) << "on the way to the map no conformal symbol is true";
+}
+
+TEST(SymbologyPlan, SymbolsHaveTheColorsOfThePaletteThatIsGiven) {
+    Planned planned(test_support::shipped_design("default"));
+    const auto has = [&planned](design::Color color) {
+        for (const draw::QuadVertex& vertex : planned.batch.vertices())
+            if (vertex.rgba[0] == color.red && vertex.rgba[1] == color.green && vertex.rgba[2] == color.blue) return true;
+        return false;
+    };
+    const auto& palettes = design::standard_symbology_palettes();
+    for (const design::SymbologyLight light : {design::SymbologyLight::day, design::SymbologyLight::night}) {
+        planned.palette = palettes.of(light);
+        EXPECT_TRUE(planned.plan());
+        const bool is_day = light == design::SymbologyLight::day;
+        EXPECT_EQ(has(palettes.of(design::SymbologyLight::day).color(design::SymbolRole::reference)), is_day);
+        EXPECT_EQ(has(palettes.of(design::SymbologyLight::night).color(design::SymbolRole::reference)), !is_day);
+    }
 }
 
 TEST(SymbologyPlan, TextFollowsTheScreen) {

@@ -71,7 +71,7 @@ TEST(AirReadout, StaleShowsItsAgeAndLostIsCrossedOut) {
     SymbologyInput shown = air.input();
     shown.decisions[Element::wind].show = ElementShow::flagged;
     shown.wind_age = base::Duration::milliseconds(14'400);
-    EXPECT_EQ(air.text(shown).substr(0, 11), "265/12KT14S");
+    EXPECT_EQ(air.text(shown).substr(0, 9), "265/1214S");
     shown.decisions[Element::wind].show = ElementShow::failed;
     const std::string lost = air.text(shown);
     EXPECT_EQ(lost.substr(0, 4), "WIND");
@@ -99,7 +99,7 @@ TEST(AirReadout, AgesAreThoseOfTheOlderSignal) {
 TEST(AirReadout, TheArrowPointsWhereTheWindBlows) {
     Air air(20, 290);  // heading 20: from the left, to the right
     air.build(air.input());
-    const Rect box = air_box(air.layout);
+    const Rect box = air.layout.air;
     glm::dvec2 way = arrow_way(air.store.batch, box);
     EXPECT_GT(way.x, 5);
     EXPECT_NEAR(way.y, 0, 1.5);
@@ -123,8 +123,8 @@ TEST(AirReadout, StaysInItsCornerWhateverTheNumbers) {
             for (const ElementShow show : {ElementShow::normal, ElementShow::flagged, ElementShow::failed}) {
                 shown.decisions[Element::wind].show = shown.decisions[Element::outside_temperature].show = show;
                 air.build(shown, width, height);
-                EXPECT_TRUE(air.layout.attitude.contains(air_box(air.layout)));
-                const Rect room = air_box(air.layout).shrunk(-2.5f);
+                EXPECT_TRUE(air.layout.attitude.contains(air.layout.air));
+                const Rect room = air.layout.air.shrunk(-2.5f);
                 for (const QuadVertex& vertex : air.store.batch.vertices())
                     ASSERT_TRUE(room.contains(Point{vertex.x, vertex.y})) << width << " " << number;
                 EXPECT_EQ(air.store.batch.use().refused, 0u);

@@ -86,8 +86,9 @@ public:
 
 private:
     void add(const BatchShape& shape) {
-        const bool is_red = shape.has(kWarningColor), is_glyph = shape.letter != 0 && !shape.is_rim;
-        if (!is_glyph || !(is_red || shape.has(kCautionColor))) {
+        const bool is_red = shape.has(test_support::day_color(SymbolRole::warning)),
+                   is_glyph = shape.letter != 0 && !shape.is_rim;
+        if (!is_glyph || !(is_red || shape.has(test_support::day_color(SymbolRole::caution)))) {
             goes_on_ = false;
             return;
         }

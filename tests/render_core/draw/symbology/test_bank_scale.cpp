@@ -35,7 +35,7 @@ double slip_x(const SymbologyInput& input, const Screen& screen) {
     double left = 1e9, right = -1e9;
     for (const QuadVertex& v : store.batch.vertices()) {
         const Point c = layout.screen.center();
-        if (!has_color(v, kReferenceColor) || static_cast<double>(c.y - v.y) > base) continue;
+        if (!has_color(v, test_support::day_color(SymbolRole::reference)) || static_cast<double>(c.y - v.y) > base) continue;
         left = std::min(left, static_cast<double>(v.x)), right = std::max(right, static_cast<double>(v.x));
     }
     return right < left ? NAN : (left + right) / 2;
@@ -80,8 +80,9 @@ TEST(BankScale, P09ExcessiveBankIsAmberAndSaid) {
             BatchStore store;
             build_bank_scale(Painter(store.batch, layout), scene_input(scene_state(10, 0, roll), screen.width, screen.height));
             const auto vertices = store.batch.vertices();
-            const bool is_amber =
-                std::any_of(vertices.begin(), vertices.end(), [](const QuadVertex& v) { return has_color(v, kCautionColor); });
+            const bool is_amber = std::any_of(vertices.begin(), vertices.end(), [](const QuadVertex& v) {
+                return has_color(v, test_support::day_color(SymbolRole::caution));
+            });
             EXPECT_EQ(is_amber, std::abs(roll) > 45) << roll;
             EXPECT_EQ(text_of(store.batch).find("BANK") != std::string::npos, std::abs(roll) > 45) << roll;
         }
@@ -102,7 +103,8 @@ TEST(BankScale, P08TicksStandAtTheUsualAngles) {
                          y = static_cast<double>(c.y) - out * std::cos(angle);
             const auto vertices = store.batch.vertices();
             EXPECT_TRUE(std::any_of(vertices.begin(), vertices.end(), [&](const QuadVertex& v) {
-                return has_color(v, kScaleColor) && std::hypot(static_cast<double>(v.x) - x, static_cast<double>(v.y) - y) < 3;
+                return has_color(v, test_support::day_color(SymbolRole::scale)) &&
+                       std::hypot(static_cast<double>(v.x) - x, static_cast<double>(v.y) - y) < 3;
             })) << side * degrees;
         }
 }

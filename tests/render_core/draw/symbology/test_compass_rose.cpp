@@ -97,7 +97,7 @@ Point crossing(const DrawnLine& a, const DrawnLine& b) {
 std::vector<DrawnLine> white_lines(const DrawnShapes& shapes) {
     std::vector<DrawnLine> lines;
     for (const DrawnLine& line : shapes.lines)
-        if (is_same_color(line.color, kScaleColor)) lines.push_back(line);
+        if (is_same_color(line.color, test_support::day_color(SymbolRole::scale))) lines.push_back(line);
     return lines;
 }
 
@@ -130,7 +130,8 @@ std::string card_fault(const DrawnShapes& shapes, double heading_deg) {
         if (std::fabs(angle) > 75 || tick_deg % 30 != 0) continue;
         std::string label;
         for (const DrawnGlyph& glyph : shapes.glyphs)
-            if (apart_deg(angle_deg(center, glyph.at), angle) < 14 && is_same_color(glyph.color, kScaleColor))
+            if (apart_deg(angle_deg(center, glyph.at), angle) < 14 &&
+                is_same_color(glyph.color, test_support::day_color(SymbolRole::scale)))
                 label += glyph.character;
         if (label != expected_label(tick_deg)) return "label " + label + " at " + std::to_string(tick_deg);
     }
@@ -148,12 +149,14 @@ TEST(CompassRose, P21TheCardHasTicksAt5And10DegreesAndLabelsAt30) {
             const CompassRose made = rose.rose();
             const auto top = std::min_element(shapes.lines.begin(), shapes.lines.end(), [&](const auto& a, const auto& b) {
                 const auto off = [&](const DrawnLine& line) {
-                    return is_same_color(line.color, kScaleColor) ? apart_deg(angle_deg(made.center, line.to), 0) : 999;
+                    return is_same_color(line.color, test_support::day_color(SymbolRole::scale))
+                               ? apart_deg(angle_deg(made.center, line.to), 0)
+                               : 999;
                 };
                 return off(a) < off(b);
             });
             const DrawnLine kept = *top;
-            top->color = kCautionColor;
+            top->color = test_support::day_color(SymbolRole::caution);
             EXPECT_NE(card_fault(shapes, heading_deg), "") << "control: recolored";
             *top = kept;
             top->to.x += 0.1f * made.radius;
@@ -172,7 +175,7 @@ TEST(CompassRose, P21TheSmallestScreensHaveACoarserCardThatIsStillRead) {
         for (std::size_t i = 0; i < ticks.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, distance(ticks[i].to, ticks[j].to));
         EXPECT_GE(nearest, 4) << screen.width;
-        EXPECT_EQ(drawn_text(shapes, kScaleColor).substr(0, 1), "N");
+        EXPECT_EQ(drawn_text(shapes, test_support::day_color(SymbolRole::scale)).substr(0, 1), "N");
         for (const DrawnGlyph& glyph : shapes.glyphs) EXPECT_TRUE(rose.card.contains(glyph.at));
     }
 }
@@ -193,7 +196,7 @@ TEST(CompassRose, TextsAreAtLeast11PixelsHighFrom480PixelsOn) {
         }
     }
     const DrawnShapes tiny = Rose({640, 480}).drawn([](const Painter& painter, const CompassRose& rose) {
-        painter.text("12", rose.center, TextAnchor::center, 0.6f);
+        painter.batch().text("12", rose.center, TextAnchor::center, {9.6f, painter.color(SymbolRole::scale)});
     });
     EXPECT_LT(smallest_px(tiny), 10) << "control";
 }
@@ -247,9 +250,10 @@ TEST(CompassRose, P21TheBugTheBearingAndTheTrackStandAtTheirDirections) {
             rose.input.decisions[Element::waypoint_bearing].show = ElementShow::absent;
             rose.input.shows_track = false;
             rose.input.guidance.selected_heading_rad = radians(200 + off_deg);
-            EXPECT_NEAR(mark_angle_deg(rose.marks(), center, kSelectedColor), off_deg, 0.6);
+            EXPECT_NEAR(mark_angle_deg(rose.marks(), center, test_support::day_color(SymbolRole::selected)), off_deg, 0.6);
             rose.input.guidance.selected_heading_rad = radians(203 + off_deg);
-            EXPECT_GT(apart_deg(mark_angle_deg(rose.marks(), center, kSelectedColor), off_deg), 2) << "control: moved";
+            EXPECT_GT(apart_deg(mark_angle_deg(rose.marks(), center, test_support::day_color(SymbolRole::selected)), off_deg), 2)
+                << "control: moved";
 
             rose.input.decisions[Element::selected_heading].show = ElementShow::absent;
             EXPECT_TRUE(rose.marks().triangles.empty()) << "control: removed";
@@ -257,7 +261,8 @@ TEST(CompassRose, P21TheBugTheBearingAndTheTrackStandAtTheirDirections) {
             rose.input.guidance.waypoint_bearing_rad = radians(200 + off_deg);
             int through = 0;  // both halves of the pointer point along the bearing
             for (const DrawnLine& line : rose.marks().lines) {
-                if (!is_same_color(line.color, kSelectedColor) || distance(line.from, line.to) < 0.3 * rose.rose().radius)
+                if (!is_same_color(line.color, test_support::day_color(SymbolRole::selected)) ||
+                    distance(line.from, line.to) < 0.3 * rose.rose().radius)
                     continue;
                 const double angle = angle_deg(line.from, line.to);
                 EXPECT_LT(std::min(apart_deg(angle, off_deg), apart_deg(angle, off_deg + 180)), 0.5);
@@ -341,19 +346,19 @@ TEST(CompassRose, AMagneticRoseTurnsTrueDirectionsByTheVariation) {
     rose.input = scene_input(state, 640, 480);
     EXPECT_NEAR(degrees(rose_angle_rad(rose.input, radians(130))), 23, 1e-9);
     EXPECT_EQ(rose_degrees(rose.input, radians(130)).view(), "123");
-    EXPECT_NE(drawn_text(rose.whole(), kScaleColor).find("HDGMAG"), std::string::npos);
+    EXPECT_NE(drawn_text(rose.whole(), test_support::day_color(SymbolRole::scale)).find("HDGMAG"), std::string::npos);
     rose.input.from_true_rad = 0;
     EXPECT_NEAR(degrees(rose_angle_rad(rose.input, radians(130))), 30, 1e-9) << "control";
 }
 
 TEST(CompassRose, WithoutVariationAnAmberTextReplacesTrueDirections) {
     Rose rose;
-    EXPECT_EQ(drawn_text(rose.whole(), kCautionColor), "") << "control";
+    EXPECT_EQ(drawn_text(rose.whole(), test_support::day_color(SymbolRole::caution)), "") << "control";
     rose.input.from_true_rad = std::nan("");
     EXPECT_TRUE(rose.marks().lines.empty());
     EXPECT_TRUE(rose.marks().triangles.empty());
-    EXPECT_EQ(drawn_text(rose.whole(), kCautionColor), "VAR");
-    EXPECT_EQ(drawn_text(rose.whole(), kSelectedColor), "");
+    EXPECT_EQ(drawn_text(rose.whole(), test_support::day_color(SymbolRole::caution)), "VAR");
+    EXPECT_EQ(drawn_text(rose.whole(), test_support::day_color(SymbolRole::selected)), "");
 }
 
 TEST(CompassRose, StaleValuesAreAmberWithTextAndFailedOnesCrossedOut) {
@@ -368,28 +373,30 @@ TEST(CompassRose, StaleValuesAreAmberWithTextAndFailedOnesCrossedOut) {
         Rose rose;
         rose.input.guidance.selected_heading_rad = radians(270);
         rose.input.guidance.waypoint_bearing_rad = radians(310);
-        EXPECT_EQ(drawn_text(rose.whole(), kCautionColor), "");
+        EXPECT_EQ(drawn_text(rose.whole(), test_support::day_color(SymbolRole::caution)), "");
         rose.input.decisions[c.element].show = ElementShow::flagged;
-        EXPECT_EQ(drawn_text(rose.texts(), kCautionColor), std::string(c.value) + "STALE");
+        EXPECT_EQ(drawn_text(rose.texts(), test_support::day_color(SymbolRole::caution)), std::string(c.value) + "STALE");
         rose.input.decisions[c.element].show = ElementShow::failed;
         const DrawnShapes failed = rose.texts();
-        EXPECT_EQ(drawn_text(failed, kCautionColor), c.name);
+        EXPECT_EQ(drawn_text(failed, test_support::day_color(SymbolRole::caution)), c.name);
         EXPECT_EQ(std::count_if(failed.lines.begin(), failed.lines.end(),
-                                [](const DrawnLine& line) { return is_same_color(line.color, kWarningColor); }),
+                                [](const DrawnLine& line) {
+                                    return is_same_color(line.color, test_support::day_color(SymbolRole::warning));
+                                }),
                   2);
         rose.input.decisions[c.element].show = ElementShow::absent;
-        EXPECT_EQ(drawn_text(rose.texts(), kCautionColor), "");
-        EXPECT_EQ(drawn_text(rose.texts(), kSelectedColor).find(c.name), std::string::npos);
+        EXPECT_EQ(drawn_text(rose.texts(), test_support::day_color(SymbolRole::caution)), "");
+        EXPECT_EQ(drawn_text(rose.texts(), test_support::day_color(SymbolRole::selected)).find(c.name), std::string::npos);
     }
 }
 
 TEST(CompassRose, ARecoveryPictureHasTheCardAlone) {
     Rose rose;
     rose.input.guidance.turn_rate_radps = 0.03;
-    EXPECT_NE(drawn_text(rose.whole(), kSelectedColor), "") << "control";
+    EXPECT_NE(drawn_text(rose.whole(), test_support::day_color(SymbolRole::selected)), "") << "control";
     rose.input.decisions.unusual_attitude = true;
-    EXPECT_EQ(drawn_text(rose.whole(), kSelectedColor), "");
-    EXPECT_NE(drawn_text(rose.whole(), kScaleColor).find("047"), std::string::npos);
+    EXPECT_EQ(drawn_text(rose.whole(), test_support::day_color(SymbolRole::selected)), "");
+    EXPECT_NE(drawn_text(rose.whole(), test_support::day_color(SymbolRole::scale)).find("047"), std::string::npos);
 }
 
 TEST(CompassRose, HostileDirectionsStayFinite) {

@@ -39,7 +39,9 @@ constexpr Screen kScreens[] = {{640, 480}, {1280, 720}, {480, 640}};
 constexpr NavigationSource kSources[] = {NavigationSource::radio1, NavigationSource::radio2, NavigationSource::gnss};
 
 bool is_radio(NavigationSource source) { return source != NavigationSource::gnss; }
-design::Color color_of(NavigationSource source) { return is_radio(source) ? kEngagedColor : kGnssCourseColor; }
+design::Color color_of(NavigationSource source) {
+    return is_radio(source) ? test_support::day_color(SymbolRole::engaged) : test_support::day_color(SymbolRole::gnss_course);
+}
 
 struct Course {
     explicit Course(NavigationSource source, Screen size = {640, 480}, double heading_deg = 100, double course_deg = 100)
@@ -84,7 +86,7 @@ struct Course {
         build_vertical_deviation(Painter(store.batch, made), input());
         EXPECT_EQ(store.batch.use().refused, 0u);
         for (const QuadVertex& vertex : store.batch.vertices())
-            EXPECT_TRUE(made.vertical_deviation.shrunk(-2.5f).contains(Point{vertex.x, vertex.y}));
+            EXPECT_TRUE(made.vertical_deviation.shrunk(-3.5f).contains(Point{vertex.x, vertex.y}));
         return drawn_shapes_of(store.batch);
     }
 
@@ -107,7 +109,8 @@ Place place_of(const CompassRose& rose, Point at, double angle_rad) {
 std::vector<Point> dots_of(const DrawnShapes& shapes, float max_side) {
     std::vector<DrawnLine> sides;
     for (const DrawnLine& line : shapes.lines)
-        if (is_same_color(line.color, kScaleColor) && std::hypot(line.to.x - line.from.x, line.to.y - line.from.y) < max_side)
+        if (is_same_color(line.color, test_support::day_color(SymbolRole::scale)) &&
+            std::hypot(line.to.x - line.from.x, line.to.y - line.from.y) < max_side)
             sides.push_back(line);
     std::vector<Point> dots;
     for (std::size_t first = 0; first + 7 < sides.size(); first += 8) {
@@ -176,7 +179,8 @@ TEST(CourseDeviation, P22TheNeedlePointsAlongTheCourse) {
     Course none(NavigationSource::radio1);
     none.state[Signal::selected_course] = {};
     EXPECT_TRUE(none.course().triangles.empty()) << "control: removed";
-    EXPECT_EQ(bar_of(none.course(), none.rose(), kEngagedColor, 0).size(), 1u) << "the deviation stays, upright";
+    EXPECT_EQ(bar_of(none.course(), none.rose(), test_support::day_color(SymbolRole::engaged), 0).size(), 1u)
+        << "the deviation stays, upright";
 }
 
 TEST(CourseDeviation, P22BeyondTheLastDotTheBarStaysAndIsHollow) {
@@ -225,7 +229,7 @@ TEST(CourseDeviation, P22TheVerticalPointerMovesToThePathAlongTwoDots) {
                 EXPECT_NEAR(static_cast<double>(dots[3].y), middle + 2 * spacing, 0.1);
                 EXPECT_NEAR(pointer_y(shapes, color_of(source)), middle + above * spacing, 0.6)
                     << "own ship above the path: pointer below the middle";
-                EXPECT_FALSE(pointer_y(shapes, kScaleColor) > 0) << "control: recolored";
+                EXPECT_FALSE(pointer_y(shapes, test_support::day_color(SymbolRole::scale)) > 0) << "control: recolored";
             }
 }
 
@@ -253,7 +257,8 @@ TEST(CourseDeviation, P23TheSourceIsNamedAndColored) {
     for (const Screen& screen : kScreens)
         for (const auto& c : cases) {
             const Course course(c.source, screen);
-            const design::Color other = is_radio(c.source) ? kGnssCourseColor : kEngagedColor;
+            const design::Color other = is_radio(c.source) ? test_support::day_color(SymbolRole::gnss_course)
+                                                           : test_support::day_color(SymbolRole::engaged);
             EXPECT_EQ(drawn_text(course.texts(), color_of(c.source)), c.lateral) << screen.width;
             EXPECT_EQ(drawn_text(course.path(), color_of(c.source)), c.vertical);
             EXPECT_EQ(drawn_text(course.texts(), other) + drawn_text(course.path(), other), "") << "control: recolored";
@@ -312,25 +317,30 @@ TEST(CourseDeviation, ScalesFollowTheSourceAndThePhase) {
 TEST(CourseDeviation, StaleDeviationsAreAmberWithTextAndFailedOnesCrossedOut) {
     for (const NavigationSource source : kSources) {
         Course course(source);
-        EXPECT_EQ(drawn_text(course.texts(), kCautionColor) + drawn_text(course.path(), kCautionColor), "") << "control";
+        EXPECT_EQ(drawn_text(course.texts(), test_support::day_color(SymbolRole::caution)) +
+                      drawn_text(course.path(), test_support::day_color(SymbolRole::caution)),
+                  "")
+            << "control";
         course.change = [](SymbologyInput& input) {
             for (const Element element : {Element::lateral_deviation, Element::vertical_deviation, Element::course})
                 input.decisions[element].show = ElementShow::flagged;
         };
-        EXPECT_NE(drawn_text(course.texts(), kCautionColor).find("STALE"), std::string::npos);
-        EXPECT_NE(drawn_text(course.path(), kCautionColor).find("STALE"), std::string::npos);
-        EXPECT_EQ(bar_of(course.course(), course.rose(), kCautionColor, 0).size(), 1u);
+        EXPECT_NE(drawn_text(course.texts(), test_support::day_color(SymbolRole::caution)).find("STALE"), std::string::npos);
+        EXPECT_NE(drawn_text(course.path(), test_support::day_color(SymbolRole::caution)).find("STALE"), std::string::npos);
+        EXPECT_EQ(bar_of(course.course(), course.rose(), test_support::day_color(SymbolRole::caution), 0).size(), 1u);
         course.change = [](SymbologyInput& input) {
             for (const Element element : {Element::lateral_deviation, Element::vertical_deviation, Element::course})
                 input.decisions[element].show = ElementShow::failed;
         };
-        EXPECT_EQ(drawn_text(course.texts(), kCautionColor), "CRS");
-        EXPECT_EQ(drawn_text(course.course(), kCautionColor), is_radio(source) ? "LOC" : "GPS");
-        EXPECT_EQ(drawn_text(course.path(), kCautionColor), is_radio(source) ? "GS" : "GP");
+        EXPECT_EQ(drawn_text(course.texts(), test_support::day_color(SymbolRole::caution)), "CRS");
+        EXPECT_EQ(drawn_text(course.course(), test_support::day_color(SymbolRole::caution)), is_radio(source) ? "LOC" : "GPS");
+        EXPECT_EQ(drawn_text(course.path(), test_support::day_color(SymbolRole::caution)), is_radio(source) ? "GS" : "GP");
         EXPECT_TRUE(bar_of(course.course(), course.rose(), color_of(source), 0).empty());
         for (const DrawnShapes& shapes : {course.course(), course.path(), course.texts()})
             EXPECT_EQ(std::count_if(shapes.lines.begin(), shapes.lines.end(),
-                                    [](const DrawnLine& line) { return is_same_color(line.color, kWarningColor); }),
+                                    [](const DrawnLine& line) {
+                                        return is_same_color(line.color, test_support::day_color(SymbolRole::warning));
+                                    }),
                       2);
     }
 }
@@ -338,9 +348,9 @@ TEST(CourseDeviation, StaleDeviationsAreAmberWithTextAndFailedOnesCrossedOut) {
 TEST(CourseDeviation, ALostStatementOfTheSourceCrossesOutWhatCameFromIt) {
     Course course(NavigationSource::gnss);
     course.state[Signal::navigation_source] = {3, kSceneNow - base::Duration::seconds(3600)};
-    EXPECT_EQ(drawn_text(course.course(), kCautionColor), "NAV");
-    EXPECT_EQ(drawn_text(course.path(), kCautionColor), "NAV");
-    EXPECT_EQ(drawn_text(course.texts(), kGnssCourseColor), "");
+    EXPECT_EQ(drawn_text(course.course(), test_support::day_color(SymbolRole::caution)), "NAV");
+    EXPECT_EQ(drawn_text(course.path(), test_support::day_color(SymbolRole::caution)), "NAV");
+    EXPECT_EQ(drawn_text(course.texts(), test_support::day_color(SymbolRole::gnss_course)), "");
 }
 
 TEST(CourseDeviation, WithoutVariationTheBarIsUprightAndHasNoArrow) {
@@ -348,11 +358,11 @@ TEST(CourseDeviation, WithoutVariationTheBarIsUprightAndHasNoArrow) {
     course.deviate(1, 0);
     course.change = [](SymbologyInput& input) { input.from_true_rad = std::nan(""); };
     EXPECT_TRUE(course.course().triangles.empty());
-    const std::vector<DrawnLine> bar = bar_of(course.course(), course.rose(), kEngagedColor, 0);
+    const std::vector<DrawnLine> bar = bar_of(course.course(), course.rose(), test_support::day_color(SymbolRole::engaged), 0);
     ASSERT_EQ(bar.size(), 1u);
     EXPECT_NEAR(bar[0].from.x, bar[0].to.x, 0.01f);
     EXPECT_LT(bar[0].from.x, course.rose().center.x);
-    EXPECT_EQ(drawn_text(course.texts(), kEngagedColor), "LOC1") << "no course";
+    EXPECT_EQ(drawn_text(course.texts(), test_support::day_color(SymbolRole::engaged)), "LOC1") << "no course";
 }
 
 TEST(CourseDeviation, TurningTheAircraftAndTheCourseTogetherMovesNothing) {

@@ -108,6 +108,7 @@ TEST(DataLegend, NoLegendHidesOtherSymbologyOnAnyScreen) {
                     input.legend.tint = input.legend.bands = tint;
                     input.data_legends = legends;
                     const Layout layout = make_layout(screen.width, screen.height, dpi, legend_need(input));
+                    if (!layout.has_legend_rows) continue;
                     const DataLegendPlan plan = plan_data_legends(legends, layout);
                     const std::string what = std::to_string(screen.width) + "x" + std::to_string(screen.height) + " " +
                                              std::to_string(dpi) + " with " + std::to_string(legends.size());
@@ -129,6 +130,7 @@ TEST(DataLegend, WhatIsDrawnStaysInItsBoxes) {
         for (const DataLegends& legends : mixed_lists()) {
             input.data_legends = legends;
             const Layout layout = make_layout(screen.width, screen.height, 96, legend_need(input));
+            if (!layout.has_legend_rows) continue;
             BatchStore store;
             build_data_legends(Painter(store.batch, layout), legends);
             EXPECT_EQ(store.batch.use().refused, 0u);

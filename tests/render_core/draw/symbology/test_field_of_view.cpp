@@ -42,6 +42,9 @@ TEST(FieldOfView, IsThatOfThePicture) {
     input.over = SymbolGround::perspective;
     input.decisions.unusual_attitude = true;
     EXPECT_FALSE(states_it()) << "a recovery picture has what is needed to recover";
+    input.decisions.unusual_attitude = false;
+    input.decisions[policy::Element::attitude].show = policy::ElementShow::failed;
+    EXPECT_FALSE(states_it()) << "nothing is shown across the width";
 }
 
 }  // namespace

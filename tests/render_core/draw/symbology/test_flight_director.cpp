@@ -68,7 +68,8 @@ TEST(FlightDirector, P24BarsLieWhereTheAttitudeMustGo) {
         build_flight_director(Painter(store.batch, layout), input);
         const Point c = layout.screen.center();
         const double t = static_cast<double>(layout.text_px);
-        const Extent level = extent_of(store.batch, kEngagedColor, true), upright = extent_of(store.batch, kEngagedColor, false);
+        const Extent level = extent_of(store.batch, test_support::day_color(SymbolRole::engaged), true),
+                     upright = extent_of(store.batch, test_support::day_color(SymbolRole::engaged), false);
         ASSERT_FALSE(level.empty() || upright.empty());
         const double up_px = input.view.focal_px * std::tan(base::radians(3));
         EXPECT_NEAR(level.middle_y(), static_cast<double>(c.y) - std::min(up_px, 4 * t), 0.6);
@@ -76,8 +77,8 @@ TEST(FlightDirector, P24BarsLieWhereTheAttitudeMustGo) {
         // The control: another command lies elsewhere.
         BatchStore other;
         build_flight_director(Painter(other.batch, layout), directed(screen, -1, -5));
-        EXPECT_GT(extent_of(other.batch, kEngagedColor, true).middle_y(), level.middle_y() + 5);
-        EXPECT_LT(extent_of(other.batch, kEngagedColor, false).middle_x(), upright.middle_x() - 5);
+        EXPECT_GT(extent_of(other.batch, test_support::day_color(SymbolRole::engaged), true).middle_y(), level.middle_y() + 5);
+        EXPECT_LT(extent_of(other.batch, test_support::day_color(SymbolRole::engaged), false).middle_x(), upright.middle_x() - 5);
     }
 }
 
@@ -88,7 +89,7 @@ TEST(FlightDirector, P24IsNeverLeftStandingWithoutItsSignals) {
         input.decisions[Element::flight_director].show = show;
         BatchStore store;
         build_flight_director(Painter(store.batch, layout), input);
-        EXPECT_TRUE(extent_of(store.batch, kEngagedColor, true).empty());
+        EXPECT_TRUE(extent_of(store.batch, test_support::day_color(SymbolRole::engaged), true).empty());
         EXPECT_EQ(store.batch.vertices().empty(), show == ElementShow::absent);
         EXPECT_EQ(text_of(store.batch).find("FD") != std::string::npos, show != ElementShow::absent);
     }
@@ -96,7 +97,8 @@ TEST(FlightDirector, P24IsNeverLeftStandingWithoutItsSignals) {
     frozen.decisions[Element::attitude].show = ElementShow::flagged;
     BatchStore over_stale;
     build_flight_director(Painter(over_stale.batch, layout), frozen);
-    EXPECT_TRUE(extent_of(over_stale.batch, kEngagedColor, true).empty()) << "no command over a stale attitude";
+    EXPECT_TRUE(extent_of(over_stale.batch, test_support::day_color(SymbolRole::engaged), true).empty())
+        << "no command over a stale attitude";
     EXPECT_NE(text_of(over_stale.batch).find("FD"), std::string::npos);
     SymbologyInput upset = directed(kScreens[0], 3, 10);
     upset.decisions.unusual_attitude = true;
@@ -113,7 +115,7 @@ TEST(FlightDirector, P25TheReferenceLiesAtTheGlidePathBelowTheHorizon) {
         input.guidance.path_reference_rad = base::radians(3);
         BatchStore store;
         build_path_reference(Painter(store.batch, layout), input);
-        const Extent dashes = extent_of(store.batch, kSelectedColor, true);
+        const Extent dashes = extent_of(store.batch, test_support::day_color(SymbolRole::selected), true);
         ASSERT_FALSE(dashes.empty());
         const double expected = static_cast<double>(layout.screen.center().y) + input.view.focal_px * std::tan(base::radians(3));
         EXPECT_NEAR(dashes.middle_y(), expected, 2.0);
@@ -121,7 +123,8 @@ TEST(FlightDirector, P25TheReferenceLiesAtTheGlidePathBelowTheHorizon) {
         input.guidance.path_reference_rad = base::radians(5);
         BatchStore steeper;
         build_path_reference(Painter(steeper.batch, layout), input);
-        EXPECT_GT(extent_of(steeper.batch, kSelectedColor, true).middle_y(), dashes.middle_y() + 5) << "the control";
+        EXPECT_GT(extent_of(steeper.batch, test_support::day_color(SymbolRole::selected), true).middle_y(), dashes.middle_y() + 5)
+            << "the control";
     }
 }
 
@@ -133,7 +136,7 @@ TEST(FlightDirector, P25FlaggedAndFailedReferencesAreSaid) {
         BatchStore store;
         build_path_reference(Painter(store.batch, layout), input);
         EXPECT_NE(text_of(store.batch).find("PATH"), std::string::npos);
-        EXPECT_TRUE(extent_of(store.batch, kSelectedColor, true).empty());
+        EXPECT_TRUE(extent_of(store.batch, test_support::day_color(SymbolRole::selected), true).empty());
     }
 }
 

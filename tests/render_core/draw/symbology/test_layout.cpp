@@ -31,20 +31,32 @@ std::vector<LegendNeed> legend_needs() {
             need.adjacent = maps;
             needs.push_back(need);
         }
+    // Without columns: none of the legends, and keys of all lengths, with maps beside the picture too.
+    for (std::size_t entries = 0; entries <= 7; ++entries)
+        for (const std::uint32_t maps : {0u, 1u, 9u}) {
+            LegendNeed need;
+            need.key_entries = entries;
+            need.adjacent = {maps, maps == 1 ? 5.0f : 2.5f};
+            needs.push_back(need);
+        }
+    needs.emplace_back();
+    needs.back().keeps_column = true;
     return needs;
 }
 
-/// All that are not empty; the legend of a terrain that needs none may be.
+/// All that are not empty; the legend of a terrain that needs none may be, and is without any legends.
 std::vector<std::pair<std::string, Rect>> boxes_of(const Layout& layout, const LegendNeed& need) {
     std::vector<std::pair<std::string, Rect>> boxes;
     for (const LayoutBox& entry : kLayoutBoxes) {
         const Rect& box = layout.*entry.box;
-        const bool may_be_empty = box.y == layout.legend.y && box.x == layout.legend.x && need.data.entries > 0;
-        EXPECT_TRUE(!box.empty() || (may_be_empty && need.terrain_most == 0)) << entry.name;
+        const bool may_be_empty = entry.box == &Layout::legend && (need.terrain_most == 0 || !layout.has_legend_rows);
+        EXPECT_TRUE(!box.empty() || may_be_empty) << entry.name;
         if (!box.empty()) boxes.emplace_back(entry.name, box);
     }
     for (const Rect& area : layout.data_legends)
         if (!area.empty()) boxes.emplace_back("data legends", area);
+    EXPECT_FALSE(layout.air.overlaps(layout.key.box)) << "the key and the air";
+    if (!layout.key.box.empty()) boxes.emplace_back("key", layout.key.box);
     if (!layout.adjacent.empty()) boxes.emplace_back("adjacent", layout.adjacent);
     return boxes;
 }
@@ -66,11 +78,57 @@ TEST(Layout, NoBoxOverlapsAnotherOrLeavesTheScreen) {
             }
 }
 
+TEST(Layout, TheKeyTakesAtMostATwentiethOfThePictureAndCountsWhatItLeavesOut) {
+    for (const Screen& screen : kScreens)
+        for (double dpi : {60.0, 96.0, 160.0, 300.0})
+            for (std::size_t entries = 1; entries <= 7; ++entries) {
+                LegendNeed need;
+                need.key_entries = entries;
+                const Layout layout = make_layout(screen.width, screen.height, dpi, need);
+                const std::string what = std::to_string(screen.width) + "x" + std::to_string(screen.height);
+                const float picture = layout.screen.width * layout.screen.height;
+                EXPECT_GE(layout.key.shown, 1u) << what << " " << dpi;
+                EXPECT_EQ(layout.key.shown + layout.key.cut, entries);
+                EXPECT_LE(layout.key.box.width * layout.key.box.height, 0.05f * picture) << what << " " << dpi;
+                EXPECT_FALSE(layout.key.box.overlaps(layout.airspeed) || layout.key.box.overlaps(layout.heading)) << what;
+            }
+}
+
+TEST(Layout, WhereRowsOfLegendsWouldTouchTheKeyStandsInTheirPlace) {
+    LegendNeed need{12.6f, 7.6f, {2, 25.7f, 5.5f}, {}};
+    need.keeps_column = true;
+    need.key_entries = 3;
+    const Layout small = make_layout(320, 240, 96, need), large = make_layout(640, 480, 96, need);
+    EXPECT_FALSE(small.has_legend_rows);
+    EXPECT_TRUE(small.legend.empty() && small.data_legends[0].empty());
+    EXPECT_GE(small.key.shown, 1u);
+    EXPECT_TRUE(large.has_legend_rows);
+    EXPECT_FALSE(large.legend.empty() || large.data_legends[0].empty());
+    EXPECT_EQ(large.key.shown, 0u);
+}
+
+TEST(Layout, WithoutColumnsTheAttitudeAndTheRoseHaveTheirRoom) {
+    for (const Screen& screen : kScreens) {
+        LegendNeed whole;
+        whole.keeps_column = true;
+        const Layout with = make_layout(screen.width, screen.height, 96, whole),
+                     without = make_layout(screen.width, screen.height, 96);
+        EXPECT_TRUE(without.legend.empty());
+        EXPECT_EQ(with.has_legend_rows, with.text_px >= kMinLegendText_px);
+        if (!with.has_legend_rows) continue;
+        EXPECT_GT(without.attitude.width, with.attitude.width + 4.9f * with.text_px);
+        EXPECT_NEAR(without.attitude.right(), with.attitude.right(), 0.01f);
+        EXPECT_GE(without.heading.width, with.heading.width);
+        EXPECT_NEAR(without.heading.center().x, without.screen.center().x, 0.01);
+    }
+}
+
 TEST(Layout, MapsBesideThePictureGiveWayToLegendsAndNothingElseDoes) {
     for (const Screen& screen : kScreens)
         for (const AdjacentNeed maps : {AdjacentNeed{1, 5}, {4, 2.5f}, {9, 2.5f}, {16, 1.5f}}) {
             const Layout layout = make_layout(screen.width, screen.height, 96, {3.6f, 3.6f, {1, 13, 2.9f}, maps}),
-                         bare = make_layout(screen.width, screen.height, 96);
+                         bare = make_layout(screen.width, screen.height, 96, {1, 1, {}, {}});
+            if (!layout.has_legend_rows) continue;
             ASSERT_FALSE(layout.adjacent.empty()) << screen.width << "x" << screen.height << " " << maps.maps;
             EXPECT_GE(layout.data_legends[0].height, 2.89f * layout.text_px);
             for (const LayoutBox& entry : kLayoutBoxes) {
@@ -86,16 +144,18 @@ TEST(Layout, MapsBesideThePictureGiveWayToLegendsAndNothingElseDoes) {
 
 TEST(Layout, MapsBecomeSmallerBeforeTheyGo) {
     const AdjacentNeed nine{9, 2.5f};
-    const Layout roomy = make_layout(640, 480, 96, {3.6f, 3.6f, {1, 13, 2.9f}, nine}),
-                 tight = make_layout(640, 480, 96, {12.6f, 7.6f, {3, 39, 8.4f}, nine});
+    const Layout roomy = make_layout(1280, 960, 96, {3.6f, 3.6f, {1, 13, 2.9f}, nine}),
+                 tight = make_layout(1280, 960, 96, {12.6f, 7.6f, {3, 39, 8.4f}, nine});
     ASSERT_FALSE(tight.adjacent.empty());
     EXPECT_LT(tight.adjacent.height, roomy.adjacent.height);
-    EXPECT_LT(plan_adjacent(tight.adjacent, 9, 16).side_px, plan_adjacent(roomy.adjacent, 9, 16).side_px);
+    EXPECT_LT(plan_adjacent(tight.adjacent, 9, 32).side_px, plan_adjacent(roomy.adjacent, 9, 32).side_px);
 }
 
 TEST(Layout, WithoutLegendsOfDataNothingMakesRoomForThem) {
     for (const Screen& screen : kScreens) {
-        const Layout bare = make_layout(screen.width, screen.height, 96),
+        LegendNeed nothing;
+        nothing.keeps_column = true;
+        const Layout bare = make_layout(screen.width, screen.height, 96, nothing),
                      terrain = make_layout(screen.width, screen.height, 96, {20, 15, {}, {}});
         for (const LayoutBox& entry : kLayoutBoxes) {
             EXPECT_EQ((bare.*entry.box).width, (terrain.*entry.box).width) << entry.name;
@@ -111,6 +171,7 @@ TEST(Layout, LegendsOfDataAlwaysHaveRoomForTheirScales) {
             for (const LegendNeed& need : legend_needs()) {
                 const Layout layout = make_layout(screen.width, screen.height, dpi, need);
                 const float t = layout.text_px;
+                if (!layout.has_legend_rows) continue;
                 std::size_t places = 0;
                 for (const Rect& area : layout.data_legends)
                     places += area.width > 8 * t ? 3 : static_cast<std::size_t>((area.height / t + 0.31f) / 2.9f);
@@ -162,7 +223,10 @@ TEST(Layout, TheVerticalDeviationIsBesideTheAltitudeAtTheHeightOfTheMiddle) {
 TEST(Layout, TheLegendHasTheRoomThatItCountsOn) {
     for (const Screen& screen : kScreens)
         for (double dpi : {60.0, 96.0, 160.0, 300.0}) {
-            const Layout layout = make_layout(screen.width, screen.height, dpi);
+            LegendNeed whole;
+            whole.keeps_column = true;
+            const Layout layout = make_layout(screen.width, screen.height, dpi, whole);
+            if (!layout.has_legend_rows) continue;
             EXPECT_GE(layout.legend.width, 4.99f * layout.text_px);
             EXPECT_GE(layout.legend.height, 19 * layout.text_px) << screen.width << "x" << screen.height << " " << dpi;
         }

@@ -29,9 +29,16 @@ SymbologyInput calm_input() {
     return input;
 }
 
+/// Of the whole legend.
+LegendNeed column() {
+    LegendNeed need;
+    need.keeps_column = true;
+    return need;
+}
+
 std::string legend_text(const SymbologyInput& input) {
     BatchStore store;
-    build_legend(Painter(store.batch, make_layout(640, 480, 96)), input);
+    build_legend(Painter(store.batch, make_layout(1280, 960, 96, column())), input);
     return text_of(store.batch);
 }
 
@@ -84,7 +91,7 @@ TEST(Legend, SpeaksTheUnitOfTheDesignAndOfThePalette) {
 }
 
 TEST(Legend, ADesignCanSwitchItOff) {
-    const Layout layout = make_layout(640, 480, 96);
+    const Layout layout = make_layout(1280, 960, 96, column());
     SymbologyInput input = calm_input();
     BatchStore with, without;
     build_symbology(with.batch, input, layout);
@@ -136,7 +143,8 @@ TEST(Legend, HasRoomOnEveryScreenWithEveryBandAndRangeOfHeights) {
         for (const double dpi : {60.0, 96.0, 300.0})
             for (const auto& [low, high] :
                  {std::pair{0.0, 8848.0}, {-430.0, 0.0}, {236.0, 1076.0}, {100.0, 101.0}, {-1.0, 0.5}, {5.0, 5.0}}) {
-                const Layout layout = make_layout(screen.width, screen.height, dpi);
+                const Layout layout = make_layout(screen.width, screen.height, dpi, column());
+                if (!layout.has_legend_rows) continue;
                 input.legend.lowest = low;
                 input.legend.highest = high;
                 BatchStore store;
@@ -169,7 +177,7 @@ int distance(Color a, Color b) {
 }
 
 TEST(Legend, EachNumberStandsAtItsColor) {
-    const Layout layout = make_layout(1280, 960, 96);
+    const Layout layout = make_layout(1280, 960, 96, column());
     SymbologyInput input = calm_input();
     input.legend.bands = false;
     const Picture picture = drawn(input, layout);
@@ -192,7 +200,7 @@ TEST(Legend, EachNumberStandsAtItsColor) {
 
 /// As terrain.frag draws missing data: stripes 12 pixels apart, half of them dark, the same along every diagonal.
 TEST(Legend, MissingDataIsHatchedAndTheOutsideIsPlain) {
-    const Layout layout = make_layout(1280, 960, 96);
+    const Layout layout = make_layout(1280, 960, 96, column());
     SymbologyInput input = calm_input();
     input.legend.bands = input.legend.tint = false;
     const Picture picture = drawn(input, layout);
@@ -217,7 +225,7 @@ TEST(Legend, MissingDataIsHatchedAndTheOutsideIsPlain) {
 }
 
 TEST(Legend, BandsLookAsTheyDoOverTheTerrain) {
-    const Layout layout = make_layout(1280, 960, 96);
+    const Layout layout = make_layout(1280, 960, 96, column());
     const SymbologyInput input = calm_input();
     const Picture picture = drawn(input, layout);
     BatchStore store;
@@ -242,9 +250,10 @@ TEST(Legend, ItsTextIsReadOverSnow) {
         return first > second ? first / second : second / first;
     };
     const Color snow{255, 255, 255};
-    const Color plate = blended(snow, kTapeGround, kTapeGround.alpha / 255.0);
-    EXPECT_GT(contrast(kScaleColor, plate), 4.5);
-    EXPECT_LT(contrast(kScaleColor, snow), 4.5) << "control";
+    const Color plate = blended(snow, test_support::day_color(SymbolRole::tape_ground),
+                                test_support::day_color(SymbolRole::tape_ground).alpha / 255.0);
+    EXPECT_GT(contrast(test_support::day_color(SymbolRole::scale), plate), 4.5);
+    EXPECT_LT(contrast(test_support::day_color(SymbolRole::scale), snow), 4.5) << "control";
 }
 
 }  // namespace

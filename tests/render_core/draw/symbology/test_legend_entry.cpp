@@ -75,8 +75,11 @@ TEST(LegendEntry, WhatIsStaleIsAmberAtEveryDetail) {
         build_data_legends(Painter(store.batch, layout), list_of({legend}));
         int count = 0;
         for (const QuadVertex& v : store.batch.vertices())
-            count +=
-                v.rgba[0] == kCautionColor.red && v.rgba[1] == kCautionColor.green && v.rgba[2] == kCautionColor.blue ? 1 : 0;
+            count += v.rgba[0] == test_support::day_color(SymbolRole::caution).red &&
+                             v.rgba[1] == test_support::day_color(SymbolRole::caution).green &&
+                             v.rgba[2] == test_support::day_color(SymbolRole::caution).blue
+                         ? 1
+                         : 0;
         return count;
     };
     DataLegend stale = wind();

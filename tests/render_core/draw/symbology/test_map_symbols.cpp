@@ -124,7 +124,7 @@ TEST(MapSymbols, TheRingIsBrokenWhereTheGroundIsMoved) {
     const Drawn broken(input);
     const auto vertices_near = [&](const Drawn& drawn, Point at) {
         return std::count_if(drawn.batch().vertices().begin(), drawn.batch().vertices().end(), [&](const QuadVertex& v) {
-            return is_color(v, kScaleColor) && std::hypot(v.x - at.x, v.y - at.y) < 12;
+            return is_color(v, test_support::day_color(SymbolRole::scale)) && std::hypot(v.x - at.x, v.y - at.y) < 12;
         });
     };
     const Point there = sign.middle, opposite{middle.x + radius, middle.y};
@@ -201,7 +201,8 @@ TEST(MapSymbols, TheOwnShipPointsAlongItsHeading) {
     for (const double up_deg : {0.0, 30.0, 300.0})
         for (const double heading_deg : {0.0, 77.0, 190.0, 359.0}) {
             const Drawn drawn(map_input(heading_deg, up_deg));
-            const Point tail = nose_of(drawn.batch(), kReferenceColor);  // wings forward of, tail behind the middle
+            const Point tail = nose_of(
+                drawn.batch(), test_support::day_color(SymbolRole::reference));  // wings forward of, tail behind the middle
             const double angle = radians(heading_deg - up_deg);
             const double along = (tail.x - 512) * std::sin(angle) - (tail.y - 384) * std::cos(angle);
             const double aside = (tail.x - 512) * std::cos(angle) + (tail.y - 384) * std::sin(angle);
@@ -220,7 +221,7 @@ TEST(MapSymbols, WithoutAHeadingTheOwnShipPointsNowhere) {
     ASSERT_EQ(disc.batch().vertices().size(), other.batch().vertices().size());
     for (std::size_t n = 0; n < disc.batch().vertices().size(); ++n)
         EXPECT_EQ(disc.batch().vertices()[n].x, other.batch().vertices()[n].x);
-    EXPECT_TRUE(has_color(disc.batch(), kReferenceColor)) << "the position is good";
+    EXPECT_TRUE(has_color(disc.batch(), test_support::day_color(SymbolRole::reference))) << "the position is good";
     input.decisions.view_heading = Signal::true_heading;
     EXPECT_NE(disc.batch().vertices().size(), Drawn(input).batch().vertices().size()) << "control";
 }
@@ -228,8 +229,8 @@ TEST(MapSymbols, WithoutAHeadingTheOwnShipPointsNowhere) {
 TEST(MapSymbols, ATrackInTheHeadingsPlaceIsAmber) {
     SymbologyInput input = map_input(40, 0);
     input.decisions.view_heading = Signal::true_track;
-    EXPECT_TRUE(has_color(Drawn(input).batch(), kCautionColor));
-    EXPECT_FALSE(has_color(Drawn(input).batch(), kReferenceColor));
+    EXPECT_TRUE(has_color(Drawn(input).batch(), test_support::day_color(SymbolRole::caution)));
+    EXPECT_FALSE(has_color(Drawn(input).batch(), test_support::day_color(SymbolRole::reference)));
 }
 
 TEST(MapSymbols, TheArrowPointsNorthAndSaysWhatIsUp) {
@@ -245,7 +246,8 @@ TEST(MapSymbols, TheArrowPointsNorthAndSaysWhatIsUp) {
         input.decisions[Element::map_up] = {c.show, c.source};
         const Drawn drawn(input);
         EXPECT_NE(drawn.text().find(c.label), std::string::npos) << drawn.text();
-        EXPECT_EQ(has_color(drawn.batch(), kCautionColor), c.show != ElementShow::normal) << c.label;
+        EXPECT_EQ(has_color(drawn.batch(), test_support::day_color(SymbolRole::caution)), c.show != ElementShow::normal)
+            << c.label;
     }
     // The letter lies off the plate's middle towards the north.
     for (const double up_deg : {0.0, 90.0, 200.0}) {
@@ -284,18 +286,18 @@ TEST(MapSymbols, ALostPositionIsACrossThatSaysNothingElse) {
     SymbologyInput input = map_input(40, 0);
     input.decisions[Element::position].show = ElementShow::failed;
     const Drawn drawn(input);
-    EXPECT_TRUE(has_color(drawn.batch(), kWarningColor));
+    EXPECT_TRUE(has_color(drawn.batch(), test_support::day_color(SymbolRole::warning)));
     EXPECT_EQ(drawn.text(), "NOPOSITION");
-    EXPECT_FALSE(has_color(drawn.batch(), kReferenceColor));
+    EXPECT_FALSE(has_color(drawn.batch(), test_support::day_color(SymbolRole::reference)));
 }
 
 TEST(MapSymbols, AStalePositionIsAmberAndSaysSo) {
     SymbologyInput input = map_input(40, 0);
-    EXPECT_FALSE(has_color(Drawn(input).batch(), kCautionColor)) << "control";
+    EXPECT_FALSE(has_color(Drawn(input).batch(), test_support::day_color(SymbolRole::caution))) << "control";
     input.decisions[Element::position].show = ElementShow::flagged;
     const Drawn drawn(input);
-    EXPECT_FALSE(has_color(drawn.batch(), kReferenceColor));
-    EXPECT_TRUE(has_color(drawn.batch(), kCautionColor));
+    EXPECT_FALSE(has_color(drawn.batch(), test_support::day_color(SymbolRole::reference)));
+    EXPECT_TRUE(has_color(drawn.batch(), test_support::day_color(SymbolRole::caution)));
     EXPECT_NE(drawn.text().find("POSITIONSTALE"), std::string::npos);
 }
 

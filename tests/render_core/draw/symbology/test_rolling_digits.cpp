@@ -124,7 +124,8 @@ TEST(RollingDigits, DrawnDigitsStayInTheWindowAndTheNearestReadingIsWrittenFirst
         for (double value = -250; value < 1300; value += 1.7) {
             BatchStore store;
             const RollingDigits digits = rolling_digits(value, format);
-            build_rolling_digits(Painter(store.batch, layout()), window, digits, 1.25f, kScaleColor);
+            build_rolling_digits(Painter(store.batch, layout()), window, digits, 1.25f,
+                                 test_support::day_color(SymbolRole::scale));
             for (const QuadVertex& vertex : store.batch.vertices())
                 ASSERT_TRUE(window.shrunk(-0.01f).contains(Point{vertex.x, vertex.y})) << value;
             const std::string text = text_of(store.batch), near = reading(digits, digits.share >= 0.5);
@@ -141,7 +142,8 @@ TEST(RollingDigits, AGrowingValueMovesTheDrumDown) {
     const Rect window{100, 100, 80, 28};
     const auto height_of = [&](double value, char letter) {
         BatchStore store;
-        build_rolling_digits(Painter(store.batch, layout()), window, rolling_digits(value, kSpeed), 1.25f, kScaleColor);
+        build_rolling_digits(Painter(store.batch, layout()), window, rolling_digits(value, kSpeed), 1.25f,
+                             test_support::day_color(SymbolRole::scale));
         float y = -1;
         for (const BatchShape& shape : shapes_of(store.batch))
             if (shape.letter == letter) y = shape.bounds.center().y;

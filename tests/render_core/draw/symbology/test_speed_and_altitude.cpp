@@ -51,7 +51,9 @@ public:
     }
     [[nodiscard]] std::string text(const Rect& where, design::Color color) const { return text_in(store.batch, where, color); }
     /// The ground below a scale, which is the scale's box.
-    [[nodiscard]] Rect scale(const Rect& box) const { return bounds_of(shapes(box, kTapeGround)); }
+    [[nodiscard]] Rect scale(const Rect& box) const {
+        return bounds_of(shapes(box, test_support::day_color(SymbolRole::tape_ground)));
+    }
     [[nodiscard]] Rect readout(const Rect& box) const {
         const Rect ground = scale(box);
         return {ground.x, ground.center().y - 1.1f * layout.text_px, ground.width, 2.2f * layout.text_px};
@@ -60,7 +62,7 @@ public:
     [[nodiscard]] Rect trend(const Rect& box, bool ticks_right) const {
         const Rect ground = scale(box);
         const float inset = kTrendInset * layout.text_px, x = ticks_right ? ground.right() - inset : ground.x + inset;
-        return bounds_of(shapes({x - 1, ground.y, 2, ground.height}, kScaleColor));
+        return bounds_of(shapes({x - 1, ground.y, 2, ground.height}, test_support::day_color(SymbolRole::scale)));
     }
 
     Layout layout;
@@ -80,13 +82,16 @@ TEST(Symbology, P11SpeedTapeStandsLeftAndItsLastDigitRolls) {
         EXPECT_LT(box.right(), scene.layout.screen.center().x);
         scene.input.airspeed_mps = 128.5 * base::kMpsPerKnot;
         scene.build(build_airspeed);
-        EXPECT_EQ(scene.text(scene.readout(box), kScaleColor), "1298") << "the nearest reading, then the digit that leaves";
+        EXPECT_EQ(scene.text(scene.readout(box), test_support::day_color(SymbolRole::scale)), "1298")
+            << "the nearest reading, then the digit that leaves";
         scene.input.airspeed_mps = 199.6 * base::kMpsPerKnot;
         scene.build(build_airspeed);
-        EXPECT_EQ(scene.text(scene.readout(box), kScaleColor), "200199") << "tens and hundreds roll along";
+        EXPECT_EQ(scene.text(scene.readout(box), test_support::day_color(SymbolRole::scale)), "200199")
+            << "tens and hundreds roll along";
         scene.input.airspeed_mps = 128.04 * base::kMpsPerKnot;
         scene.build(build_airspeed);
-        EXPECT_EQ(scene.text(scene.readout(box), kScaleColor), "128") << "control: at rest only one is seen";
+        EXPECT_EQ(scene.text(scene.readout(box), test_support::day_color(SymbolRole::scale)), "128")
+            << "control: at rest only one is seen";
     }
 }
 
@@ -134,16 +139,21 @@ TEST(Symbology, P12SpeedBandsAndFlagsStandAtTheirSpeeds) {
             EXPECT_NEAR(static_cast<double>(band.bottom()), y_of(scale, low_kt - 128, 100), 0.1) << low_kt;
             EXPECT_NEAR(static_cast<double>(band.y), y_of(scale, high_kt - 128, 100), 0.1) << high_kt;
         };
-        expect_between(kEngagedColor, 100, 140);
-        expect_between(kReferenceColor, 140, 160);
-        expect_between(kScaleColor, 95, 115);
-        EXPECT_LT(band_bounds(scene, scale, kScaleColor).width, 0.6f * band_bounds(scene, scale, kEngagedColor).width);
+        expect_between(test_support::day_color(SymbolRole::engaged), 100, 140);
+        expect_between(test_support::day_color(SymbolRole::reference), 140, 160);
+        expect_between(test_support::day_color(SymbolRole::scale), 95, 115);
+        EXPECT_LT(band_bounds(scene, scale, test_support::day_color(SymbolRole::scale)).width,
+                  0.6f * band_bounds(scene, scale, test_support::day_color(SymbolRole::engaged)).width);
         const float t = scene.layout.text_px;
         const auto y = static_cast<float>(y_of(scale, 110 - 128, 100));
-        EXPECT_EQ(scene.text({scale.right() - kFlagWidth * t, y - 0.5f * t, kFlagWidth * t, t}, kScaleColor), "V2");
+        EXPECT_EQ(scene.text({scale.right() - kFlagWidth * t, y - 0.5f * t, kFlagWidth * t, t},
+                             test_support::day_color(SymbolRole::scale)),
+                  "V2");
         scene.input.bands = {};
         scene.build(build_airspeed);
-        for (const design::Color color : {kEngagedColor, kReferenceColor, kWarningColor, kCautionColor})
+        for (const design::Color color :
+             {test_support::day_color(SymbolRole::engaged), test_support::day_color(SymbolRole::reference),
+              test_support::day_color(SymbolRole::warning), test_support::day_color(SymbolRole::caution)})
             EXPECT_TRUE(scene.shapes(box, color).empty()) << "control: no aircraft file";
     }
 }
@@ -157,9 +167,9 @@ TEST(Symbology, P12AboveTheLimitIsRedAndAPoleHasWhiteStripes) {
         scene.build(build_airspeed);
         Rect column = band_column(scene, scene.scale(box));
         column.height /= 2;
-        EXPECT_FALSE(scene.shapes(column, kWarningColor).empty());
+        EXPECT_FALSE(scene.shapes(column, test_support::day_color(SymbolRole::warning)).empty());
         int count = 0;
-        for (const BatchShape& shape : scene.shapes(column, kScaleColor))
+        for (const BatchShape& shape : scene.shapes(column, test_support::day_color(SymbolRole::scale)))
             count += std::fabs(shape.bounds.width - column.width) < 0.1f ? 1 : 0;
         return count;
     };
@@ -176,14 +186,15 @@ TEST(Symbology, P13LowSpeedIsAmberThenRedDownToTheScalesEnd) {
         scene.input.airspeed_mps = 95 * base::kMpsPerKnot;
         scene.build(build_airspeed);
         const Rect scale = scene.scale(box);
-        const Rect amber = band_bounds(scene, scale, kCautionColor), red = band_bounds(scene, scale, kWarningColor);
+        const Rect amber = band_bounds(scene, scale, test_support::day_color(SymbolRole::caution)),
+                   red = band_bounds(scene, scale, test_support::day_color(SymbolRole::warning));
         EXPECT_NEAR(static_cast<double>(amber.y), y_of(scale, 100 - 95, 100), 0.1);
         EXPECT_NEAR(static_cast<double>(amber.bottom()), y_of(scale, 90 - 95, 100), 0.1);
         EXPECT_NEAR(red.y, amber.bottom(), 0.1f);
-        EXPECT_NEAR(red.bottom(), scale.bottom(), 0.1f);
+        EXPECT_NEAR(red.bottom(), scale.bottom() - 2 * scene.layout.stroke_px, 0.1f) << "but for the rim";
         scene.input.airspeed_mps = 97 * base::kMpsPerKnot;
         scene.build(build_airspeed);
-        EXPECT_GT(band_bounds(scene, scale, kCautionColor).y, amber.y) << "control: moved";
+        EXPECT_GT(band_bounds(scene, scale, test_support::day_color(SymbolRole::caution)).y, amber.y) << "control: moved";
     }
 }
 
@@ -214,7 +225,8 @@ TEST(Symbology, P14SpeedTrendIsWhereTheAirspeedWillBeInSixSeconds) {
 /// Of the boldest tick at this height beside the edge, strokes.
 float tick_strokes(const Scene& scene, const Rect& scale, double y) {
     float height = 0;
-    for (const BatchShape& tick : scene.shapes({scale.x, static_cast<float>(y) - 1, scene.layout.text_px, 2}, kScaleColor))
+    for (const BatchShape& tick :
+         scene.shapes({scale.x, static_cast<float>(y) - 1, scene.layout.text_px, 2}, test_support::day_color(SymbolRole::scale)))
         if (tick.bounds.width < scene.layout.text_px) height = std::max(height, tick.bounds.height);
     return height / scene.layout.stroke_px;
 }
@@ -226,17 +238,18 @@ TEST(Symbology, P15AltitudeTapeStandsRightRollsAndEmphasizesFiveHundredsAndThous
         EXPECT_GT(box.x, scene.layout.screen.center().x);
         scene.input.altitude_m = 4790 * base::kMetresPerFoot;
         scene.build(build_altitude);
-        EXPECT_EQ(scene.text(scene.readout(box), kScaleColor), "4800780") << "the nearest reading, then what leaves";
+        EXPECT_EQ(scene.text(scene.readout(box), test_support::day_color(SymbolRole::scale)), "4800780")
+            << "the nearest reading, then what leaves";
         const Rect scale = scene.scale(box);
         EXPECT_NEAR(tick_strokes(scene, scale, y_of(scale, 5000 - 4790, 1000)), 3, 0.01);
         EXPECT_NEAR(tick_strokes(scene, scale, y_of(scale, 4500 - 4790, 1000)), 2, 0.01);
         EXPECT_NEAR(tick_strokes(scene, scale, y_of(scale, 4600 - 4790, 1000)), 1, 0.01) << "control";
-        const std::string text = scene.text(scale, kScaleColor);
+        const std::string text = scene.text(scale, test_support::day_color(SymbolRole::scale));
         EXPECT_NE(text.find("5000"), std::string::npos) << text;
         EXPECT_NE(text.find("4500"), std::string::npos) << text;
         scene.input.altitude_m = -30 * base::kMetresPerFoot;
         scene.build(build_altitude);
-        EXPECT_EQ(scene.text(scene.readout(box), kScaleColor), "-2040") << "below the sea";
+        EXPECT_EQ(scene.text(scene.readout(box), test_support::day_color(SymbolRole::scale)), "-2040") << "below the sea";
     }
 }
 
@@ -295,21 +308,23 @@ TEST(Symbology, P17SelectedValuesStandAboveTheirScalesAndHaveBugs) {
             Scene scene(screen);
             const Rect& box = scene.layout.*selected.box;
             scene.build(selected.build);
-            EXPECT_TRUE(scene.shapes(box, kSelectedColor).empty()) << "control: nothing is selected";
+            EXPECT_TRUE(scene.shapes(box, test_support::day_color(SymbolRole::selected)).empty())
+                << "control: nothing is selected";
             scene.show(selected.element, ElementShow::normal);
             scene.input.guidance.*selected.value = selected.at * selected.unit;
             scene.build(selected.build);
-            const Rect scale = scene.scale(box), bug = bounds_of(scene.shapes(scale, kSelectedColor));
+            const Rect scale = scene.scale(box),
+                       bug = bounds_of(scene.shapes(scale, test_support::day_color(SymbolRole::selected)));
             const Rect above{box.x, box.y, box.width, scale.y - box.y};
-            EXPECT_EQ(scene.text(above, kSelectedColor), selected.text);
+            EXPECT_EQ(scene.text(above, test_support::day_color(SymbolRole::selected)), selected.text);
             EXPECT_NEAR(static_cast<double>(bug.center().y), y_of(scale, selected.above_middle, span_of(selected, scene, scale)),
                         0.1);
             scene.input.guidance.*selected.value += 3 * selected.unit;
             scene.build(selected.build);
-            EXPECT_LT(bounds_of(scene.shapes(scale, kSelectedColor)).y, bug.y) << "control: moved";
+            EXPECT_LT(bounds_of(scene.shapes(scale, test_support::day_color(SymbolRole::selected))).y, bug.y) << "control: moved";
             scene.input.guidance.*selected.value = 90'000 * selected.unit;
             scene.build(selected.build);
-            const Rect end = bounds_of(scene.shapes(scale, kSelectedColor));
+            const Rect end = bounds_of(scene.shapes(scale, test_support::day_color(SymbolRole::selected)));
             EXPECT_NEAR(end.y, scale.y, 0.1f) << "off the scale";
             EXPECT_NEAR(end.height, kBugReach * scene.layout.text_px, 0.1f) << "one half of it is seen";
         }
@@ -323,16 +338,18 @@ TEST(Symbology, P17SelectedValuesThatAreStaleOrLostAreNeverCyan) {
             scene.input.guidance.*selected.value = selected.at * selected.unit;
             scene.show(selected.element, ElementShow::flagged);
             scene.build(selected.build);
-            EXPECT_EQ(scene.text(box, kCautionColor), selected.text);
-            EXPECT_FALSE(scene.shapes(scene.scale(box), kCautionColor).empty()) << "the bug's outline";
-            EXPECT_TRUE(scene.shapes(box, kSelectedColor).empty());
-            EXPECT_EQ(scene.text(box, kSelectedColor), "");
+            EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::caution)), selected.text);
+            EXPECT_FALSE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::caution)).empty())
+                << "the bug's outline";
+            EXPECT_TRUE(scene.shapes(box, test_support::day_color(SymbolRole::selected)).empty());
+            EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::selected)), "");
             scene.show(selected.element, ElementShow::failed);
             scene.build(selected.build);
-            EXPECT_EQ(scene.text(box, kWarningColor), selected.name);
-            EXPECT_TRUE(scene.shapes(scene.scale(box), kWarningColor).empty()) << "the tape itself stays";
-            EXPECT_FALSE(scene.text(scene.scale(box), kScaleColor).empty());
-            EXPECT_TRUE(scene.shapes(box, kSelectedColor).empty());
+            EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::warning)), selected.name);
+            EXPECT_TRUE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::warning)).empty())
+                << "the tape itself stays";
+            EXPECT_FALSE(scene.text(scene.scale(box), test_support::day_color(SymbolRole::scale)).empty());
+            EXPECT_TRUE(scene.shapes(box, test_support::day_color(SymbolRole::selected)).empty());
         }
 }
 
@@ -345,11 +362,12 @@ TEST(Symbology, P17ASelectedValueHasNoBugOnTheScaleOfAnotherReference) {
         scene.input.guidance.*selected.value = selected.at * selected.unit;
         scene.show(element, ElementShow::substituted);
         scene.build(selected.build);
-        EXPECT_EQ(scene.text(box, kSelectedColor), selected.text);
-        EXPECT_TRUE(scene.shapes(scene.scale(box), kSelectedColor).empty());
+        EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::selected)), selected.text);
+        EXPECT_TRUE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::selected)).empty());
         scene.show(element, ElementShow::failed);
         scene.build(selected.build);
-        EXPECT_EQ(scene.text(box, kSelectedColor), selected.text) << "it stays above the failed tape";
+        EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::selected)), selected.text)
+            << "it stays above the failed tape";
     }
 }
 
@@ -362,7 +380,7 @@ TEST(Symbology, P18VerticalSpeedHasANeedleAndANumber) {
             scene.build(build_vertical_speed);
             const Rect scale = scene.scale(box);
             Rect longest;
-            for (const BatchShape& line : scene.shapes(scale, kScaleColor))
+            for (const BatchShape& line : scene.shapes(scale, test_support::day_color(SymbolRole::scale)))
                 if (line.bounds.width > longest.width) longest = line.bounds;
             return longest.center().y - scale.center().y;
         };
@@ -372,18 +390,19 @@ TEST(Symbology, P18VerticalSpeedHasANeedleAndANumber) {
         EXPECT_NEAR(needle(9000), needle(2000), 0.01f) << "it stays at the end";
         EXPECT_LT(static_cast<double>(needle(2000)), -0.3 * reach);
         needle(-1234);
-        EXPECT_EQ(
-            scene.text({box.x, box.bottom() - 1.8f * scene.layout.text_px, box.width, 1.8f * scene.layout.text_px}, kScaleColor),
-            "-1230");
+        EXPECT_EQ(scene.text({box.x, box.bottom() - 1.8f * scene.layout.text_px, box.width, 1.8f * scene.layout.text_px},
+                             test_support::day_color(SymbolRole::scale)),
+                  "-1230");
         EXPECT_NE(needle(-1000), needle(-500)) << "control: moved";
     }
 }
 
 TEST(Symbology, P19BaroMinimumHasABugInTheColorOfItsState) {
-    const std::pair<MinimumsState, design::Color> states[] = {{MinimumsState::none, kSelectedColor},
-                                                              {MinimumsState::above, kSelectedColor},
-                                                              {MinimumsState::near, kScaleColor},
-                                                              {MinimumsState::at_or_below, kCautionColor}};
+    const std::pair<MinimumsState, design::Color> states[] = {
+        {MinimumsState::none, test_support::day_color(SymbolRole::selected)},
+        {MinimumsState::above, test_support::day_color(SymbolRole::selected)},
+        {MinimumsState::near, test_support::day_color(SymbolRole::scale)},
+        {MinimumsState::at_or_below, test_support::day_color(SymbolRole::caution)}};
     for (const Screen& screen : kScreens)
         for (const auto& [state, color] : states) {
             Scene scene(screen);
@@ -406,7 +425,7 @@ TEST(Symbology, P19BaroMinimumHasABugInTheColorOfItsState) {
             scene.show(Element::baro_minimum, ElementShow::absent);
             scene.build(build_altitude);
             EXPECT_TRUE(scene.shapes({scale.x + 0.5f * t, y - 1, 0.05f * t, 2}, color).empty()) << "control: removed";
-            EXPECT_EQ(scene.text(box, kSelectedColor), "");
+            EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::selected)), "");
         }
 }
 
@@ -416,17 +435,19 @@ TEST(Symbology, P19EachMinimumHasTheColorOfItsOwnState) {
     scene.show(Element::radio_minimum, ElementShow::normal);
     scene.input.decisions.radio_minimum = MinimumsState::at_or_below;
     scene.build(build_altitude);
-    EXPECT_EQ(scene.text(scene.layout.altitude, kSelectedColor), "MIN0") << "the state is that of the other minimum";
+    EXPECT_EQ(scene.text(scene.layout.altitude, test_support::day_color(SymbolRole::selected)), "MIN0")
+        << "the state is that of the other minimum";
     scene.input.decisions.baro_minimum = MinimumsState::at_or_below;
     scene.build(build_altitude);
-    EXPECT_EQ(scene.text(scene.layout.altitude, kCautionColor), "MIN0") << "control: now it is this one's";
+    EXPECT_EQ(scene.text(scene.layout.altitude, test_support::day_color(SymbolRole::caution)), "MIN0")
+        << "control: now it is this one's";
 }
 
 TEST(Symbology, P19TheRadioMinimumStandsByTheHeightAboveGround) {
     for (const Screen& screen : kScreens)
-        for (const auto& [state, color] : {std::pair{MinimumsState::above, kSelectedColor},
-                                           {MinimumsState::near, kScaleColor},
-                                           {MinimumsState::at_or_below, kCautionColor}}) {
+        for (const auto& [state, color] : {std::pair{MinimumsState::above, test_support::day_color(SymbolRole::selected)},
+                                           {MinimumsState::near, test_support::day_color(SymbolRole::scale)},
+                                           {MinimumsState::at_or_below, test_support::day_color(SymbolRole::caution)}}) {
             Scene scene(screen);
             scene.show(Element::radio_minimum, ElementShow::normal);
             scene.input.decisions.radio_minimum = state;
@@ -435,7 +456,8 @@ TEST(Symbology, P19TheRadioMinimumStandsByTheHeightAboveGround) {
             EXPECT_NE(scene.text(scene.layout.ground_height, color).find("DH200"), std::string::npos) << screen.width;
             scene.show(Element::radio_minimum, ElementShow::failed);
             scene.build(build_ground_height);
-            EXPECT_EQ(scene.text(scene.layout.ground_height, kCautionColor), "DH") << "crossed out";
+            EXPECT_EQ(scene.text(scene.layout.ground_height, test_support::day_color(SymbolRole::caution)), "DH")
+                << "crossed out";
             scene.show(Element::radio_minimum, ElementShow::absent);
             scene.build(build_ground_height);
             EXPECT_EQ(scene.text(scene.layout.ground_height, color).find("DH"), std::string::npos) << "control";
@@ -449,12 +471,13 @@ TEST(Symbology, P19AMinimumThatIsStaleOrLostSaysSo) {
         scene.input.guidance.baro_minimum_m = 4310 * base::kMetresPerFoot;
         scene.show(Element::baro_minimum, ElementShow::flagged);
         scene.build(build_altitude);
-        EXPECT_EQ(scene.text(box, kCautionColor), "MIN4310");
-        EXPECT_FALSE(scene.shapes(scene.scale(box), kCautionColor).empty());
+        EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::caution)), "MIN4310");
+        EXPECT_FALSE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::caution)).empty());
         scene.show(Element::baro_minimum, ElementShow::failed);
         scene.build(build_altitude);
-        EXPECT_EQ(scene.text(box, kWarningColor), "MIN");
-        EXPECT_TRUE(scene.shapes(scene.scale(box), kWarningColor).empty()) << "the tape itself stays";
+        EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::warning)), "MIN");
+        EXPECT_TRUE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::warning)).empty())
+            << "the tape itself stays";
     }
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "render_core/draw/symbology/annunciations.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/draw/batch_rasterizer.hpp"
 #include "tests/support/draw/symbology_scene.hpp"
@@ -99,26 +100,6 @@ TEST(Symbology, EveryPieceStaysInItsBoxInEveryPicture) {
                 }
 }
 
-TEST(Symbology, PhaseAndNoticesStayInTheirBoxes) {
-    for (const Screen& screen : kScreens)
-        for (std::size_t notices : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{5}, std::size_t{12}}) {
-            SymbologyInput input = scene_input(scene_state(3, 0, 0), screen.width, screen.height);
-            const Layout layout = make_layout(screen.width, screen.height, 96);
-            input.decisions.notices.clear();
-            for (std::size_t i = 0; i < notices; ++i)
-                ASSERT_TRUE(
-                    input.decisions.notices.try_push_back({policy::NoticeLevel::caution, "TERRAIN DATABASE FAILURE 12345"}));
-            BatchStore store;
-            build_notices(Painter(store.batch, layout), input);
-            expect_inside(store.batch, layout.notices, "notices");
-            EXPECT_EQ(text_of(store.batch).find("MORE") != std::string::npos, notices > 4);
-            BatchStore phases;
-            input.phase.phase = flight::kGoAroundReplanning;
-            build_phase(Painter(phases.batch, layout), input);
-            expect_inside(phases.batch, layout.phase, "phase");
-        }
-}
-
 TEST(Symbology, AFailedOrAbsentElementNeverDependsOnItsValue) {
     for (const Piece& piece : kPieces)
         for (ElementShow show : {ElementShow::failed, ElementShow::absent}) {
@@ -144,16 +125,16 @@ TEST(Symbology, FailuresAreRedWithTextAndStaleValuesAmberWithText) {
         const Layout layout = make_layout(640, 480, 96);
         BatchStore normal, failed, stale;
         piece.build(Painter(normal.batch, layout), input);
-        EXPECT_FALSE(has_color(normal.batch, kWarningColor)) << piece.name;
-        EXPECT_FALSE(has_color(normal.batch, kCautionColor)) << piece.name;
+        EXPECT_FALSE(has_color(normal.batch, test_support::day_color(SymbolRole::warning))) << piece.name;
+        EXPECT_FALSE(has_color(normal.batch, test_support::day_color(SymbolRole::caution))) << piece.name;
         input.decisions[piece.element].show = ElementShow::failed;
         piece.build(Painter(failed.batch, layout), input);
-        EXPECT_TRUE(has_color(failed.batch, kWarningColor)) << piece.name;
+        EXPECT_TRUE(has_color(failed.batch, test_support::day_color(SymbolRole::warning))) << piece.name;
         EXPECT_FALSE(text_of(failed.batch).empty()) << piece.name;
         if (piece.element == Element::flight_path) continue;  // has no last value worth showing
         input.decisions[piece.element].show = ElementShow::flagged;
         piece.build(Painter(stale.batch, layout), input);
-        EXPECT_TRUE(has_color(stale.batch, kCautionColor)) << piece.name;
+        EXPECT_TRUE(has_color(stale.batch, test_support::day_color(SymbolRole::caution))) << piece.name;
         EXPECT_NE(text_of(stale.batch).find("STALE"), std::string::npos) << piece.name;
     }
 }
@@ -167,7 +148,7 @@ TEST(Symbology, NumbersAreInTheCockpitsUnitsWithTheirSource) {
                                                                      {build_heading, {"HDGTRUE", "047"}},
                                                                      {build_baro_setting, {"QNHHPA", "1009"}},
                                                                      {build_ground_height, {"RAFT", "1240"}},
-                                                                     {build_phase, {"APPROACHFINAL", "PHASEBYSWITCH"}}};
+                                                                     {build_annunciations, {"APPROACHFINAL", "PHASEBYSWITCH"}}};
     for (const auto& [build, texts] : expected) {
         BatchStore store;
         build(Painter(store.batch, layout), input);
@@ -313,8 +294,8 @@ TEST(Symbology, ChevronsAppearOnlyInUnusualAttitudes) {
     BatchStore steep, calm;
     build_attitude(Painter(steep.batch, layout), scene_input(scene_state(10, 40, 0), 640, 480));
     build_attitude(Painter(calm.batch, layout), scene_input(scene_state(10, 20, 0), 640, 480));
-    EXPECT_TRUE(has_color(steep.batch, kWarningColor));
-    EXPECT_FALSE(has_color(calm.batch, kWarningColor));
+    EXPECT_TRUE(has_color(steep.batch, test_support::day_color(SymbolRole::warning)));
+    EXPECT_FALSE(has_color(calm.batch, test_support::day_color(SymbolRole::warning)));
 }
 
 TEST(Symbology, RightBankTurnsTheSkyPointerLeft) {
@@ -324,8 +305,9 @@ TEST(Symbology, RightBankTurnsTheSkyPointerLeft) {
         build_attitude(Painter(store.batch, layout), scene_input(scene_state(10, 0, roll), 640, 480));
         double lowest_y = 1e9, x_of_lowest = 0;
         for (const QuadVertex& v : store.batch.vertices())
-            if (v.rgba[0] == kReferenceColor.red && v.rgba[1] == kReferenceColor.green && v.rgba[2] == kReferenceColor.blue &&
-                static_cast<double>(v.y) < lowest_y)
+            if (v.rgba[0] == test_support::day_color(SymbolRole::reference).red &&
+                v.rgba[1] == test_support::day_color(SymbolRole::reference).green &&
+                v.rgba[2] == test_support::day_color(SymbolRole::reference).blue && static_cast<double>(v.y) < lowest_y)
                 lowest_y = static_cast<double>(v.y), x_of_lowest = static_cast<double>(v.x);
         EXPECT_EQ(x_of_lowest<320, roll> 0);
     }

@@ -65,7 +65,9 @@ TEST(TapeMarks, BandsLieBetweenTheirValuesAlongTheEdge) {
         const Rect yellow = bounds_of(shapes_in(store.batch, scale().box, kYellow));
         EXPECT_NEAR(green.y, scale().y_of(130), 0.01);
         EXPECT_NEAR(green.bottom(), scale().y_of(100), 0.01);
-        EXPECT_NEAR(inwards < 0 ? green.right() : green.x, scale(inwards).edge, 0.01);
+        // A rim of two strokes parts it from the line along the edge.
+        const float rim = 2 * layout().stroke_px;
+        EXPECT_NEAR(inwards < 0 ? green.right() + rim : green.x - rim, scale(inwards).edge, 0.01);
         EXPECT_NEAR(yellow.width, green.width / 2, 0.01);
     }
 }
@@ -77,8 +79,9 @@ TEST(TapeMarks, BandsAreCutAtTheScaleAndOrderedOnesAlone) {
                               {std::nan(""), 130, kYellow, TapeBandLook::whole}};
     const BatchStore store = drawn([&](const Painter& painter) { build_tape_bands(painter, scale(), bands); });
     const Rect green = bounds_of(shapes_in(store.batch, scale().box, kGreen));
-    EXPECT_NEAR(green.y, scale().box.y, 0.01);
-    EXPECT_NEAR(green.bottom(), scale().box.bottom(), 0.01);
+    const float rim = 2 * layout().stroke_px;  // it is seen at the ends, too
+    EXPECT_NEAR(green.y, scale().box.y + rim, 0.01);
+    EXPECT_NEAR(green.bottom(), scale().box.bottom() - rim, 0.01);
     EXPECT_TRUE(shapes_in(store.batch, scale().box, kYellow).empty());
     const TapeBand open[] = {{140, infinite, kYellow, TapeBandLook::whole}};
     const BatchStore above = drawn([&](const Painter& painter) { build_tape_bands(painter, scale(), open); });
@@ -89,10 +92,10 @@ TEST(TapeMarks, APoleHasWhiteStripesThatMoveWithTheScale) {
     const auto stripes = [](double middle) {
         TapeScale moved = scale();
         moved.middle = middle;
-        const TapeBand bands[] = {{110, 1e9, kWarningColor, TapeBandLook::pole}};
+        const TapeBand bands[] = {{110, 1e9, test_support::day_color(SymbolRole::warning), TapeBandLook::pole}};
         const BatchStore store = drawn([&](const Painter& painter) { build_tape_bands(painter, moved, bands); });
-        EXPECT_FALSE(shapes_in(store.batch, scale().box, kWarningColor).empty());
-        return shapes_in(store.batch, scale().box, kScaleColor);
+        EXPECT_FALSE(shapes_in(store.batch, scale().box, test_support::day_color(SymbolRole::warning)).empty());
+        return shapes_in(store.batch, scale().box, test_support::day_color(SymbolRole::scale));
     };
     const auto at_120 = stripes(120), at_121 = stripes(121);
     ASSERT_GT(at_120.size(), 10u);
@@ -102,17 +105,21 @@ TEST(TapeMarks, APoleHasWhiteStripesThatMoveWithTheScale) {
 }
 
 TEST(TapeMarks, FlagsStandAtTheirValuesAndNeverOnEachOther) {
-    const TapeFlag flags[] = {{110, "R", kScaleColor}, {111, "X", kScaleColor}, {140, "FE", kGreen}, {500, "NE", kWarningColor}};
+    const TapeFlag flags[] = {{110, "R", test_support::day_color(SymbolRole::scale)},
+                              {111, "X", test_support::day_color(SymbolRole::scale)},
+                              {140, "FE", kGreen},
+                              {500, "NE", test_support::day_color(SymbolRole::warning)}};
     const BatchStore store = drawn([&](const Painter& painter) { build_tape_flags(painter, scale(), flags); });
     const Rect beyond{scale().edge, 40, 26, 400};
-    EXPECT_EQ(text_in(store.batch, beyond, kScaleColor), "R") << "X would cover it";
+    EXPECT_EQ(text_in(store.batch, beyond, test_support::day_color(SymbolRole::scale)), "R") << "X would cover it";
     EXPECT_EQ(text_in(store.batch, beyond, kGreen), "FE");
-    EXPECT_EQ(text_in(store.batch, scale().box, kWarningColor), "") << "off the scale";
+    EXPECT_EQ(text_in(store.batch, scale().box, test_support::day_color(SymbolRole::warning)), "") << "off the scale";
     const Rect green = bounds_of(shapes_in(store.batch, scale().box, kGreen));
     EXPECT_NEAR(green.center().y, scale().y_of(140), 0.01);
-    const TapeFlag wide[] = {{120, "WW", kScaleColor}};
+    const TapeFlag wide[] = {{120, "WW", test_support::day_color(SymbolRole::scale)}};
     const BatchStore wide_store = drawn([&](const Painter& painter) { build_tape_flags(painter, scale(), wide); });
-    EXPECT_EQ(text_in(wide_store.batch, scale().box, kScaleColor), "WW") << "the widest letters have room";
+    EXPECT_EQ(text_in(wide_store.batch, scale().box, test_support::day_color(SymbolRole::scale)), "WW")
+        << "the widest letters have room";
 }
 
 Rect bug_bounds(double at, ElementShow show, design::Color color) {
@@ -122,26 +129,27 @@ Rect bug_bounds(double at, ElementShow show, design::Color color) {
 
 TEST(TapeMarks, ABugStandsAtItsValueAndStaysAtTheEndWithOneHalf) {
     const float whole = 2 * kBugReach * layout().text_px;
-    const Rect on_scale = bug_bounds(130, ElementShow::normal, kSelectedColor);
+    const Rect on_scale = bug_bounds(130, ElementShow::normal, test_support::day_color(SymbolRole::selected));
     EXPECT_NEAR(on_scale.center().y, scale().y_of(130), 0.01);
     EXPECT_NEAR(on_scale.height, whole, 0.01);
     EXPECT_NEAR(on_scale.right(), scale().edge, 0.01);
     for (const double far : {200.0, 1e300}) {
-        const Rect above = bug_bounds(far, ElementShow::normal, kSelectedColor);
+        const Rect above = bug_bounds(far, ElementShow::normal, test_support::day_color(SymbolRole::selected));
         EXPECT_NEAR(above.y, scale().box.y, 0.01);
         EXPECT_NEAR(above.height, whole / 2, 0.01);
     }
-    EXPECT_NEAR(bug_bounds(-50, ElementShow::normal, kSelectedColor).bottom(), scale().box.bottom(), 0.01);
-    EXPECT_TRUE(bug_bounds(std::nan(""), ElementShow::normal, kSelectedColor).empty());
+    EXPECT_NEAR(bug_bounds(-50, ElementShow::normal, test_support::day_color(SymbolRole::selected)).bottom(),
+                scale().box.bottom(), 0.01);
+    EXPECT_TRUE(bug_bounds(std::nan(""), ElementShow::normal, test_support::day_color(SymbolRole::selected)).empty());
     // Partly beyond the end: what is on the scale is seen.
-    const Rect near_end = bug_bounds(168.5, ElementShow::normal, kSelectedColor);
+    const Rect near_end = bug_bounds(168.5, ElementShow::normal, test_support::day_color(SymbolRole::selected));
     EXPECT_NEAR(near_end.y, scale().box.y, 0.01);
     EXPECT_NEAR(near_end.bottom(), scale().y_of(168.5) + whole / 2, 0.01);
 }
 
 TEST(TapeMarks, AFlaggedBugIsHollowAndAmberAndAFailedOneIsNotThere) {
-    EXPECT_TRUE(bug_bounds(130, ElementShow::flagged, kSelectedColor).empty());
-    EXPECT_FALSE(bug_bounds(130, ElementShow::flagged, kCautionColor).empty());
+    EXPECT_TRUE(bug_bounds(130, ElementShow::flagged, test_support::day_color(SymbolRole::selected)).empty());
+    EXPECT_FALSE(bug_bounds(130, ElementShow::flagged, test_support::day_color(SymbolRole::caution)).empty());
     for (const ElementShow show : {ElementShow::failed, ElementShow::absent}) {
         const BatchStore store = drawn([&](const Painter& painter) { build_tape_bug(painter, scale(), {show, 130}); });
         EXPECT_EQ(store.batch.vertices().size(), 0u);
@@ -151,7 +159,7 @@ TEST(TapeMarks, AFlaggedBugIsHollowAndAmberAndAFailedOneIsNotThere) {
 TEST(TapeMarks, ATrendLeadsFromTheValueToWhereItWillBe) {
     const auto bounds = [](const TapeTrend& trend) {
         const BatchStore store = drawn([&](const Painter& painter) { build_tape_trend(painter, scale(), trend); });
-        return bounds_of(shapes_in(store.batch, scale().box, kScaleColor));
+        return bounds_of(shapes_in(store.batch, scale().box, test_support::day_color(SymbolRole::scale)));
     };
     const float half_line = 0.75f * layout().stroke_px;
     const Rect up = bounds({true, 135, 1});
@@ -167,7 +175,8 @@ TEST(TapeMarks, ATrendLeadsFromTheValueToWhereItWillBe) {
 }
 
 TEST(TapeMarks, AMinimumPointsAtItsValueInTheColorOfItsState) {
-    for (const design::Color color : {kSelectedColor, kScaleColor, kCautionColor}) {
+    for (const design::Color color : {test_support::day_color(SymbolRole::selected), test_support::day_color(SymbolRole::scale),
+                                      test_support::day_color(SymbolRole::caution)}) {
         const auto bounds = [&](double at) {
             const BatchStore store = drawn([&](const Painter& painter) {
                 build_tape_minimum(painter, scale(), {ElementShow::normal, at, color});
@@ -178,23 +187,25 @@ TEST(TapeMarks, AMinimumPointsAtItsValueInTheColorOfItsState) {
         EXPECT_TRUE(bounds(300).empty()) << "off the scale";
     }
     const BatchStore stale = drawn([&](const Painter& painter) {
-        build_tape_minimum(painter, scale(), {ElementShow::flagged, 110, kSelectedColor});
+        build_tape_minimum(painter, scale(), {ElementShow::flagged, 110, test_support::day_color(SymbolRole::selected)});
     });
-    EXPECT_TRUE(shapes_in(stale.batch, scale().box, kSelectedColor).empty());
-    EXPECT_FALSE(shapes_in(stale.batch, scale().box, kCautionColor).empty());
+    EXPECT_TRUE(shapes_in(stale.batch, scale().box, test_support::day_color(SymbolRole::selected)).empty());
+    EXPECT_FALSE(shapes_in(stale.batch, scale().box, test_support::day_color(SymbolRole::caution)).empty());
 }
 
 TEST(TapeMarks, ARowSaysItsTextByItsState) {
     const Rect box{60, 60, 90, 22};
     const auto row = [&](ElementShow show) {
-        return drawn([&](const Painter& painter) { build_tape_row(painter, box, {show, "12500", "ALT SEL", kSelectedColor}); });
+        return drawn([&](const Painter& painter) {
+            build_tape_row(painter, box, {show, "12500", "ALT SEL", test_support::day_color(SymbolRole::selected)});
+        });
     };
-    EXPECT_EQ(text_in(row(ElementShow::normal).batch, box, kSelectedColor), "12500");
-    EXPECT_EQ(text_in(row(ElementShow::flagged).batch, box, kCautionColor), "12500");
-    EXPECT_EQ(text_in(row(ElementShow::flagged).batch, box, kSelectedColor), "");
+    EXPECT_EQ(text_in(row(ElementShow::normal).batch, box, test_support::day_color(SymbolRole::selected)), "12500");
+    EXPECT_EQ(text_in(row(ElementShow::flagged).batch, box, test_support::day_color(SymbolRole::caution)), "12500");
+    EXPECT_EQ(text_in(row(ElementShow::flagged).batch, box, test_support::day_color(SymbolRole::selected)), "");
     const BatchStore failed = row(ElementShow::failed);
-    EXPECT_EQ(text_in(failed.batch, box, kWarningColor), "ALTSEL");
-    EXPECT_EQ(shapes_in(failed.batch, box, kWarningColor).size(), 2u) << "a cross";
+    EXPECT_EQ(text_in(failed.batch, box, test_support::day_color(SymbolRole::warning)), "ALTSEL");
+    EXPECT_EQ(shapes_in(failed.batch, box, test_support::day_color(SymbolRole::warning)).size(), 2u) << "a cross";
     EXPECT_EQ(row(ElementShow::absent).batch.vertices().size(), 0u);
 }
 

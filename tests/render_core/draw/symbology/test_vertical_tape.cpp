@@ -112,8 +112,8 @@ TEST(VerticalTape, RowsAndScaleShareTheBoxWithoutOverlap) {
     const TapeLayout plain = tape_layout(painter, tape);
     EXPECT_TRUE(plain.selected.empty());
     EXPECT_TRUE(plain.minimum.empty());
-    tape.selected = {policy::ElementShow::normal, "140", "SPD SEL", kSelectedColor};
-    tape.minimum = {policy::ElementShow::failed, "", "MIN", kSelectedColor};
+    tape.selected = {policy::ElementShow::normal, "140", "SPD SEL", test_support::day_color(SymbolRole::selected)};
+    tape.minimum = {policy::ElementShow::failed, "", "MIN", test_support::day_color(SymbolRole::selected)};
     const TapeLayout parts = tape_layout(painter, tape);
     for (const Rect* box : {&parts.selected, &parts.label, &parts.minimum, &parts.scale.box})
         EXPECT_TRUE(tape.box.shrunk(-0.01f).contains(*box));
@@ -126,8 +126,8 @@ TEST(VerticalTape, RowsAndScaleShareTheBoxWithoutOverlap) {
 /// Of the boldest tick at this height.
 float strokes_of(const QuadBatch& batch, const TapeLayout& parts, float y) {
     float height = 0;
-    for (const BatchShape& shape :
-         test_support::shapes_in(batch, {parts.scale.box.x, y - 1, parts.scale.box.width, 2}, kScaleColor))
+    for (const BatchShape& shape : test_support::shapes_in(batch, {parts.scale.box.x, y - 1, parts.scale.box.width, 2},
+                                                           test_support::day_color(SymbolRole::scale)))
         if (shape.bounds.width < layout().text_px) height = std::max(height, shape.bounds.height);
     return height / layout().stroke_px;
 }
@@ -149,19 +149,19 @@ TEST(VerticalTape, FlagsGetRoomBeyondTheEdge) {
     VerticalTape tape = speed_tape(120);
     tape.ticks_right = true;
     const float edge = tape_layout(painter, tape).scale.edge;
-    ASSERT_TRUE(tape.marks.flags.try_push_back({130, "VR", kScaleColor}));
+    ASSERT_TRUE(tape.marks.flags.try_push_back({130, "VR", test_support::day_color(SymbolRole::scale)}));
     EXPECT_FLOAT_EQ(tape_layout(painter, tape).scale.edge, edge - kFlagWidth * layout().text_px);
     build_vertical_tape(painter, tape);
     const Rect scale = tape_layout(painter, tape).scale.box;
     const Rect beyond{edge - kFlagWidth * layout().text_px, scale.y, kFlagWidth * layout().text_px, scale.height};
-    EXPECT_EQ(test_support::text_in(store.batch, beyond, kScaleColor), "VR");
+    EXPECT_EQ(test_support::text_in(store.batch, beyond, test_support::day_color(SymbolRole::scale)), "VR");
 }
 
 TEST(VerticalTape, AFailedValueKeepsTheRowOfWhatIsSelected) {
     VerticalTape tape = speed_tape(120);
     tape.show = policy::ElementShow::failed;
     tape.failure = "SPD FAIL";
-    tape.selected = {policy::ElementShow::normal, "140", "SPD SEL", kSelectedColor};
+    tape.selected = {policy::ElementShow::normal, "140", "SPD SEL", test_support::day_color(SymbolRole::selected)};
     EXPECT_EQ(written(tape), "140SPDFAIL");
     tape.show = policy::ElementShow::absent;
     EXPECT_EQ(written(tape), "");
@@ -176,8 +176,11 @@ TEST(VerticalTape, AFlaggedValueLooksDifferent) {
     const auto amber = [](const BatchStore& store) {
         int count = 0;
         for (const QuadVertex& v : store.batch.vertices())
-            count +=
-                v.rgba[0] == kCautionColor.red && v.rgba[1] == kCautionColor.green && v.rgba[2] == kCautionColor.blue ? 1 : 0;
+            count += v.rgba[0] == test_support::day_color(SymbolRole::caution).red &&
+                             v.rgba[1] == test_support::day_color(SymbolRole::caution).green &&
+                             v.rgba[2] == test_support::day_color(SymbolRole::caution).blue
+                         ? 1
+                         : 0;
         return count;
     };
     EXPECT_EQ(amber(normal), 0);

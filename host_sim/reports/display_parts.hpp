@@ -1,0 +1,28 @@
+/// The parts of the display by their names, what each one shows, and where it stands in a picture of example_approach.
+///
+/// The table is written into render_core/draw/symbology/README.md; a test compares both.
+#pragma once
+
+#include <string_view>
+
+#include "render_core/base/span.hpp"
+#include "render_core/draw/symbology/layout.hpp"
+#include "render_core/draw/symbology/symbology_input.hpp"
+
+namespace tedavis::host_sim {
+
+/// What a picture was drawn from.
+struct DrawnSymbology {
+    const draw::SymbologyInput& input;
+    const draw::Layout& layout;
+};
+
+struct DisplayPart {
+    std::string_view name;                        ///< in the picture
+    std::string_view shows;                       ///< one or two sentences
+    draw::Point (*place)(const DrawnSymbology&);  ///< on the part; pixels from the top left corner
+};
+/// From the top down, left to right.
+[[nodiscard]] base::Span<const DisplayPart> display_parts();
+
+}  // namespace tedavis::host_sim
