@@ -183,10 +183,11 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 17> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 18> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "based_on =", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"symbology", "[night]", check_symbology_palette},
+                                                      {"symbology", "[day]", check_symbology_palette},
                                                       {"palettes", "[[stop]]", check_palette},
                                                       {"palettes", "[[class]]", check_palette},
                                                       {"devices", "[[budget]]", check_device},
@@ -201,12 +202,20 @@ constexpr std::array<FolderKind, 17> kConfigKinds = {{{"designs", "[view]", chec
                                                       {"costs", "[cost.terrain]", check_costs},
                                                       {"replays", "[picture]", check_replay_config}}};
 
+/// A palette may be of terrain and data or of the symbology, whichever folder of palettes it lies in.
+bool is_of_symbology(const std::string& text) {
+    return std::any_of(kConfigKinds.begin(), kConfigKinds.end(), [&](const FolderKind& kind) {
+        return kind.folder == "symbology" && text.find(kind.key) != std::string::npos;
+    });
+}
+
 /// By the folder it lies in; elsewhere by what only its kind holds.
 FileChecker config_checker(const std::string& path) {
     const fs::path place = fs::absolute(path).parent_path();
     const std::string folder = place.filename().string(), outer_folder = place.parent_path().filename().string();
     for (const FolderKind& kind : kConfigKinds) {
-        if (folder == kind.folder || (outer_folder == kind.folder && place.filename() != "configs")) return kind.check;
+        if (folder == kind.folder || (outer_folder == kind.folder && place.filename() != "configs"))
+            return kind.check == check_palette && is_of_symbology(read_file(path)) ? check_symbology_palette : kind.check;
     }
     const std::string text = read_file(path);
     if (folder == "boards" || text.find("[can]") != std::string::npos)
@@ -215,10 +224,10 @@ FileChecker config_checker(const std::string& path) {
     for (const FolderKind& kind : kConfigKinds) {
         if (text.find(kind.key) != std::string::npos) return kind.check;
     }
-    throw UserError(
-        path +
-        ": neither its folder nor its content says what it configures; put it into designs, palettes, devices, aircraft, buses, "
-        "switches, scenarios, scenes, sheets, orderings or contracts");
+    throw UserError(path +
+                    ": neither its folder nor its content says what it configures; put it into designs, palettes, "
+                    "palettes/symbology, devices, aircraft, buses, "
+                    "switches, scenarios, scenes, sheets, orderings or contracts");
 }
 
 CheckedFile check_file(const std::string& path, const CheckOptions& options) {

@@ -17,7 +17,6 @@
 #include "host_sim/version.hpp"
 #include "render_core/display/preroll.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
-#include "render_core/policy/failure_policy.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -27,13 +26,8 @@ constexpr const char* kDisplaySheetPicture = "display.png";
 
 /// The input of the symbology as the display has it for this frame.
 draw::SymbologyInput symbology_of(const flight::FrameInput& frame, display::Display& display, const PictureSize& size) {
-    policy::DisplayConditions conditions;
-    conditions.terrain = policy::TerrainSource::ready;
-    conditions.phase = frame.phase;
-    const design::DesignSettings& design = *display.planned().shown;
-    const policy::DisplayDecisions decisions = policy::decide_display(frame.state, frame.time, conditions, design);
-    return draw::make_symbology_input(frame.state, decisions, frame.phase, design, frame.time, size.width, size.height,
-                                      display.record().altitude_msl_m);
+    return draw::make_symbology_input(frame.state, display.planned().decisions, frame.phase, *display.planned().shown, frame.time,
+                                      size.width, size.height, display.record().altitude_msl_m);
 }
 
 std::vector<Callout> callouts_of(const flight::FrameInput& frame, display::Display& display, const PictureSize& size) {

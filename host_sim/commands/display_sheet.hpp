@@ -8,11 +8,11 @@ namespace tedavis::host_sim {
 
 inline constexpr const char* kDisplaySheetName = "display";
 
-/// The picture with its names, over the shipped terrain or that of the options. Throws UserError and Interrupted.
+/// The picture with its names, over the terrain of the options. Throws UserError and Interrupted.
 [[nodiscard]] RgbaPicture named_display(const PictureOptions& options);
 
-/// Leaves what run_sheet() does, with one picture. Of the options: terrain, size and the folder, design and device; others that
-/// are given are refused. Returns the exit code; throws UserError and Interrupted.
+/// Leaves what run_sheet() does, with one picture. Of the options: size, device, aircraft, palette, light and the folder;
+/// terrain, scene, pose, time and layers are refused. Returns the exit code; throws UserError and Interrupted.
 [[nodiscard]] int run_display_sheet(const SheetOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -55,14 +55,18 @@ bool is_of_palette(const ContractCondition& condition) {
 }
 
 std::optional<RunPalette> palette_of_run(const Contract& contract, const FlightRun& run) {
-    const auto& names = design::kSymbologyLightNames;
-    const auto light = std::find(names.begin(), names.end(), run.light);
-    if (std::none_of(contract.conditions.begin(), contract.conditions.end(), is_of_palette) || light == names.end())
-        return std::nullopt;
+    if (std::none_of(contract.conditions.begin(), contract.conditions.end(), is_of_palette)) return std::nullopt;
     PictureOptions options;
     options.palette = run.palette;
     const std::string name = run.palette.empty() ? "standard" : run.palette;
-    return RunPalette{load_symbology_palettes(options), static_cast<design::SymbologyLight>(light - names.begin()), name};
+    return RunPalette{load_symbology_palettes(options), name};
+}
+
+std::optional<design::SymbologyLight> symbology_light(const FlightFrame& frame) {
+    const auto& names = design::kSymbologyLightNames;
+    const auto light = std::find(names.begin(), names.end(), frame.light);
+    if (light == names.end()) return std::nullopt;
+    return static_cast<design::SymbologyLight>(light - names.begin());
 }
 
 /// Empty where the run has what the condition is measured by.
@@ -100,10 +104,12 @@ std::vector<ContractReading> ContractMeter::readings(PictureMeter& meter, const 
 }
 
 ContractReading ContractMeter::symbology_reading(const ContractCondition& condition, const MeasuredFrame& frame) const {
-    if (!palette_) return missing_reading("the run does not say in which light its symbology was drawn; replay the run again");
+    const std::optional<design::SymbologyLight> light = symbology_light(frame.frame);
+    if (!palette_ || !light)
+        return missing_reading("the run does not say in which light its symbology was drawn; replay the run again");
     if (condition.measure == ContractMeasure::symbology_contrast)
-        return role_contrast_reading(condition, frame, palette_->palettes.of(palette_->light));
-    const RoleGap gap = least_role_gap(palette_->palettes, palette_->light);
+        return role_contrast_reading(condition, frame, palette_->palettes.of(*light));
+    const RoleGap gap = least_role_gap(palette_->palettes, *light);
     return {ReadingState::measured, gap.difference, {}, "palette " + palette_->name, gap.words};
 }
 

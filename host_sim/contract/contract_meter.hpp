@@ -19,10 +19,9 @@ namespace tedavis::host_sim {
 /// What each design says of each condition on colours, measured once: by the design's name, then by the condition's place.
 using DesignGaps = std::map<std::string, std::vector<std::optional<ColorGap>>>;
 
-/// The palette of a run's symbology, the current file, and the light in which the run was drawn.
+/// The palette of a run's symbology, the current file.
 struct RunPalette {
     design::SymbologyPalettes palettes;
-    design::SymbologyLight light = design::SymbologyLight::day;
     std::string name;
 };
 
@@ -42,7 +41,7 @@ private:
 
     const Contract& contract_;
     DesignGaps gaps_;
-    std::optional<RunPalette> palette_;  ///< nothing where no condition needs it, or the run does not say it
+    std::optional<RunPalette> palette_;  ///< nothing where no condition needs it
 };
 
 }  // namespace tedavis::host_sim

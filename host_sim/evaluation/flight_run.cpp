@@ -79,6 +79,7 @@ FlightFrame flight_frame(const Json& record, const RunRecords& records, const st
     frame.layers = layer_names(record);
     if (record.contains("presentation") && record["presentation"].is_object())
         frame.design = text_of(record["presentation"], "design");
+    frame.light = text_of(record, "symbology_light");
     frame.has_accuracy_overlay = record.contains("accuracy_overlay") && record["accuracy_overlay"] == true;
     frame.has_scene = record_number(record, "scene_revision") > 0;
     frame.obstacles = frame_obstacles(record);
@@ -137,6 +138,8 @@ FlightRun read_flight_run(const std::string& folder) {
     std::stable_sort(run.frames.begin(), run.frames.end(),
                      [](const FlightFrame& a, const FlightFrame& b) { return a.time_s < b.time_s; });
     read_summary(run);
+    for (FlightFrame& frame : run.frames)
+        if (frame.light.empty()) frame.light = run.light;
     return run;
 }
 

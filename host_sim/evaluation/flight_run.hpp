@@ -41,6 +41,7 @@ struct FlightFrame {
     std::vector<std::string> layers;    ///< names by the values of the layer mask beside the picture; empty: there is none
     std::string picture;                ///< path
     std::string design;                 ///< name of the design with which it was drawn
+    std::string light;                  ///< of its symbology: "day", "night"; of the summary where the record has none; or empty
     bool has_scene = false;             ///< the run has spatial data
     bool has_accuracy_overlay = false;  ///< its picture has the accuracy drawn over it
     /// Obstacles near the predicted track; nothing where the run did not record them.

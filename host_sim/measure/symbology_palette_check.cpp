@@ -41,26 +41,28 @@ void check_roles_apart(const SymbologyPalettes& palettes, SymbologyLight light, 
                      "; choose another color, or state in [[told_apart]] what else tells them apart");
 }
 
-void check_rim(const SymbologyPalettes& palettes, SymbologyLight light, const std::string& name,
-               std::vector<std::string>& faults) {
-    const design::SymbologyPalette& palette = palettes.of(light);
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t worst = 0;
-    for (std::size_t role = 0; role < design::kSignRoleCount; ++role) {
-        const double ratio = perception::contrast_ratio(relative_luminance(palette.colors[role]),
-                                                        relative_luminance(palette.color(SymbolRole::rim)));
-        if (ratio < least) least = ratio, worst = role;
-    }
-    if (least >= kMinRimContrast) return;
-    faults.push_back(name + ": " + role_name(worst) + in_light(light) + " has a contrast of " + two_decimals(least) +
-                     " with the rim and needs " + two_decimals(kMinRimContrast) + "; choose a lighter color, or a darker rim");
-}
-
 /// Of a ground over white, where it darkens least.
 double shown_luminance(design::Color color) {
     const double share = color.alpha / 255.0;
     color.alpha = 255;
     return relative_luminance(design::blended({255, 255, 255}, color, share));
+}
+
+/// Signs have the rim around them, or stand on the ground of readouts without one.
+void check_contrast(const SymbologyPalettes& palettes, SymbologyLight light, SymbolRole behind, const std::string& name,
+                    std::vector<std::string>& faults) {
+    const design::SymbologyPalette& palette = palettes.of(light);
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t worst = 0;
+    for (std::size_t role = 0; role < design::kSignRoleCount; ++role) {
+        const double ratio =
+            perception::contrast_ratio(relative_luminance(palette.colors[role]), shown_luminance(palette.color(behind)));
+        if (ratio < least) least = ratio, worst = role;
+    }
+    if (least >= kMinRimContrast) return;
+    faults.push_back(name + ": " + role_name(worst) + in_light(light) + " has a contrast of " + two_decimals(least) + " with " +
+                     role_name(static_cast<std::size_t>(behind)) + " and needs " + two_decimals(kMinRimContrast) +
+                     "; choose a lighter color, or a darker " + role_name(static_cast<std::size_t>(behind)));
 }
 
 void check_night(const SymbologyPalettes& palettes, const std::string& name, std::vector<std::string>& faults) {
@@ -96,7 +98,8 @@ std::vector<std::string> symbology_palette_faults(const SymbologyPalettes& palet
     std::vector<std::string> faults;
     for (const SymbologyLight light : kSymbologyLights) {
         check_roles_apart(palettes, light, name, faults);
-        check_rim(palettes, light, name, faults);
+        for (const SymbolRole behind : {SymbolRole::rim, SymbolRole::readout_ground})
+            check_contrast(palettes, light, behind, name, faults);
     }
     check_night(palettes, name, faults);
     return faults;

@@ -34,11 +34,14 @@ std::string first_line_words(std::string_view text, const PanelReading& reading,
     return "after the first " + std::to_string(reading.reports.size()) + " such lines";
 }
 
+std::size_t phase_line_count(const bus::SwitchConfig& panel) { return panel.lines.size() - (panel.has_legend_line ? 1 : 0); }
+
+/// Of the lines that state the phase; without a level, the legend's line only does not ask for it.
 std::string names_never_stated(const bus::SwitchConfig& panel, const PanelReading& reading, std::uint64_t& count) {
     std::uint32_t stated = 0;
     for (const bus::SwitchEdge& edge : reading.edges) stated |= std::uint32_t{1} << edge.line;
     std::string names;
-    for (std::size_t n = 0; n < panel.lines.size(); ++n) {
+    for (std::size_t n = 0; n < phase_line_count(panel); ++n) {
         if ((stated >> n & 1u) != 0) continue;
         ++count;
         names +=
@@ -99,8 +102,8 @@ Findings switch_findings(const std::string& log, std::string_view log_text, cons
     const std::string names = names_never_stated(panel, reading, missing);
     if (missing > 0)
         findings.push_back({"switches.never_stated",
-                            log + ": no level for " + std::to_string(missing) + " of " + std::to_string(panel.lines.size()) +
-                                " lines of the panel " + panel_name + " (" + names + "), so that it states no phase",
+                            log + ": no level for " + std::to_string(missing) + " of " + std::to_string(phase_line_count(panel)) +
+                                " phase lines of the panel " + panel_name + " (" + names + "), so that it states no phase",
                             missing});
     return findings;
 }

@@ -96,7 +96,12 @@ const DisplayPart kParts[] = {
     {"bank scale", "Ticks at 10, 20, 30, 45 and 60 degrees; the pointer is amber, with BANK, beyond the aircraft's limit.",
      [](const Drawn& drawn) { return on_bank_scale(drawn, -30, 0); }},
     {"slip", "The bar below the pointer moves as the ball of a slip indicator does.",
-     [](const Drawn& drawn) { return on_bank_scale(drawn, -base::degrees(drawn.input.roll_rad), 1.3f); }},
+     [](const Drawn& drawn) {
+         const double sky_rad = -drawn.input.roll_rad, widths = -drawn.input.guidance.slip_mps2 / draw::kSlipWidth_mps2;
+         const Point up{static_cast<float>(std::sin(sky_rad)), -static_cast<float>(std::cos(sky_rad))};
+         return draw::along_and_across(on_bank_scale(drawn, base::degrees(sky_rad), 1.4f), up, 0,
+                                       1.3f * static_cast<float>(widths) * text_px(drawn));
+     }},
     {"pitch ladder", "The nose's angle above the horizon, a rung every 2.5, 5 and 10 degrees.",
      [](const Drawn& drawn) { return toward(drawn, drawn.input.view_heading_rad + radians(-3), 10); }},
     {"horizon line", "Level, across the whole display, over terrain and sky.",

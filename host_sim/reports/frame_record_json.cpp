@@ -255,6 +255,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
                     {"transition", record.view.transition}};
     json["distortion"] = distortion_json(record.distortion);
     json["light"] = light_json(record.light);
+    json["symbology_light"] = text(design::kSymbologyLightNames[static_cast<std::size_t>(record.symbology_light)]);
     json["warning_bands"] = bands_json(record.bands);
     json["terrain"] = terrain_json(record.terrain);
     if (result.has_layers) {

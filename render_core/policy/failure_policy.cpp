@@ -191,6 +191,7 @@ private:
         if (is_flat()) flag(RecordFlag::terrain_flat);
         if (state_.traffic.is_cut) flag(RecordFlag::traffic_cut);
         if (out_.show_terrain && conditions_.data_are_out_of_date) flag(RecordFlag::data_out_of_date);
+        if (out_.show_terrain && conditions_.data_are_stale) flag(RecordFlag::data_stale);
     }
 
     /// Heights of the database are known whatever is shown of it; the own ship's place and height must be trustworthy.
@@ -251,6 +252,7 @@ private:
                   NoticeId::minimums);
         add_phase_notices();
         notice_if(out_.show_terrain && conditions_.data_are_out_of_date, NoticeId::data_out_of_date);
+        notice_if(out_.show_terrain && conditions_.data_are_stale, NoticeId::data_stale);
         notice_if(shows_measure(), NoticeId::analysis_overlay);
         notice_if(state_.traffic.is_cut, NoticeId::traffic_incomplete);
         add_information();

@@ -35,6 +35,7 @@ struct DisplayConditions {
     bool terrain_is_coarse = false;     ///< because of budgets its error exceeds the design's limit
     bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
+    bool data_are_stale = false;        ///< spatial data that the design shows are older than its limit
     bool is_reduced = false;            ///< the picture is reduced for the frame's deadline, and the design requests a notice
     bool shows_measure = false;         ///< colours show a measure of the picture (saliency, clutter)
     TerrainAhead terrain_ahead = TerrainAhead::none;

@@ -85,7 +85,7 @@ constexpr FlagRow kFlagRows[] = {
     {RecordFlag::data_missing, "data.missing", "Data that the design shows are not available now.",
      "These data are removed, and the record's effects state the reason."},
     {RecordFlag::data_stale, "data.stale", "Data that the design shows are older than their limit.",
-     "The data stay, and the legend shows their age in amber."},
+     "The data stay, and the whole legend shows their age in amber."},
     {RecordFlag::data_out_of_date, "data.out_of_date", "Data that the design shows are not valid at this time.",
      "These data are removed."},
     {RecordFlag::traffic_cut, "traffic.cut", "More aircraft are received than the display can hold.",

@@ -32,6 +32,7 @@ enum class NoticeId : std::uint8_t {
     phase_switch_fault,
     phase_disagreement,
     data_out_of_date,
+    data_stale,
     analysis_overlay,
     traffic_incomplete,
     no_terrain_image,

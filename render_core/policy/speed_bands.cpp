@@ -49,7 +49,7 @@ void add_first_column(const AircraftSettings& aircraft, double stall_mps, double
     add_band(shown, limit_mps, kEndOfBands_mps, SpeedBandRole::above_limit);
 }
 
-/// The stall speed holds at every altitude; what lies above it does not, where the limit is not known.
+/// The stall speed is shown at every altitude; what lies above it is not, where the limit is not known.
 void add_low_speeds(const AircraftSettings& aircraft, double stall_mps, SpeedBands& shown) {
     add_band(shown, 0, stall_mps, SpeedBandRole::low_warning);
     add_band(shown, stall_mps, stall_mps * aircraft.caution_factor, SpeedBandRole::low_caution);

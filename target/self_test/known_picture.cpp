@@ -39,7 +39,7 @@ constexpr KnownColor kColors[] = {
     {"sky_high_left", 235, 108, {104, 151, 207}},   {"sky_high_right", 370, 70, {89, 137, 199}},
     {"sky_middle", 183, 135, {117, 162, 213}},      {"sky_low", 420, 200, {133, 176, 221}},
     {"haze_at_horizon", 190, 275, {181, 187, 217}}, {"terrain_far_left", 190, 340, {44, 100, 58}},
-    {"terrain_far_right", 420, 320, {46, 105, 60}}, {"terrain_middle", 200, 320, {44, 101, 58}},
+    {"terrain_far_right", 378, 322, {46, 105, 60}}, {"terrain_middle", 200, 320, {44, 101, 58}},
     {"terrain_near_left", 190, 385, {41, 100, 56}}, {"terrain_near_right", 380, 390, {42, 103, 57}},
 };
 

@@ -67,7 +67,6 @@ void flag(policy::RecordFlag raised, FrameStatement& record) { flag(policy::name
 
 void record_stale(std::string_view layer, base::Duration age, FrameStatement& record) {
     if (age.ns <= 0) return;
-    flag(policy::RecordFlag::data_stale, record);
     for (const StaleRecord& known : record.stale)
         if (known.layer.view() == layer) return;
     static_cast<void>(record.stale.try_push_back({layer, age.to_seconds()}));

@@ -230,6 +230,7 @@ void FramePlanner::state_frame() {
     frame_->flight_time = flight::flight_time(frame_->state.utc, frame_->time);
     if (frame_->state.utc.state == base::SignalState::lost) flag(policy::RecordFlag::utc_lost, *frame_);
     frame_->light = policy::terrain_light(look_.terrain.style.shade, frame_->state.own_ship.position, frame_->flight_time.utc);
+    frame_->symbology_light = settings_.light;
     for (const auto& name : frame_->decisions.flags) flag(name.view(), *frame_);
 }
 

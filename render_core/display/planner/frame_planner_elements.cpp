@@ -68,12 +68,13 @@ void FramePlanner::plan_elements() {
         elements_.rest();
     frame_->conditions.data_are_out_of_date =
         frame_->data.ground == GroundDataState::out_of_date || any_is_out_of_date(elements_.reports());
-    if (frame_->conditions.data_are_out_of_date) decide_again();
+    state_stale_data();
+    frame_->conditions.data_are_stale = !frame_->stale.empty();
+    if (frame_->conditions.data_are_out_of_date || frame_->conditions.data_are_stale) decide_again();
     put_symbology();
     // Of a picture for each eye they are planned once more with the eye.
     if (shows_elements()) plan_signs(frame_->picture.camera, {});
     state_labels();
-    state_stale_data();
     if (!frame_->foci_plan.foci.regions.empty())
         record_foci(frame_->foci_plan, elements_, element_frame(ground, frame_->seen), *frame_);
 }

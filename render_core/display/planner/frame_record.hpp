@@ -10,6 +10,7 @@
 #include "render_core/base/stamped.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/design/symbology_palette.hpp"
 #include "render_core/display/planner/distortion.hpp"
 #include "render_core/effects/clutter_budget.hpp"
 #include "render_core/effects/effect_planner.hpp"
@@ -153,6 +154,7 @@ struct FrameStatement {
     ViewRecord view;
     DistortionRecords distortion;
     policy::TerrainLight light;
+    design::SymbologyLight symbology_light = design::SymbologyLight::day;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
     std::uint64_t scene_revision = 0;          ///< of the scene database that is shown; 0: none

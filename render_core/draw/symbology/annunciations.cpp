@@ -110,7 +110,7 @@ private:
         Annunciation more{AnnunciationKind::more, {}, legible(kNoticeText, t_), "+"};
         more.text.append(whole_number(static_cast<double>(others)).view());
         more.text.append(" MORE");
-        const float for_more = shown == 1 && others > 0 ? width_of(more) + kNoticeGap * t_ : 0;
+        const float for_more = shown == 1 && others > 0 && rows_ == 1 ? width_of(more) + kNoticeGap * t_ : 0;
         Pen pen{left_, 0};
         std::size_t placed = 0;
         for (const Notice& notice : notices) {

@@ -37,7 +37,7 @@ struct Annunciation {
 };
 
 /// The phase, its source, all notices and the number of the others.
-inline constexpr std::size_t kMaxAnnunciations = 19;
+inline constexpr std::size_t kMaxAnnunciations = 20;
 
 struct AnnunciationPlan {
     base::FixedVector<Annunciation, kMaxAnnunciations> fields;

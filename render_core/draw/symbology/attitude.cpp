@@ -97,8 +97,41 @@ void build_horizon_headings(const Painter& painter, const SymbologyInput& input,
     }
 }
 
+/// From the middle of the screen to where a line across `direction` (unit) leaves a box.
+float support_within(const Rect& box, const Point& center, const Point& direction) {
+    const float x = direction.x > 0 ? box.right() - center.x : box.x - center.x,
+                y = direction.y > 0 ? box.bottom() - center.y : box.y - center.y;
+    return x * direction.x + y * direction.y;
+}
+
+/// Where the horizon is on the screen.
+struct Horizon {
+    bool is_line = false;  ///< false: the view is straight up or down
+    double distance = 0;   ///< of the screen's middle below it, pixels
+    Point to_ground;       ///< unit direction on the screen
+    bool is_seen = false;  ///< it cuts off more than a corner of where it is drawn
+};
+
+Horizon horizon_of(const Painter& painter, const SymbologyInput& input) {
+    const glm::dmat3& axes = input.view.body_axes;
+    // Down component of a screen point's ray: the horizon is where it vanishes.
+    const double across = axes[1].z, below = axes[2].z, slope = std::hypot(across, below);
+    Horizon horizon;
+    if (slope < 1e-9) return horizon;
+    horizon.is_line = true;
+    horizon.distance = input.view.focal_px * axes[0].z / slope;
+    horizon.to_ground = {static_cast<float>(across / slope), static_cast<float>(below / slope)};
+    const float sign = horizon.distance > 0 ? -1.0f : 1.0f;
+    const Point to_horizon{sign * horizon.to_ground.x, sign * horizon.to_ground.y};
+    const Point center = painter.layout().screen.center();
+    const float seen_to = support_within(horizon_box(painter.layout()), center, to_horizon) - painter.text_px();
+    horizon.is_seen = std::fabs(horizon.distance) <= static_cast<double>(seen_to);
+    return horizon;
+}
+
 /// A long line at elevation zero wherever it is seen.
 void build_horizon(const Painter& painter, const SymbologyInput& input) {
+    if (!horizon_of(painter, input).is_seen) return;
     const LadderFrame ladder(input);
     const ProjectedPoint middle = ladder.at(0, 0);
     if (!middle.in_front) return;
@@ -116,28 +149,14 @@ float reach_within(const Rect& box, const Point& center) {
     return std::fmin(std::fmin(center.y - box.y, box.bottom() - center.y), box.width / 2);
 }
 
-/// From the middle of the screen to where a line across `direction` (unit) leaves a box.
-float support_within(const Rect& box, const Point& center, const Point& direction) {
-    const float x = direction.x > 0 ? box.right() - center.x : box.x - center.x,
-                y = direction.y > 0 ? box.bottom() - center.y : box.y - center.y;
-    return x * direction.x + y * direction.y;
-}
-
 /// A strip of the other side with the horizon's line, when the horizon itself is out of sight: it is never lost, and never twice.
 void build_permanent_horizon(const Painter& painter, const SymbologyInput& input) {
-    const glm::dmat3& axes = input.view.body_axes;
-    // Down component of a screen point's ray: the horizon is where it vanishes.
-    const double across = axes[1].z, below = axes[2].z, slope = std::hypot(across, below);
-    if (slope < 1e-9) return;
-    const double distance = input.view.focal_px * axes[0].z / slope;  // of the screen's middle below the horizon
+    const Horizon horizon = horizon_of(painter, input);
+    if (!horizon.is_line || horizon.is_seen) return;
     const Rect box = ladder_box(painter.layout());
     const Point center = painter.layout().screen.center();
-    const bool in_ground = distance > 0;
-    const Point to_ground{static_cast<float>(across / slope), static_cast<float>(below / slope)};
-    const Point to_horizon{in_ground ? -to_ground.x : to_ground.x, in_ground ? -to_ground.y : to_ground.y};
-    // Where it cuts off less than a corner it is hardly seen.
-    const float seen_to = support_within(horizon_box(painter.layout()), center, to_horizon) - painter.text_px();
-    if (std::fabs(distance) <= static_cast<double>(seen_to)) return;
+    const bool in_ground = horizon.distance > 0;
+    const Point& to_ground = horizon.to_ground;
     const float limit = reach_within(box, center) - painter.text_px();
     const Point along{to_ground.y, -to_ground.x};
     const float shift = in_ground ? -limit : limit, half = 0.45f * box.width, thick = 0.9f * painter.text_px();

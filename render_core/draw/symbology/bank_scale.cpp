@@ -97,7 +97,9 @@ float bank_scale_radius(const Layout& layout) noexcept {
     // The arc with its marks reaches 60 degrees to either side, sin 60 = 0.87; the sky pointer goes all the way around.
     const float room = std::fmin(center.x - box.x, box.right() - center.x);
     const float aside = std::fmin((room - layout.text_px) / 0.87f, room);
-    return std::fmin(std::fmin(up, down), aside);
+    // Wind and temperature stand in the corner above the arc, which keeps a text from them.
+    const float beside_air = std::hypot(layout.air.x - center.x, center.y - layout.air.bottom()) - 1.2f * layout.text_px;
+    return std::fmin(std::fmin(up, down), std::fmin(aside, beside_air));
 }
 
 void build_bank_scale(const Painter& painter, const SymbologyInput& input) {

@@ -6,8 +6,9 @@
 namespace tedavis::draw {
 
 Rect field_of_view_box(const Layout& layout) noexcept {
-    const Rect& air = layout.air;
-    return {air.x, air.bottom(), air.width, 0.5f * air.height};
+    const Rect &air = layout.air, &attitude = layout.attitude;
+    const float row = 0.5f * air.height;
+    return {air.x, attitude.bottom() - row, air.width, row};
 }
 
 void build_field_of_view(const Painter& painter, const SymbologyInput& input) {

@@ -32,12 +32,18 @@ Rect failure_place(const Painter& painter, float rows, float width) {
     return {attitude.x, attitude.bottom() - height - pitch * rows, width, height};
 }
 
+/// Where a sign with its rim is whole, `texts` from the sides of the attitude.
+bool is_within(const Painter& painter, const ProjectedPoint& point, float texts) {
+    return point.in_front && painter.layout().attitude.shrunk(texts * painter.text_px()).contains(point.at);
+}
+
+/// A part of a dash would have no rim at its end: it is whole or not there.
 void build_dash(const Painter& painter, const LadderFrame& ladder, double elevation_rad, float from, float to,
                 design::Color color) {
     const float t = painter.text_px();
     const ProjectedPoint a = ladder.at(elevation_rad, ladder.tangent_of(std::fabs(from) * t) * (from < 0 ? -1 : 1));
     const ProjectedPoint b = ladder.at(elevation_rad, ladder.tangent_of(std::fabs(to) * t) * (to < 0 ? -1 : 1));
-    if (a.in_front && b.in_front) painter.line(a.at, b.at, color, 1.5f);
+    if (is_within(painter, a, 0.3f) && is_within(painter, b, 0.3f)) painter.line(a.at, b.at, color, 1.5f);
 }
 
 }  // namespace
@@ -70,15 +76,15 @@ void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const LadderFrame ladder(input);
     const double descent_rad = limited(input.guidance.path_reference_rad, -kMaxReference_rad, kMaxReference_rad);
     const design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::selected);
-    painter.batch().set_clip(painter.layout().attitude);
     build_dash(painter, ladder, -descent_rad, -kDashTo, -kDashFrom, color);
     build_dash(painter, ladder, -descent_rad, kDashFrom, kDashTo, color);
     const ProjectedPoint label = ladder.at(-descent_rad, ladder.tangent_of((kDashTo + 0.3f) * painter.text_px()));
     char text[16];
     std::snprintf(text, sizeof text, "%.1f\xC2\xB0", base::degrees(descent_rad));
     const auto roll = static_cast<float>(-limited(input.roll_rad, -base::kPi, base::kPi));
-    if (label.in_front) painter.text(text, label.at, TextAnchor::left, 0.75f, color, roll);
-    painter.batch().lift_clip();
+    const ProjectedPoint end = ladder.at(-descent_rad, ladder.tangent_of((kDashTo + 2.8f) * painter.text_px()));
+    if (is_within(painter, label, 0.5f) && is_within(painter, end, 0.5f))
+        painter.text(text, label.at, TextAnchor::left, 0.75f, color, roll);
     if (show == ElementShow::flagged)
         painter.plate(failure_place(painter, 2, painter.plate_px("PATH STALE", kPlateWidth)), "PATH STALE", painter.type().label,
                       painter.color(SymbolRole::caution));

@@ -8,11 +8,18 @@ using policy::Element;
 using policy::ElementShow;
 
 /// A label over a number in one box.
-void labelled_number(const Painter& painter, const Rect& box, std::string_view label, std::string_view number, ElementShow show) {
+void labelled_number(const Painter& painter, const Rect& box, const Words& label, std::string_view number, ElementShow show) {
     const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
-    painter.plate(upper, label_words(label), painter.type().label, painter.label_color(show));
+    painter.plate(upper, label, painter.type().label, painter.label_color(show));
     painter.readout(lower, number, show == ElementShow::flagged);
+}
+
+/// The shortest keeps the source: an amber number is stale.
+Words ground_height_label(bool is_radio, bool is_stale) {
+    if (!is_stale) return label_words(is_radio ? "RA FT" : "AGL FT");
+    if (is_radio) return {"STALE RA FT", "STALE RA", "RA"};
+    return {"STALE AGL FT", "STALE AGL", "AGL"};
 }
 
 /// The right part of a box, which is made narrower by it; nothing for what is absent.
@@ -46,7 +53,9 @@ void build_baro_setting(const Painter& painter, const SymbologyInput& input) {
     if (show == ElementShow::absent) return;
     if (show == ElementShow::failed) return painter.failed(box, "BARO SET FAIL");
     const double hpa = limited(input.baro_setting_pa / base::kPascalsPerHectopascal, 0, 9999);
-    labelled_number(painter, box, show == ElementShow::flagged ? "STALE QNH HPA" : "QNH HPA", whole_number(hpa).view(), show);
+    const bool is_stale = show == ElementShow::flagged;
+    const Words label = is_stale ? Words({"STALE QNH HPA", "STALE QNH", "QNH"}) : label_words("QNH HPA");
+    labelled_number(painter, box, label, whole_number(hpa).view(), show);
 }
 
 void build_ground_height(const Painter& painter, const SymbologyInput& input) {
@@ -57,9 +66,8 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input) {
     const bool radio = decision.source != flight::Signal::height_above_terrain;
     if (decision.show == ElementShow::failed) return painter.failed(box, "AGL FAIL");
     const double feet = limited(input.ground_height_m / base::kMetresPerFoot, -999, 99'999);
-    base::FixedString<15> label(decision.show == ElementShow::flagged ? "STALE " : "");
-    label.append(radio ? "RA FT" : "AGL FT");
-    labelled_number(painter, box, label.view(), whole_number(feet).view(), decision.show);
+    const bool is_stale = decision.show == ElementShow::flagged;
+    labelled_number(painter, box, ground_height_label(radio, is_stale), whole_number(feet).view(), decision.show);
 }
 
 void build_information(const Painter& painter, const SymbologyInput& input) {

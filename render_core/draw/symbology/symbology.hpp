@@ -30,8 +30,8 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input);
 /// Wind and temperature that the own aircraft measures: the arrow points where
 /// the wind blows, up is ahead, or the map's up. What is stale is amber and shows its age.
 void build_air(const Painter& painter, const SymbologyInput& input);
-/// The angle that the picture shows across its width, below wind and temperature; nothing without an attitude, and in a recovery
-/// picture.
+/// The angle that the picture shows across its width, in the lower right corner of the attitude's box; nothing without an
+/// attitude, and in a recovery picture.
 void build_field_of_view(const Painter& painter, const SymbologyInput& input);
 [[nodiscard]] Rect field_of_view_box(const Layout& layout) noexcept;
 /// For make_layout(): what the legends of this frame would take.

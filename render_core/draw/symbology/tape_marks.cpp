@@ -179,7 +179,7 @@ void build_tape_row(const Painter& painter, const Rect& box, const TapeRow& row)
     painter.line({cross.x, cross.y}, {cross.right(), cross.bottom()}, painter.color(SymbolRole::warning));
     painter.line({cross.x, cross.bottom()}, {cross.right(), cross.y}, painter.color(SymbolRole::warning));
     painter.fitted_text({row.name, row.name.substr(row.name.rfind(' ') + 1)}, box, TextAnchor::center, kTapeTextSize,
-                        painter.color(SymbolRole::warning));
+                        painter.color(SymbolRole::caution));
 }
 
 }  // namespace tedavis::draw

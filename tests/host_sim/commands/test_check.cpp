@@ -73,6 +73,22 @@ TEST(CheckCommand, APaletteOfTheSymbologyWithTwoRolesAlikeIsRefused) {
     EXPECT_THAT(run.notes, HasSubstr(path + ": engaged and selected in normal vision by day differ by 0.00 (CIEDE2000)"));
 }
 
+TEST(CheckCommand, APaletteOfTheSymbologyWithoutNightIsKnownInAnyFolder) {
+    const test_support::TemporaryFolder place;
+    const std::string text = read_file(kConfigs + "palettes/symbology/standard.toml");
+    const std::size_t night = text.find("[night]");
+    const std::string day = text.substr(0, night), rest = text.substr(text.find("\n[", night) + 1);
+    std::filesystem::create_directories(place.file("palettes"));
+    for (const char* name : {"x.toml", "palettes/x.toml"}) {
+        const std::string path = place.write(name, day + rest);
+        EXPECT_THAT(check({path}).notes, HasSubstr("'night' is missing")) << name;
+        EXPECT_EQ(check({place.write(name, text)}).code, 0) << name;
+    }
+    const std::string terrain = place.write("palettes/grey.toml", read_file(kConfigs + "palettes/grey.toml"));
+    EXPECT_THAT(check({terrain}).results, HasSubstr("a palette of ")) << "the control";
+    EXPECT_THAT(check({place.write("x.toml", "a = 1\n")}).notes, HasSubstr("palettes, palettes/symbology, devices"));
+}
+
 TEST(CheckCommand, ADesignIsPrintedWithWhatItInherits) {
     const auto resolved = [](const std::vector<std::string>& files, bool json = false) {
         CheckOptions options;

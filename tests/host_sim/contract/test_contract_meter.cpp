@@ -6,6 +6,7 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/shipped_files.hpp"
+#include "tests/support/flights/frame_lines.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 #include "tests/support/sheets/contract_runs.hpp"
 
@@ -67,12 +68,17 @@ TEST_F(ContractMeterOfARun, WithoutMasksItSaysHowTheyAreMade) {
     EXPECT_EQ(all[5].state, ReadingState::measured) << "neither do colours of the design";
 }
 
-/// The palette file and the light are those of the run's summary.
+/// The palette file is that of the run's summary, and so is the light of a record without one.
 class ContractMeterOfAPalette : public ::testing::Test {
 protected:
-    ContractReading reading(const std::string& measure, const std::string& summary) {
+    /// Of the first frame; `light` is that of its record, if it has one.
+    ContractReading reading(const std::string& measure, const std::string& summary, const std::string& light = "") {
         test_support::write_painted_run(place_, "run", 1, [](std::uint64_t) { return PaintedFrame(); });
         place_.write("run/" + std::string(kSummaryName), summary);
+        auto record = test_support::frame_lines(place_.file("run")).at(0);
+        record.erase("symbology_light");
+        if (!light.empty()) record["symbology_light"] = light;
+        place_.write("run/" + std::string(kFrameRecordsName), record.dump() + "\n");
         contract_ = read_contract(place_.write("c.toml", "[[condition]]\nmeasure = \"" + measure + "\"\nleast = 4\n"));
         const FlightRun run = read_flight_run(place_.file("run"));
         PictureMeter meter({});
@@ -90,6 +96,18 @@ TEST_F(ContractMeterOfAPalette, RolesAreComparedInTheRunsLight) {
     EXPECT_GT(day.value, 6);
     EXPECT_GT(night.value, 6);
     EXPECT_NE(day.value, night.value);
+}
+
+/// A key of the window changes the light within a run.
+TEST_F(ContractMeterOfAPalette, TheLightOfAFrameComesBeforeTheRuns) {
+    const auto gap = [&](const char* run, const std::string& frame) {
+        return reading("symbology_difference", R"({"design": "default", "light": ")" + std::string(run) + "\"}", frame).value;
+    };
+    const double day = gap("day", ""), night = gap("night", "");
+    ASSERT_NE(day, night);
+    EXPECT_EQ(gap("day", "night"), night);
+    EXPECT_EQ(gap("night", "day"), day);
+    EXPECT_EQ(reading("symbology_difference", R"({"design": "default"})", "night").value, night);
 }
 
 TEST_F(ContractMeterOfAPalette, TwoRolesAlikeAreNamed) {

@@ -52,7 +52,15 @@ TEST(SymbologyPaletteCheck, RolesThatNormalVisionTellsApartMayBeAlikeWithoutOneK
 TEST(SymbologyPaletteCheck, ADarkSignHasTooLittleContrastWithItsRim) {
     SymbologyPalettes dark = standard();
     color_of(dark, kNight, SymbolRole::warning) = {150, 20, 20};
-    EXPECT_THAT(symbology_palette_faults(dark, "p"), ElementsAre(HasSubstr("p: warning by night has a contrast of 2.")));
+    EXPECT_THAT(symbology_palette_faults(dark, "p"),
+                ElementsAre(HasSubstr("p: warning by night has a contrast of 2."), HasSubstr("with readout_ground")));
+}
+
+/// Text on a readout has no rim.
+TEST(SymbologyPaletteCheck, ALightGroundOfReadoutsIsRefused) {
+    SymbologyPalettes light = standard();
+    color_of(light, kDay, SymbolRole::readout_ground) = {176, 180, 184};
+    EXPECT_THAT(symbology_palette_faults(light, "p"), ElementsAre(HasSubstr("with readout_ground and needs 4.50")));
 }
 
 TEST(SymbologyPaletteCheck, NightIsDarkerThanDay) {

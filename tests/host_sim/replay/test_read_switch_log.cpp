@@ -36,9 +36,9 @@ bus::SwitchConfig panel() {
     return config.value();
 }
 
-Findings found(const std::string& lines) {
+Findings found(const std::string& lines, const bus::SwitchConfig& with = panel()) {
     const std::string text = "# tedavis switch log 1\n" + lines;
-    return switch_findings("x.switches", text, "small", panel(), read_panel(text, panel()));
+    return switch_findings("x.switches", text, "small", with, read_panel(text, with));
 }
 
 const std::string kSound = "(1.000000) p.A 1\n(1.000000) p.B 0\n(2.000000) p.A 0\n";
@@ -77,7 +77,21 @@ TEST(ReadSwitchLog, BrokenLinesAndLinesWithoutALevelAreCounted) {
     EXPECT_EQ(findings[0].name, "switches.broken_lines");
     EXPECT_EQ(findings[0].count, 2u) << "words, and a time that runs back";
     EXPECT_EQ(findings[1].name, "switches.never_stated");
-    EXPECT_EQ(findings[1].text, "x.switches: no level for 1 of 2 lines of the panel small (p.B), so that it states no phase");
+    EXPECT_EQ(findings[1].text,
+              "x.switches: no level for 1 of 2 phase lines of the panel small (p.B), so that it states no phase");
+}
+
+/// A log from before the panel had a line for the legend states every phase.
+TEST(ReadSwitchLog, TheLegendsLineNeedsNoLevel) {
+    const std::string legend = "[legend]\nchip = 'p'\nname = 'LEGEND'\n";
+    const auto loaded = bus::load_switch_config(kPanel + legend, "x.toml");
+    ASSERT_TRUE(loaded.ok());
+    EXPECT_TRUE(found(kSound, loaded.value()).empty());
+    EXPECT_TRUE(found(kSound + "(3.000000) p.LEGEND 1\n", loaded.value()).empty());
+    const Findings lacking = found("(1.000000) p.A 1\n(3.000000) p.LEGEND 1\n", loaded.value());
+    ASSERT_EQ(lacking.size(), 1u) << "the control: a line of the phase needs its level";
+    EXPECT_EQ(lacking[0].text,
+              "x.switches: no level for 1 of 2 phase lines of the panel small (p.B), so that it states no phase");
 }
 
 TEST(ReadSwitchLog, EdgesOfAnotherTimeAreSaid) {

@@ -77,6 +77,14 @@ TEST(FrameRecordJson, TellsTheMapAndTheWayToIt) {
     EXPECT_EQ(parsed(result)["view"], Json({{"mode", "map"}, {"transition", 0.25}}));
 }
 
+TEST(FrameRecordJson, TellsTheLightOfTheSymbology) {
+    FrameResult result = test_support::frame_result(0, 3);
+    EXPECT_EQ(parsed(result)["symbology_light"], "day");
+    result.record.symbology_light = design::SymbologyLight::night;
+    EXPECT_EQ(parsed(result)["symbology_light"], "night");
+    EXPECT_TRUE(parsed(result)["light"].is_object()) << "the light of the terrain is another key";
+}
+
 TEST(FrameRecordJson, TellsLabelsAndWeights) {
     FrameResult result = test_support::frame_result(0, 3);
     result.record.labels = {5, 7, 2, 1};

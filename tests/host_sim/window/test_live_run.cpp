@@ -158,6 +158,20 @@ TEST(LiveRun, AKeyShowsAnotherLegendAndTheRunSaysSo) {
     EXPECT_THAT(summary, HasSubstr("the legend was set to 'whole'"));
 }
 
+TEST(LiveRun, AKeyChangesTheLightFromThenOn) {
+    Desk desk(files().options("live_light"));
+    desk.turns(2);
+    desk.window->press(Key::space);
+    desk.turn();
+    desk.window->press('n');
+    EXPECT_TRUE(desk.turn());
+    desk.finish();
+    const auto lines = test_support::frame_lines(desk.options.output);
+    EXPECT_EQ(lines.front().at("symbology_light"), "day");
+    EXPECT_EQ(lines.back().at("symbology_light"), "night");
+    EXPECT_THAT(read_file(desk.options.output + "/summary.json"), HasSubstr("the symbology was switched to night"));
+}
+
 TEST(LiveRun, AMapWithoutTerrainIsRefusedInTheWindow) {
     ReplayOptions options = files().options("live_no_map");
     options.picture.terrain.clear();

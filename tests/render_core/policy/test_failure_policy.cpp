@@ -376,6 +376,17 @@ TEST(FailurePolicy, DataThatAreNoLongerValidAreSaidToBeMissing) {
     EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA OUT OF DATE")) << "no data are shown at all";
 }
 
+/// Whatever the legend shows.
+TEST(FailurePolicy, StaleDataAreSaidToBeStale) {
+    DisplayConditions conditions = good_conditions();
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA STALE"));
+    conditions.data_are_stale = true;
+    EXPECT_TRUE(has_notice(decide_on(everything_valid(), conditions), "DATA STALE"));
+    EXPECT_TRUE(has_flag(decide_on(everything_valid(), conditions), "data.stale"));
+    conditions.terrain = TerrainSource::failed;
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA STALE")) << "no data are shown at all";
+}
+
 TEST(FailurePolicy, AReducedPictureIsSaidWhereAskedFor) {
     DisplayConditions conditions = good_conditions();
     EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "GRAPHICS REDUCED"));

@@ -32,7 +32,6 @@ constexpr RecordFlag kOfTheDisplay[] = {RecordFlag::vertical_accuracy_assumed,
                                         RecordFlag::adjacent_cut,
                                         RecordFlag::adjacent_unit,
                                         RecordFlag::data_missing,
-                                        RecordFlag::data_stale,
                                         RecordFlag::legend_cut,
                                         RecordFlag::utc_lost,
                                         RecordFlag::deadline_missed};

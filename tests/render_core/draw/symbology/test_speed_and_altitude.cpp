@@ -345,7 +345,7 @@ TEST(Symbology, P17SelectedValuesThatAreStaleOrLostAreNeverCyan) {
             EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::selected)), "");
             scene.show(selected.element, ElementShow::failed);
             scene.build(selected.build);
-            EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::warning)), selected.name);
+            EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::caution)), selected.name);
             EXPECT_TRUE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::warning)).empty())
                 << "the tape itself stays";
             EXPECT_FALSE(scene.text(scene.scale(box), test_support::day_color(SymbolRole::scale)).empty());
@@ -475,7 +475,7 @@ TEST(Symbology, P19AMinimumThatIsStaleOrLostSaysSo) {
         EXPECT_FALSE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::caution)).empty());
         scene.show(Element::baro_minimum, ElementShow::failed);
         scene.build(build_altitude);
-        EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::warning)), "MIN");
+        EXPECT_EQ(scene.text(box, test_support::day_color(SymbolRole::caution)), "MIN");
         EXPECT_TRUE(scene.shapes(scene.scale(box), test_support::day_color(SymbolRole::warning)).empty())
             << "the tape itself stays";
     }

@@ -133,9 +133,25 @@ TEST(Symbology, FailuresAreRedWithTextAndStaleValuesAmberWithText) {
         EXPECT_FALSE(text_of(failed.batch).empty()) << piece.name;
         if (piece.element == Element::flight_path) continue;  // has no last value worth showing
         input.decisions[piece.element].show = ElementShow::flagged;
+        input.decisions[Element::radio_minimum].show = ElementShow::absent;  // it takes room from the label of the height
         piece.build(Painter(stale.batch, layout), input);
         EXPECT_TRUE(has_color(stale.batch, test_support::day_color(SymbolRole::caution))) << piece.name;
         EXPECT_NE(text_of(stale.batch).find("STALE"), std::string::npos) << piece.name;
+    }
+}
+
+/// Amber says that it is stale; radio height and height above the terrain database must not be confused.
+TEST(Symbology, AStaleHeightBesideTheDecisionHeightKeepsItsSource) {
+    SymbologyInput input = scene_input(scene_state(3, 5, 5), 640, 480);
+    const Layout layout = make_layout(640, 480, 96);
+    for (const auto& [source, label] :
+         {std::pair{flight::Signal::radio_height, "RA"}, {flight::Signal::height_above_terrain, "AGL"}}) {
+        input.decisions[Element::ground_height] = {ElementShow::flagged, source};
+        input.decisions[Element::radio_minimum].show = ElementShow::normal;
+        BatchStore store;
+        build_ground_height(Painter(store.batch, layout), input);
+        EXPECT_NE(text_of(store.batch).find(label), std::string::npos) << text_of(store.batch);
+        EXPECT_TRUE(has_color(store.batch, test_support::day_color(SymbolRole::caution))) << label;
     }
 }
 

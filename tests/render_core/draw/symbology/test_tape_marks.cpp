@@ -204,7 +204,7 @@ TEST(TapeMarks, ARowSaysItsTextByItsState) {
     EXPECT_EQ(text_in(row(ElementShow::flagged).batch, box, test_support::day_color(SymbolRole::caution)), "12500");
     EXPECT_EQ(text_in(row(ElementShow::flagged).batch, box, test_support::day_color(SymbolRole::selected)), "");
     const BatchStore failed = row(ElementShow::failed);
-    EXPECT_EQ(text_in(failed.batch, box, test_support::day_color(SymbolRole::warning)), "ALTSEL");
+    EXPECT_EQ(text_in(failed.batch, box, test_support::day_color(SymbolRole::caution)), "ALTSEL") << "lost, and no danger";
     EXPECT_EQ(shapes_in(failed.batch, box, test_support::day_color(SymbolRole::warning)).size(), 2u) << "a cross";
     EXPECT_EQ(row(ElementShow::absent).batch.vertices().size(), 0u);
 }
