@@ -195,7 +195,7 @@ std::vector<Point> speed_points() {
         {"P11 speed tape", nothing, missing(airspeeds), tape, SymbolRole::scale, 5,
          states(Element::airspeed, ElementShow::substituted)},
         {"P12 speed bands", nothing, missing({Signal::indicated_airspeed, Signal::calibrated_airspeed}), tape,
-         SymbolRole::engaged, 5, states(Element::airspeed, ElementShow::substituted)},
+         SymbolRole::engaged, 10, states(Element::airspeed, ElementShow::substituted)},
         {"P13 low-speed cue", slow, missing(airspeeds), tape, SymbolRole::warning, 3,
          states(Element::airspeed, ElementShow::substituted)},
         {"P14 speed trend", nothing, missing({Signal::airspeed_rate}), tape, SymbolRole::scale, 1,

@@ -102,7 +102,11 @@ void build_tape_bands(const Painter& painter, const TapeScale& scale, base::Span
                     bottom = std::min(scale.y_of(band.low), scale.box.bottom() - rim);
         if (!(bottom > top)) continue;
         const Rect box{x, top, width, bottom - top};
-        painter.batch().box(box.shrunk(-rim), painter.color(SymbolRole::rim));
+        // Half a band leaves the other half of the whole one to be seen.
+        const float inner = band.look == TapeBandLook::half ? 1.0f : rim, outer = rim;
+        const float left = scale.inwards > 0 ? outer : inner, right = scale.inwards > 0 ? inner : outer;
+        painter.batch().box({box.x - left, box.y - rim, box.width + left + right, box.height + 2 * rim},
+                            painter.color(SymbolRole::rim));
         painter.batch().box(box, band.color);
         if (band.look == TapeBandLook::pole) build_stripes(painter, scale, box);
     }
