@@ -37,13 +37,17 @@ bool is_within(const Painter& painter, const ProjectedPoint& point, float texts)
     return point.in_front && painter.layout().attitude.shrunk(texts * painter.text_px()).contains(point.at);
 }
 
-/// A part of a dash would have no rim at its end: it is whole or not there.
-void build_dash(const Painter& painter, const LadderFrame& ladder, double elevation_rad, float from, float to,
-                design::Color color) {
-    const float t = painter.text_px();
-    const ProjectedPoint a = ladder.at(elevation_rad, ladder.tangent_of(std::fabs(from) * t) * (from < 0 ? -1 : 1));
-    const ProjectedPoint b = ladder.at(elevation_rad, ladder.tangent_of(std::fabs(to) * t) * (to < 0 ? -1 : 1));
-    if (is_within(painter, a, 0.3f) && is_within(painter, b, 0.3f)) painter.line(a.at, b.at, color, 1.5f);
+/// Left and right of the ladder. A part of a dash would have no rim at its end, and one alone no middle between them: both are
+/// whole, or there are none.
+void build_dashes(const Painter& painter, const LadderFrame& ladder, double elevation_rad, design::Color color) {
+    const auto place = [&](float texts) {
+        const double aside = ladder.tangent_of(std::fabs(texts) * painter.text_px());
+        return ladder.at(elevation_rad, texts < 0 ? -aside : aside);
+    };
+    const ProjectedPoint left = place(-kDashTo), right = place(kDashTo);
+    if (!is_within(painter, left, 0.3f) || !is_within(painter, right, 0.3f)) return;
+    painter.line(left.at, place(-kDashFrom).at, color, 1.5f);
+    painter.line(place(kDashFrom).at, right.at, color, 1.5f);
 }
 
 }  // namespace
@@ -76,8 +80,7 @@ void build_path_reference(const Painter& painter, const SymbologyInput& input) {
     const LadderFrame ladder(input);
     const double descent_rad = limited(input.guidance.path_reference_rad, -kMaxReference_rad, kMaxReference_rad);
     const design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::selected);
-    build_dash(painter, ladder, -descent_rad, -kDashTo, -kDashFrom, color);
-    build_dash(painter, ladder, -descent_rad, kDashFrom, kDashTo, color);
+    build_dashes(painter, ladder, -descent_rad, color);
     const ProjectedPoint label = ladder.at(-descent_rad, ladder.tangent_of((kDashTo + 0.3f) * painter.text_px()));
     char text[16];
     std::snprintf(text, sizeof text, "%.1f\xC2\xB0", base::degrees(descent_rad));
