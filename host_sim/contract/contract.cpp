@@ -17,7 +17,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::size_t kMaxWords = 16;
-constexpr int kLeastRolePixels = 12;
+constexpr int kMinRolePixels = 12;
 constexpr perception::RegionGrid kThirds{3, 3};
 
 std::vector<std::string> read_words(base::ConfigSection& section, std::string_view key) {
@@ -135,7 +135,7 @@ void read_measure_keys(base::ConfigSection& section, ContractCondition& conditio
             return read_color_groups(section, condition);
         case ContractMeasure::symbology_contrast:
             read_condition_limit(section, false, 1, 21, condition);
-            condition.least_px = static_cast<int>(section.integer("least_px", 1, 100000, kLeastRolePixels));
+            condition.least_px = static_cast<int>(section.integer("least_px", 1, 100000, kMinRolePixels));
             return;
         case ContractMeasure::symbology_difference: return read_condition_limit(section, false, 0, 100, condition);
     }
