@@ -124,7 +124,7 @@ TEST(ShippedContracts, HoldOverTheDefaultFlight) {
                 << entry.path() << ": nothing is passed over in this flight: " << condition["condition"];
         ++count;
     }
-    EXPECT_EQ(count, 5u);
+    EXPECT_EQ(count, 6u);
 }
 
 /// Pixels of a layer within a box of the picture.
