@@ -24,8 +24,6 @@ constexpr float kMaxPhase = 0.48f;    // share of the strip's width
 constexpr float kTwoRows = 2.4f;      // height from which the strip has two rows
 constexpr float kPhaseShare = 0.54f;  // of the height; the rest has the source
 
-float legible(float size, float text_px) { return std::max(size, kMinText_px / text_px); }
-
 /// "first_climb" as "FIRST CLIMB".
 void append_upper(base::FixedString<63>& text, std::string_view name) {
     for (const char c : name) {
@@ -65,8 +63,8 @@ public:
           rows_(strip.height >= kTwoRows * text_px ? 2 : 1) {}
 
     void add_phase(const flight::PhaseStatus& status) {
-        Annunciation phase{AnnunciationKind::phase, {}, legible(kPhaseText, t_), phase_text(status.phase)};
-        Annunciation source{AnnunciationKind::phase_source, {}, legible(kSourceText, t_), source_text(status.source)};
+        Annunciation phase{AnnunciationKind::phase, {}, legible_size(kPhaseText, t_), phase_text(status.phase)};
+        Annunciation source{AnnunciationKind::phase_source, {}, legible_size(kSourceText, t_), source_text(status.source)};
         const float width = std::min(kMaxPhase * strip_.width, std::max(width_of(phase), width_of(source)));
         const float top = strip_.y + kStripEdge / 2 * t_, height = strip_.height - kStripEdge * t_;
         phase.box = {left_, top, width, kPhaseShare * height};
@@ -107,7 +105,7 @@ private:
 
     /// False where a field has no room. The last attempt, with one notice, makes it narrower instead.
     bool place(base::Span<const Notice> notices, std::size_t shown, std::size_t others, AnnunciationPlan& plan) const {
-        Annunciation more{AnnunciationKind::more, {}, legible(kNoticeText, t_), "+"};
+        Annunciation more{AnnunciationKind::more, {}, legible_size(kNoticeText, t_), "+"};
         more.text.append(whole_number(static_cast<double>(others)).view());
         more.text.append(" MORE");
         const float for_more = shown == 1 && others > 0 && rows_ == 1 ? width_of(more) + kNoticeGap * t_ : 0;
@@ -118,7 +116,7 @@ private:
             const bool is_warning = notice.level == NoticeLevel::warning;
             const Annunciation field{is_warning ? AnnunciationKind::warning : AnnunciationKind::caution,
                                      {},
-                                     legible(kNoticeText, t_),
+                                     legible_size(kNoticeText, t_),
                                      notice.text.view()};
             if (!put(field, right_ - left_ - for_more, pen, plan)) return false;
             ++placed;

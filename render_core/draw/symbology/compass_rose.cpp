@@ -92,7 +92,7 @@ void build_direction_text(const Painter& painter, const SymbologyInput& input, c
     text.append(" ");
     text.append(rose_degrees(input, true_rad).view());
     painter.fitted_text({text.view(), text.view().substr(side.name.size() + 1)}, side.place, side.anchor,
-                        legible_size(painter, kMarkText), mark_color(input, side.element, SymbolRole::selected));
+                        legible_size(kMarkText, painter.text_px()), mark_color(input, side.element, SymbolRole::selected));
 }
 
 /// Names what is old: its color says which value.
@@ -100,7 +100,7 @@ void build_stale_row(const Painter& painter, const CompassRose& rose, const Symb
     for (const Element element : {Element::selected_heading, Element::waypoint_bearing, Element::turn_rate}) {
         if (input.decisions[element].show != ElementShow::flagged) continue;
         return painter.fitted_text("STALE", rose.side_row(RoseSide::right, 2), TextAnchor::right,
-                                   legible_size(painter, kMarkText), painter.color(SymbolRole::caution));
+                                   legible_size(kMarkText, painter.text_px()), painter.color(SymbolRole::caution));
     }
 }
 
@@ -157,10 +157,8 @@ ShortText rose_degrees(const SymbologyInput& input, double true_rad) noexcept {
     return whole_number(static_cast<int>(std::lround(base::degrees(earth::wrap_heading(shown)))) % 360, 3);
 }
 
-float legible_size(const Painter& painter, float size) noexcept { return std::max(size, kMinText_px / painter.text_px()); }
-
 void build_rose_card(const Painter& painter, const CompassRose& rose, double heading_rad) {
-    const float t = rose.text_px, m = rose.mark_px, size = legible_size(painter, kCardText);
+    const float t = rose.text_px, m = rose.mark_px, size = legible_size(kCardText, painter.text_px());
     const float label_radius = rose.radius - kTenTick * m - (0.15f + 0.5f * size) * t;
     const int labels = label_step(label_radius, size * t);
     const int ticks = rose.radius * static_cast<float>(radians(5)) >= kMinTickGap_px ? 5 : 10;
@@ -220,7 +218,7 @@ void build_rose_texts(const Painter& painter, const CompassRose& rose, const Sym
     if (heading == ElementShow::flagged) {
         // STALE stands there already, and nothing has a place on an old card.
     } else if (std::isnan(input.from_true_rad)) {
-        painter.fitted_text("VAR", selected, TextAnchor::left, legible_size(painter, kMarkText),
+        painter.fitted_text("VAR", selected, TextAnchor::left, legible_size(kMarkText, painter.text_px()),
                             painter.color(SymbolRole::caution));
     } else {
         const Rect cross{selected.x, selected.y, std::min(selected.width, kCrossedText * t), kRoseRow * t};
@@ -234,8 +232,8 @@ void build_rose_texts(const Painter& painter, const CompassRose& rose, const Sym
     const ElementShow show = input.decisions[Element::turn_rate].show;
     if (show == ElementShow::failed) painter.crossed_out(rose.side_cross(RoseSide::right, 1), "TURN");
     if (show == ElementShow::flagged)
-        painter.fitted_text("TURN", rose.side_row(RoseSide::right, 1), TextAnchor::right, legible_size(painter, kMarkText),
-                            painter.color(SymbolRole::caution));
+        painter.fitted_text("TURN", rose.side_row(RoseSide::right, 1), TextAnchor::right,
+                            legible_size(kMarkText, painter.text_px()), painter.color(SymbolRole::caution));
     build_stale_row(painter, rose, input);
 }
 

@@ -43,9 +43,6 @@ struct CompassRose {
 /// Three digits of a true direction in the rose's reference, where its variation is known.
 [[nodiscard]] ShortText rose_degrees(const SymbologyInput& input, double true_rad) noexcept;
 
-/// `size` in texts, or what makes 11 pixels where that is more.
-[[nodiscard]] float legible_size(const Painter& painter, float size) noexcept;
-
 void build_rose_card(const Painter& painter, const CompassRose& rose, double heading_rad);
 void build_lubber_line(const Painter& painter, const CompassRose& rose);
 /// The heading's change within 6 s at the present rate of turn, along the edge, with marks at half the standard rate and at the

@@ -165,7 +165,7 @@ void build_course(const Painter& painter, const CompassRose& rose, const Symbolo
 
 void build_course_texts(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
     const auto row = [&](int number) { return rose.side_row(RoseSide::left, number); };
-    const float size = legible_size(painter, kCourseText);
+    const float size = legible_size(kCourseText, painter.text_px());
     const auto write = [&](int number, const Words& text, design::Color color) {
         painter.fitted_text(text, row(number), TextAnchor::left, size, color);
     };
@@ -194,7 +194,7 @@ void build_vertical_deviation(const Painter& painter, const SymbologyInput& inpu
     const std::string_view name = has_lost_source(input) ? "NAV" : is_radio(input.guidance.navigation_source) ? "GS" : "GP";
     if (show == ElementShow::failed) return painter.crossed_out({box.x, box.center().y - 0.6f * t, box.width, 1.2f * t}, name);
     const design::Color color = source_color(input, Element::vertical_deviation);
-    const float size = legible_size(painter, kCourseText);
+    const float size = legible_size(kCourseText, painter.text_px());
     painter.fitted_text(name, {box.x, box.y, box.width, kPathName * t}, TextAnchor::center, size, color);
     const float half = box.height / 2 - kPathName * t - 0.6f * t, spacing = half / static_cast<float>(kMaxDots);
     const Point center{box.x + 0.6f * t, box.center().y};

@@ -22,7 +22,7 @@ std::string_view heading_label(Signal source) {
 /// The digits in an open frame, between the source's name and what is wrong with it.
 void build_heading_readout(const Painter& painter, const CompassRose& rose, const policy::ElementDecision& decision,
                            double heading_rad) {
-    const float t = rose.text_px, size = legible_size(painter, painter.type().label);
+    const float t = rose.text_px, size = legible_size(painter.type().label, painter.text_px());
     const Rect& number = rose.readout;
     const bool flagged = decision.show == ElementShow::flagged;
     const design::Color color = painter.color(flagged ? SymbolRole::caution : SymbolRole::scale);
