@@ -3,6 +3,7 @@
 // element is removed, moved or recolored is not taken for one that shows it.
 #include <gtest/gtest.h>
 
+#include <bitset>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,7 +21,6 @@
 namespace tedavis::test_display_points {
 namespace {
 
-using base::degrees;
 using base::radians;
 using design::SymbolRole;
 using draw::Layout;
@@ -119,9 +119,12 @@ bool has_flag(const Record& record, std::string_view name) {
 auto states(Element element, ElementShow without, ElementShow with = ElementShow::normal) {
     return [=](const Record& a, const Record& b) { return shown(a, element) == with && shown(b, element) == without; };
 }
-Change missing(std::vector<Signal> signals) {
-    return [signals = std::move(signals)](AircraftState& state) {
-        for (const Signal signal : signals) remove(state, signal);
+Change missing(const std::vector<Signal>& signals) {
+    std::bitset<flight::kSignalCount> is_missing;
+    for (const Signal signal : signals) is_missing.set(static_cast<std::size_t>(signal));
+    return [is_missing](AircraftState& state) {
+        for (std::size_t n = 0; n < flight::kSignalCount; ++n)
+            if (is_missing[n]) state.signals[n] = {};
     };
 }
 Change sets(Signal signal, double value) {
