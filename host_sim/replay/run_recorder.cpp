@@ -100,6 +100,7 @@ void RunRecorder::keep() {
     tally_.add(result_.record, above);
     effects_.add(result_.record);
     if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0))) story_.add_picture(result_, shown());
+    legends_.note(std::string(session_.display().planned().shown->name.view()), result_, input_);
     if (options_.frame_output() == FrameOutput::png)
         write_png(frame_picture_path(options_.output, result_.record.frame), shown());
     if (options_.layers) write_drawn_layers(frame_picture_path(options_.output, result_.record.frame), session_);
@@ -108,7 +109,8 @@ void RunRecorder::keep() {
 int RunRecorder::finish(bool interrupted, Console& console) {
     records_.commit();
     const RunSummary done = summary(interrupted);
-    const base::BudgetTable& memory = session_.display().planner().budget();
+    const base::BudgetTable memory = session_.display().planner().budget();  // of the run, without the legends' pictures
+    legends_.draw(session_, story_);
     write_run_reports(options_.output, done, story_, memory);
     char line[200];
     std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, ", counted(done.frames, "frame").c_str(),
@@ -165,6 +167,10 @@ RunSummary RunRecorder::summary(bool interrupted) {
     if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
     if (options_.picture.deadline_ms && options_.picture.costs.empty())
         s.notes.emplace_back("--deadline: no costs are known, so nothing is reduced; measure them with 'tedavis calibrate'");
+    if (legends_.frames_left_out() > 0)
+        s.notes.push_back(counted(legends_.frames_left_out(), "frame") +
+                          " of further designs: report.html shows the legends of " + std::to_string(LegendPictures::kMaxDesigns) +
+                          " designs only");
     const std::vector<std::string> lines = player_.notes();
     s.notes.insert(s.notes.end(), lines.begin(), lines.end());
     s.notes.insert(s.notes.end(), notes_.begin(), notes_.end());

@@ -12,6 +12,7 @@
 #include "host_sim/options/replay_options.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
+#include "host_sim/replay/legend_pictures.hpp"
 #include "host_sim/reports/effect_tally.hpp"
 #include "host_sim/reports/flight_tally.hpp"
 #include "host_sim/reports/frame_record_writer.hpp"
@@ -72,6 +73,7 @@ private:
     std::vector<std::string> notes_;
     FlightTally tally_;
     EffectTally effects_;
+    LegendPictures legends_;
     GeoExtent scene_extent_;              ///< read before the run: afterwards the file may be another one
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew
 };

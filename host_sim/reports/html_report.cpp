@@ -18,6 +18,7 @@ constexpr const char* kStyle =
     "body{font:16px/1.45 system-ui,sans-serif;max-width:70rem;margin:0 auto;padding:1rem}"
     "h1{font-size:1.4rem;margin:.2rem 0}h2{font-size:1.1rem;margin:1.4rem 0 .4rem;border-bottom:1px solid #8886}"
     ".strip{display:grid;grid-template-columns:repeat(auto-fill,minmax(9rem,1fr));gap:.5rem}"
+    ".large{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,30rem),1fr));gap:.8rem}"
     "figure{margin:0}figure img{width:100%;height:auto;display:block;border:1px solid #8886}"
     "figcaption{font-size:.75rem;overflow-wrap:anywhere}"
     ".charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,22rem),1fr));gap:.5rem}"
@@ -86,15 +87,31 @@ std::string notes_list(const RunSummary& summary) {
     return items.empty() ? items : section("Notes", "<ul>" + items + "</ul>");
 }
 
+std::string figure(const std::string& caption, const std::string& png) {
+    return "<figure><img alt='" + escaped_html(caption) + "' src='data:image/png;base64," + base64(png) + "'><figcaption>" +
+           escaped_html(caption) + "</figcaption></figure>\n";
+}
+
 std::string strip(const RunStory& story) {
     std::string figures;
     for (const RunStory::Thumbnail& picture : story.thumbnails()) {
         const std::string caption =
             "frame " + std::to_string(picture.frame) + ", " + decimal(picture.time_s, 1) + " s, " + picture.phase;
-        figures += "<figure><img alt='" + escaped_html(caption) + "' src='data:image/png;base64," + base64(picture.png) +
-                   "'><figcaption>" + escaped_html(caption) + "</figcaption></figure>\n";
+        figures += figure(caption, picture.png);
     }
     return figures.empty() ? figures : section("Frames", "<div class='strip'>" + figures + "</div>");
+}
+
+std::string legends(const RunStory& story) {
+    std::string figures;
+    for (const RunStory::Legend& picture : story.legends()) {
+        const std::string caption =
+            "design " + picture.design + ": frame " + std::to_string(picture.frame) + ", " + decimal(picture.time_s, 1) + " s, " +
+            picture.phase +
+            (picture.is_whole ? ", drawn again with its whole legend" : "; the display is too small for more than the key");
+        figures += figure(caption, picture.png);
+    }
+    return figures.empty() ? figures : section("Legends", "<div class='large'>" + figures + "</div>");
 }
 
 template <class Value>
@@ -173,7 +190,7 @@ std::string html_report(const RunSummary& summary, const RunStory& story, const 
            kStyle + "</style></head><body>\n<header><h1>TEDAVIS run: " + escaped_html(summary.log) + "</h1><p>Version " +
            version() + ". A simulation; not certified for use in flight.</p></header>\n" + warnings_list(summary) +
            section("Summary", summary_table(summary)) + notes_list(summary) + strip(story) + charts(story) + phase_table(story) +
-           flag_table(story) + memory_table(memory) + "</body></html>\n";
+           legends(story) + flag_table(story) + memory_table(memory) + "</body></html>\n";
 }
 
 void write_run_reports(const std::string& folder, const RunSummary& summary, const RunStory& story,

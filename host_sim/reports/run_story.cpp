@@ -63,4 +63,9 @@ void RunStory::add_picture(const FrameResult& result, const RgbaView& view) {
     picture_stride_ *= 2;
 }
 
+void RunStory::add_legend(const std::string& design, bool is_whole, const FrameResult& result, const RgbaView& view) {
+    const double time_s = (result.record.time - origin_).to_seconds();
+    legends_.push_back({design, is_whole, result.record.frame, time_s, phase_text(result.record), encode_small_png(view)});
+}
+
 }  // namespace tedavis::host_sim

@@ -32,17 +32,27 @@ public:
         double time_s = 0;
         std::string phase, png;
     };
+    /// A frame of a design with the whole legend, as large as the display.
+    struct Legend {
+        std::string design;
+        bool is_whole = true;  ///< false: the display is too small for more than the key
+        std::uint64_t frame = 0;
+        double time_s = 0;
+        std::string phase, png;
+    };
 
     explicit RunStory(base::Time origin) : origin_(origin) {}
 
     /// `height_above_terrain_m` may be NaN. True when the story wants this frame's picture: give it to `add_picture`.
     [[nodiscard]] bool add(const FrameResult& result, double height_above_terrain_m, double ground_speed_mps);
     void add_picture(const FrameResult& result, const RgbaView& view);
+    void add_legend(const std::string& design, bool is_whole, const FrameResult& result, const RgbaView& view);
 
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
     [[nodiscard]] const std::vector<PhaseSpan>& phases() const { return phases_; }
     [[nodiscard]] const std::map<std::string, FlagSpan>& flags() const { return flags_; }
     [[nodiscard]] const std::vector<Thumbnail>& thumbnails() const { return thumbnails_; }
+    [[nodiscard]] const std::vector<Legend>& legends() const { return legends_; }
 
 private:
     void add_phase(const display::FrameRecord& record, double time_s);
@@ -53,6 +63,7 @@ private:
     std::vector<PhaseSpan> phases_;
     std::map<std::string, FlagSpan> flags_;
     std::vector<Thumbnail> thumbnails_;
+    std::vector<Legend> legends_;
 };
 
 }  // namespace tedavis::host_sim

@@ -22,7 +22,22 @@ Rect ladder_box(const Layout& layout) {
     return {center.x - 0.8f * radius, top, 1.6f * radius, bottom - top};
 }
 
-void build_rung(const Painter& painter, const LadderFrame& ladder, int degrees) {
+/// Room that a rung with its numbers takes beyond its ends and beside them, in texts.
+struct RungMargin {
+    float along, across;
+};
+constexpr RungMargin kTenMargin{1.5f, 0.5f}, kFiveMargin{0.25f, 0.25f};
+
+/// Whether a box holds a rung whole, rims included.
+bool holds(const Rect& box, const Point& left, const Point& right, const Point& along, const RungMargin& margin, float text_px) {
+    const float beyond = margin.along * text_px, beside = margin.across * text_px;
+    const Point corners[4] = {along_and_across(left, along, -beyond, -beside), along_and_across(left, along, -beyond, beside),
+                              along_and_across(right, along, beyond, -beside), along_and_across(right, along, beyond, beside)};
+    return std::all_of(std::begin(corners), std::end(corners), [&](const Point& corner) { return box.contains(corner); });
+}
+
+/// Whole, or not at all: part of a rung could be taken for another one.
+void build_rung(const Painter& painter, const LadderFrame& ladder, const Rect& room, int degrees) {
     const float t = painter.text_px();
     const bool ten = degrees % 10 == 0;
     const double half = ladder.tangent_of(ten ? 2.6f * t : 1.2f * t), inner = ladder.tangent_of(0.5f * t);
@@ -33,6 +48,7 @@ void build_rung(const Painter& painter, const LadderFrame& ladder, int degrees) 
     const float length = std::hypot(right.at.x - left.at.x, right.at.y - left.at.y);
     if (!(length > 0)) return;
     const Point along{(right.at.x - left.at.x) / length, (right.at.y - left.at.y) / length};
+    if (!holds(room, left.at, right.at, along, ten ? kTenMargin : kFiveMargin, t)) return;
     if (degrees > 0) {
         painter.line(left.at, right.at);
     } else {  // broken below the horizon
@@ -173,12 +189,13 @@ void build_permanent_horizon(const Painter& painter, const SymbologyInput& input
 
 void build_ladder(const Painter& painter, const SymbologyInput& input) {
     const LadderFrame ladder(input);
-    painter.batch().set_clip(ladder_box(painter.layout()));
+    const Rect room = ladder_box(painter.layout());
     const int nearest = 5 * static_cast<int>(std::lround(base::degrees(limited(input.pitch_rad, -2, 2)) / 5));
     for (int degrees = nearest - 40; degrees <= nearest + 40; degrees += 5)
-        if (degrees != 0 && degrees >= -90 && degrees <= 90) build_rung(painter, ladder, degrees);
-    if (input.decisions.unusual_attitude)
-        for (int degrees : {-75, -55, -35, 35, 55, 75}) build_chevron(painter, ladder, degrees);
+        if (degrees != 0 && degrees >= -90 && degrees <= 90) build_rung(painter, ladder, room, degrees);
+    if (!input.decisions.unusual_attitude) return;
+    painter.batch().set_clip(room);
+    for (int degrees : {-75, -55, -35, 35, 55, 75}) build_chevron(painter, ladder, degrees);
     painter.batch().lift_clip();
 }
 

@@ -23,6 +23,7 @@ RunStory short_story() {
         FrameResult result = test_support::frame_result(n, static_cast<double>(n));
         EXPECT_TRUE(n != 3 || result.record.flags.try_push_back(display::Name("altitude.stale")));
         if (story.add(result, 300, 60)) story.add_picture(result, view_of(picture));
+        if (n == 1) story.add_legend("ridge & valley", true, result, view_of(picture));
     }
     return story;
 }
@@ -38,7 +39,7 @@ RunSummary summary() {
 TEST(HtmlReport, TellsTheWholeStory) {
     const std::string html = html_report(summary(), short_story(), {});
     for (const char* part : {"<!DOCTYPE html>", "takeoff.first_climb", "altitude.stale", "Memory", "Ground speed",
-                             "frame 0, 0.0 s", "not certified"})
+                             "frame 0, 0.0 s", "not certified", "design ridge &amp; valley: frame 1, 1.0 s"})
         EXPECT_THAT(html, HasSubstr(part));
     EXPECT_THAT(html, HasSubstr("worst terrain error</th><td>no terrain was drawn"));
     EXPECT_THAT(html, HasSubstr("flight &lt;1&gt; &amp; co.log"));
@@ -57,7 +58,7 @@ TEST(HtmlReport, NeedsNothingButItself) {
     std::size_t pictures = 0;
     for (std::sregex_iterator it(html.begin(), html.end(), source), end; it != end; ++it, ++pictures)
         EXPECT_EQ((*it)[2].str(), "data:image/png;base64,");
-    EXPECT_EQ(pictures, 5u);
+    EXPECT_EQ(pictures, 6u);
 }
 
 TEST(HtmlReport, EveryElementIsClosed) {

@@ -7,11 +7,13 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "render_core/draw/symbology/annunciations.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/draw/batch_rasterizer.hpp"
+#include "tests/support/draw/batch_shapes.hpp"
 #include "tests/support/draw/symbology_scene.hpp"
 
 namespace tedavis::draw::test_symbology {
@@ -303,6 +305,32 @@ TEST(Symbology, TheStripStandsInOnlyForAHorizonThatIsOutOfSight) {
         EXPECT_EQ(has_color(store.batch, input.ground), pitch > 0) << pitch;
         EXPECT_EQ(has_color(store.batch, input.sky), pitch < 0) << pitch;
     }
+}
+
+// A rung that is cut where the ladder ends would be thinner than the others, and its number lower.
+TEST(Symbology, RungsOfThePitchLadderAreWholeOrAbsent) {
+    const Layout layout = make_layout(640, 480, 96);
+    const design::Color scale = test_support::day_color(SymbolRole::scale);
+    std::set<std::size_t> counts;
+    for (double pitch = -20; pitch <= 20; pitch += 0.1) {
+        BatchStore store;
+        build_attitude(Painter(store.batch, layout), scene_input(scene_state(10, pitch, 0), 640, 480));
+        float low_rung = 1e9f, high_rung = 0, low_digit = 1e9f, high_digit = 0;
+        std::size_t rungs = 0;
+        for (const test_support::BatchShape& shape : test_support::shapes_of(store.batch)) {
+            if (!shape.has(scale) || shape.is_rim) continue;
+            const float height = shape.bounds.height;
+            if (shape.letter == '0') low_digit = std::min(low_digit, height), high_digit = std::max(high_digit, height);
+            if (shape.letter != 0 || shape.bounds.width < 2 * layout.text_px || shape.bounds.width > 8 * layout.text_px) continue;
+            low_rung = std::min(low_rung, height), high_rung = std::max(high_rung, height);
+            ++rungs;
+        }
+        EXPECT_LT(high_rung, low_rung + 0.02f) << pitch;
+        EXPECT_LT(high_digit, low_digit + 0.02f) << pitch;
+        counts.insert(rungs);
+    }
+    EXPECT_GE(*counts.begin(), 1u);
+    EXPECT_GE(counts.size(), 2u) << "control: rungs come and go";
 }
 
 TEST(Symbology, ChevronsAppearOnlyInUnusualAttitudes) {
