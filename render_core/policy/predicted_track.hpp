@@ -1,4 +1,4 @@
-/// The own ship's predicted track: straight ahead at the current velocity.
+/// The own ship's predicted track: at the current velocity, straight ahead or on a circle.
 ///
 /// Frame     positions are geodetic, WGS84, heights above the ellipsoid in metres; velocities are in the local north, east, up
 /// frame.
@@ -15,6 +15,7 @@ namespace tedavis::policy {
 struct PredictedTrack {
     earth::Geodetic from;  ///< position of the own ship
     double north_mps = 0, east_mps = 0, up_mps = 0;
+    double turn_radps = 0;  ///< of the direction over the ground, constant, to the right
 
     [[nodiscard]] double ground_speed_mps() const { return std::hypot(north_mps, east_mps); }
     [[nodiscard]] double metres_per_latitude_rad() const { return earth::meridian_radius_m(from.latitude_rad); }

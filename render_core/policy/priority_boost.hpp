@@ -31,6 +31,8 @@ struct PriorityInstant {
     flight::FlightTime time;
     flight::OwnShipEstimate own_ship;
     flight::FlightPhase phase;
+    double turn_radps = 0;  ///< of the track, to the right
+    TrackUncertainty uncertainty;
 };
 
 struct PriorityBoosts {

@@ -13,7 +13,6 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kMetresPerNauticalMile = 1852;
 constexpr double kDescent_mps = -2.5;  // 500 ft/min
-constexpr double kHalfWidth_m = 200;
 constexpr double kStep_m = 60;
 constexpr double kCloser = 0.75;         // of the height above ground now
 constexpr double kRunwayGround_m = 30;   // ground round a runway is so much higher at most
@@ -66,29 +65,83 @@ double required_clearance_m(flight::FlightPhase phase, double up_mps) noexcept {
     return (up_mps < kDescent_mps ? required.descending_ft : required.level_ft) * base::kMetresPerFoot;
 }
 
-TerrainWatch::TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
-                           scene::Ground& ground)
-    : track_(track), ground_(ground) {
-    find_runways(layers);
-    const double below_m = ground_.height_m(track.from.latitude_rad, track.from.longitude_rad);
-    height_above_ground_m_ = std::isnan(below_m) ? kInfinite : track.from.height.m - below_m;
-    clearance_m_ = std::fmin(required_clearance_m(phase, track.up_mps), kCloser * height_above_ground_m_);
+TerrainWatch::TerrainWatch(const TerrainWatchInput& input, scene::Ground& ground, GroundBound& bound)
+    : track_(input.track), ground_(ground), bound_(bound) {
+    find_runways(input.layers);
+    const earth::Geodetic& from = track_.from;
+    const double below_m = ground_.height_m(from.latitude_rad, from.longitude_rad);
+    height_above_ground_m_ = std::isnan(below_m) ? kInfinite : from.height.m - below_m;
+    const TrackUncertainty& uncertainty = input.uncertainty;
+    const double speed_mps = track_.ground_speed_mps();
+    radius_m_ = uncertainty.position_m;
+    radius_mps_ = uncertainty.speed_mps + speed_mps * uncertainty.direction_rad;
+    radius_mps2_ = speed_mps * uncertainty.turn_radps / 2;
+    const double half_turn_s = base::kPi / std::fabs(track_.turn_radps);
+    until_s_ = std::fmin(kLookAhead_s, half_turn_s);
+    const double landing_s = seconds_to_landing(), clearance_m = required_clearance_m(input.phase, track_.up_mps);
+    const double landing_clearance_m = required_clearance_m(flight::kApproachFinal, track_.up_mps);
+    const double kept_m =
+        (landing_s < until_s_ ? std::fmin(clearance_m, landing_clearance_m) : clearance_m) + uncertainty.height_m;
+    until_s_ = std::fmin(until_s_, landing_s);
+    const double share = std::fmin(1, kCloser * height_above_ground_m_ / (kept_m + uncertainty.climb_mps * until_s_));
+    floor_m_ = from.height.m - share * kept_m;
+    floor_mps_ = track_.up_mps - share * uncertainty.climb_mps;
 }
 
 TerrainAhead TerrainWatch::ahead() {
     const double seconds = seconds_to_terrain();
-    if (seconds <= kWarning_s) return TerrainAhead::warning;
+    if (seconds <= kTerrainWarning_s) return TerrainAhead::warning;
     return seconds <= kLookAhead_s ? TerrainAhead::caution : TerrainAhead::none;
+}
+
+/// Long enough for kMaxSteps, and where the track is wide, a quarter of its width.
+double TerrainWatch::step_s(double seconds) const {
+    return std::fmax(std::fmax(kStep_m, radius_at(seconds) / 2) / track_.ground_speed_mps(), kLookAhead_s / (kMaxSteps - 1));
 }
 
 double TerrainWatch::seconds_to_terrain() {
     if (track_.ground_speed_mps() < kSlowest_mps || is_inhibited()) return kInfinite;
-    const double steps = std::ceil(track_.ground_speed_mps() * kLookAhead_s / kStep_m);
-    const int count = static_cast<int>(std::fmin(steps, kMaxSteps));
-    for (int n = 0; n <= count; ++n) {
-        const double seconds = kLookAhead_s * n / count;
-        if (lands(seconds)) return kInfinite;
-        if (is_too_close(seconds)) return seconds;
+    double seconds = 0;
+    for (int n = 0; n < kMaxSteps && seconds < until_s_; ++n) {
+        const double next_s = std::fmin(seconds + step_s(seconds), until_s_);
+        if (is_too_close(seconds, next_s)) return seconds;
+        seconds = next_s;
+    }
+    return kInfinite;
+}
+
+TerrainAlertZone TerrainWatch::zone(TerrainAhead alert) {
+    const earth::Geodetic& from = track_.from;
+    TerrainAlertZone zone;
+    zone.alert = alert;
+    zone.from = from;
+    zone.north_mps = track_.north_mps;
+    zone.east_mps = track_.east_mps;
+    zone.turn_radps = track_.turn_radps;
+    zone.radius_m = radius_m_ + kShownMargin_m;
+    zone.radius_mps = radius_mps_;
+    zone.radius_mps2 = radius_mps2_;
+    const double undulation_m = ground_.undulation_m(from.latitude_rad, from.longitude_rad);
+    // The bound's discs hold ground that is passed earlier or later than their own time, at another floor.
+    const double off_s = track_.ground_speed_mps() > 0 ? radius_at(until_s_) / track_.ground_speed_mps() : 0;
+    zone.floor_msl_m = floor_m_ - undulation_m - std::fabs(floor_mps_) * off_s;
+    zone.floor_mps = floor_mps_;
+    zone.until_s = until_s_ < kLookAhead_s ? until_s_ : kLookAhead_s + off_s;
+    const NearRunway runway = nearest_runway(track_.at(until_s_));
+    if (std::isinf(runway.height_m) || std::isnan(runway.height_m)) return zone;
+    zone.runway = {(runway.place.latitude_rad - from.latitude_rad) * track_.metres_per_latitude_rad(),
+                   earth::angle_difference(runway.place.longitude_rad, from.longitude_rad) * track_.metres_per_longitude_rad(),
+                   kRunwayRound_nm * kMetresPerNauticalMile, runway.height_m + kRunwayGround_m - undulation_m};
+    return zone;
+}
+
+/// Infinite where the track does not reach a runway before it ends.
+double TerrainWatch::seconds_to_landing() {
+    if (runways_.empty() || track_.ground_speed_mps() < kSlowest_mps) return kInfinite;
+    double seconds = 0;
+    for (int n = 0; n < kMaxSteps && seconds < until_s_; ++n) {
+        if (lands(seconds)) return seconds;
+        seconds += step_s(seconds);
     }
     return kInfinite;
 }
@@ -96,8 +149,10 @@ double TerrainWatch::seconds_to_terrain() {
 /// From there on the track would lead below the ground.
 bool TerrainWatch::lands(double seconds) {
     const earth::Geodetic place = track_.at(seconds);
+    const NearRunway runway = nearest_runway(place);
+    if (!std::isfinite(runway.height_m)) return false;
     const double ground_m = ground_.height_m(place.latitude_rad, place.longitude_rad);
-    return place.height.m < ground_m + kFlare_m && is_ground_of_runway(place, ground_m);
+    return place.height.m < ground_m + kFlare_m && ground_m < runway.height_m + kRunwayGround_m;
 }
 
 bool TerrainWatch::is_inhibited() {
@@ -111,18 +166,16 @@ bool TerrainWatch::is_inhibited() {
     });
 }
 
-bool TerrainWatch::is_too_close(double seconds) {
-    for (int line = 0; line < kLines; ++line) {
-        const earth::Geodetic place = track_.at(seconds, kHalfWidth_m * (2.0 * line / (kLines - 1) - 1));
-        const double ground_m = ground_.height_m(place.latitude_rad, place.longitude_rad);
-        if (place.height.m < ground_m + clearance_m_ && !is_ground_of_runway(place, ground_m)) return true;
-    }
-    return false;
-}
-
-bool TerrainWatch::is_ground_of_runway(const earth::Geodetic& place, double ground_m) {
+/// Discs as wide as the track is at the end of the step, whose union contains it on its way there.
+bool TerrainWatch::is_too_close(double from_s, double to_s) {
+    const double middle_s = (from_s + to_s) / 2, floor_m = std::fmin(floor_at(from_s), floor_at(to_s));
+    const double radius_m = radius_at(to_s) + track_.ground_speed_mps() * (to_s - from_s) / 2;
+    const earth::Geodetic place = track_.at(middle_s);
+    const double highest_m = bound_.highest_m(place.latitude_rad, place.longitude_rad, radius_m, floor_m);
+    if (!(highest_m > floor_m)) return false;
     const NearRunway runway = nearest_runway(place);
-    return runway.distance_m < kRunwayRound_nm * kMetresPerNauticalMile && ground_m < runway.height_m + kRunwayGround_m;
+    const bool is_at_runway = runway.distance_m + radius_m < kRunwayRound_nm * kMetresPerNauticalMile;
+    return !is_at_runway || highest_m > std::fmax(floor_m, runway.height_m + kRunwayGround_m);
 }
 
 void TerrainWatch::find_runways(base::Span<const scene::Layer> layers) {
@@ -145,8 +198,8 @@ TerrainWatch::NearRunway TerrainWatch::nearest_runway(const earth::Geodetic& pla
     for (const RunwayLine& line : runways_)
         if (const PlaceOnLine on = nearest_on(*line.from, *line.to, place, track_); on.distance_m < nearest.distance_m)
             nearest = on;
-    if (!(nearest.distance_m < kRunwayRound_nm * kMetresPerNauticalMile)) return {nearest.distance_m, -kInfinite};
-    return {nearest.distance_m, ground_.height_m(nearest.at.latitude_rad, nearest.at.longitude_rad)};
+    if (!(nearest.distance_m < kRunwayRound_nm * kMetresPerNauticalMile)) return {nearest.distance_m, -kInfinite, nearest.at};
+    return {nearest.distance_m, ground_.height_m(nearest.at.latitude_rad, nearest.at.longitude_rad), nearest.at};
 }
 
 }  // namespace tedavis::policy

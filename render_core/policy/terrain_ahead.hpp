@@ -1,28 +1,35 @@
-/// The terrain alert: whether the own ship flies into terrain. The notice TERRAIN AHEAD and the warning colours follow it in
-/// every phase and design.
+/// The terrain alert: whether the own ship flies into terrain. The notice TERRAIN AHEAD follows it in every phase and design, and
+/// so does the color of the ground that is too close (terrain_alert_zone.hpp).
 ///
 /// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires,
-/// within a minute, on five parallel lines over a width of 400 m. The phase only sets the clearance; no phase switches the
-/// alert off. Where the aircraft is already below the clearance, terrain counts only if the track comes closer by a quarter, so
-/// that low flight over level ground gives no alert.
+/// within a minute. The track keeps its speed, its rate of turn, for half a turn at most, and its vertical speed. It is widened
+/// by the uncertainty of all of these (TrackUncertainty), and what is below it counts with its proven upper bound: no true track
+/// within that uncertainty comes too close to the ground without an alert. Bounds are of whole blocks of the terrain, so that an
+/// alert may also come for ground a few posts beside the widened track. The phase only sets the clearance; no phase switches the
+/// alert off.
 ///
+/// Low flight: clearance and uncertainty together take no more than three quarters of the height above the ground at present, so
+/// that level flight over level ground gives no alert: they are scaled down alike.
+///
+/// A track that reaches a runway needs the clearance of the final approach, in every phase.
 /// There is no alert at a ground speed below 15 m/s (taxiing); close to the ground near a runway of the scene; for ground round
 /// a runway at the runway's height; and beyond the point where the track reaches the runway. Without a scene with runways, a
 /// landing gives an alert. Unknown ground gives no alert: the display shows by other means that it is missing. This is not a
 /// certified alerting system.
 ///
 /// Based on  Forward-looking terrain avoidance: required clearances of TSO-C151c table 3.1.1; 60 s and 30 s, and heights near a
-///           runway, of Garmin and Honeywell guides (190-00709, 060-4241-000).
-/// Bounded   kMaxSteps x kLines places of the track, and kMaxRunways for each that is too close. Pure, but for what the ground
-///           reads. Thread  the display's.
+///           runway, of Garmin and Honeywell guides (190-00709, 060-4241-000). Width: two velocities that differ by dv in speed
+///           and at most a in direction differ by at most dv + v a, whose integral is the distance of the places.
+/// Bounded   kMaxSteps places of the track, and kMaxRunways for each that is too close. Pure, but for what the grounds read.
+///           Thread  the display's.
 #pragma once
-
-#include <cstdint>
 
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/span.hpp"
 #include "render_core/flight/flight_phase.hpp"
+#include "render_core/policy/ground_bound.hpp"
 #include "render_core/policy/predicted_track.hpp"
+#include "render_core/policy/terrain_alert_zone.hpp"
 
 namespace tedavis::scene {
 class Ground;
@@ -32,47 +39,73 @@ struct ScenePoint;
 
 namespace tedavis::policy {
 
-enum class TerrainAhead : std::uint8_t {
-    none,
-    caution,  ///< within 60 s
-    warning,  ///< within 30 s
+/// A receiver that states less is not believed.
+inline constexpr double kMinPositionUncertainty_m = 10;
+
+/// By how much the true track may differ from the predicted one. Rates are this display's own; positions are stated or assumed.
+struct TrackUncertainty {
+    double position_m = 50;  ///< horizontally
+    double height_m = 20;    ///< of the own ship above the drawn terrain
+    double speed_mps = 1;
+    double direction_rad = 0.0175;  ///< one degree
+    double turn_radps = 0.00175;    ///< a tenth of a degree a second
+    double climb_mps = 0.3;
+};
+
+struct TerrainWatchInput {
+    PredictedTrack track;
+    TrackUncertainty uncertainty;
+    flight::FlightPhase phase;
+    /// Those of the scene, or empty, and they must stay; runways near the track beyond kMaxRunways count as ground.
+    base::Span<const scene::Layer> layers;
 };
 
 class TerrainWatch {
 public:
-    static constexpr double kLookAhead_s = 60, kWarning_s = 30;
+    static constexpr double kLookAhead_s = kTerrainCaution_s;
     static constexpr double kSlowest_mps = 15;  ///< ground speed; slower aircraft stand or taxi
-    static constexpr int kMaxSteps = 256, kLines = 5;
+    static constexpr int kMaxSteps = 256;
     static constexpr std::size_t kMaxRunways = 32;
+    /// The zone that is shown is so much wider than the track's uncertainty, and lower by what a moving floor rises or falls on
+    /// the way through it: an alert colors the ground that it is for, and a little more.
+    static constexpr double kShownMargin_m = 200;
 
-    /// All arguments must outlive the object. `layers` are those of the scene, or empty; runways near the track beyond
-    /// kMaxRunways count as ground.
-    TerrainWatch(const PredictedTrack& track, flight::FlightPhase phase, base::Span<const scene::Layer> layers,
-                 scene::Ground& ground);
+    /// Both grounds must outlive the object.
+    TerrainWatch(const TerrainWatchInput& input, scene::Ground& ground, GroundBound& bound);
 
     [[nodiscard]] TerrainAhead ahead();
     /// Returns the time until the track is too close to the ground, s; infinite where it is not within kLookAhead_s.
     [[nodiscard]] double seconds_to_terrain();
+    /// Returns the zone that an alert colors.
+    [[nodiscard]] TerrainAlertZone zone(TerrainAhead alert);
 
 private:
     struct NearRunway {
-        double distance_m, height_m;  ///< distance to the nearest point of a runway, and its height above the ellipsoid
+        double distance_m, height_m;  ///< of the nearest point of a runway; above the ellipsoid, -infinity where it is far away
+        earth::Geodetic place;
     };
     struct RunwayLine {
         const scene::ScenePoint *from, *to;
     };
     void find_runways(base::Span<const scene::Layer> layers);
     [[nodiscard]] bool is_inhibited();
+    [[nodiscard]] double step_s(double seconds) const;
+    [[nodiscard]] double seconds_to_landing();
     [[nodiscard]] bool lands(double seconds);
-    [[nodiscard]] bool is_too_close(double seconds);
-    [[nodiscard]] bool is_ground_of_runway(const earth::Geodetic& place, double ground_m);
+    [[nodiscard]] bool is_too_close(double from_s, double to_s);
     [[nodiscard]] NearRunway nearest_runway(const earth::Geodetic& place);
+    /// Heights above the ellipsoid.
+    [[nodiscard]] double floor_at(double seconds) const { return floor_m_ + floor_mps_ * seconds; }
+    [[nodiscard]] double radius_at(double seconds) const { return radius_m_ + (radius_mps_ + radius_mps2_ * seconds) * seconds; }
 
-    const PredictedTrack& track_;
+    const PredictedTrack track_;
     scene::Ground& ground_;
+    GroundBound& bound_;
     base::FixedVector<RunwayLine, kMaxRunways> runways_;  ///< runways that the track can approach
     double height_above_ground_m_;                        ///< height of the own ship; infinite where the ground is unknown
-    double clearance_m_;
+    double radius_m_, radius_mps_, radius_mps2_;
+    double floor_m_ = 0, floor_mps_ = 0;
+    double until_s_;  ///< where the track ends
 };
 
 /// Returns the clearance that the phase requires, m; it differs between level flight and a descent of more than 500 ft/min.

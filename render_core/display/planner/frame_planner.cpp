@@ -255,6 +255,7 @@ void FramePlanner::plan_terrain() {
         return;
     }
     widen_bands();
+    plan_alert_zone();
     Camera seen = frame_->picture.camera;
     seen.view = frame_->seen;
     TerrainPlan plan = terrain_.plan(seen, look_, tau_factor);
@@ -281,13 +282,17 @@ void FramePlanner::plan_terrain() {
     decide_again();
 }
 
-void FramePlanner::widen_bands() {
-    if (!frame_->decisions.show_warning_colors) return;
+design::HeightAccuracy FramePlanner::height_accuracy() const {
     design::HeightAccuracy accuracy;
     if (frame_->state.is_valid(Signal::vertical_accuracy, frame_->time))
         accuracy.position_m = frame_->state[Signal::vertical_accuracy].value_or(0);
     accuracy.terrain_m = static_cast<double>(terrain_.database().header().le90_m);
-    frame_->bands = design::band_widening(look_.widening, band_deviations_, accuracy);
+    return accuracy;
+}
+
+void FramePlanner::widen_bands() {
+    if (!frame_->decisions.show_warning_colors) return;
+    frame_->bands = design::band_widening(look_.widening, band_deviations_, height_accuracy());
     if (frame_->bands.position_assumed) flag(policy::RecordFlag::vertical_accuracy_assumed, *frame_);
     if (frame_->bands.terrain_assumed) flag(policy::RecordFlag::terrain_accuracy_assumed, *frame_);
 }

@@ -25,6 +25,7 @@
 #include "render_core/flight/frame_input.hpp"
 #include "render_core/flight/terrain_heights.hpp"
 #include "render_core/policy/predicted_track.hpp"
+#include "render_core/policy/terrain_ahead.hpp"
 
 namespace tedavis::display {
 
@@ -168,6 +169,12 @@ private:
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     // Terrain, data, symbology, effects
     void plan_terrain();
+    [[nodiscard]] double turn_radps() const;
+    [[nodiscard]] design::HeightAccuracy height_accuracy() const;
+    [[nodiscard]] policy::TrackUncertainty track_uncertainty() const;
+    [[nodiscard]] policy::PriorityInstant priority_instant() const;
+    [[nodiscard]] policy::TerrainWatchInput watched(const policy::PriorityInstant& instant) const;
+    void plan_alert_zone();
     void widen_bands();
     void plan_data();
     void set_elements(std::size_t shown);

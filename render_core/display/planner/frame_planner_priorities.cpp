@@ -1,6 +1,8 @@
 // What comes first in a frame: the design's weights, what raises them, and what of the data is stale.
 #include <cmath>
 
+#include "render_core/base/units.hpp"
+#include "render_core/design/band_widening.hpp"
 #include "render_core/design/weighted_design.hpp"
 #include "render_core/display/planner/data_legends.hpp"
 #include "render_core/display/planner/frame_notes.hpp"
@@ -11,6 +13,8 @@
 #include "render_core/policy/terrain_ahead.hpp"
 
 namespace tedavis::display {
+
+using flight::Signal;
 
 /// Of the design that is shown.
 class FramePlanner::Boosts final : public policy::BoostSource {
@@ -30,18 +34,19 @@ private:
     [[nodiscard]] policy::TerrainAhead terrain_ahead_at(const policy::PriorityInstant& instant) const {
         if (!planner_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid)
             return policy::TerrainAhead::none;
-        const policy::PredictedTrack track = planner_.track_of(instant.own_ship);
-        if (is_above_all(track)) return policy::TerrainAhead::none;
+        const policy::TerrainWatchInput watched = planner_.watched(instant);
+        if (is_above_all(watched)) return policy::TerrainAhead::none;
         TerrainGround ground(planner_.terrain_, terrain::View());
-        base::Span<const scene::Layer> layers;
-        if (planner_.data_.has_scene()) layers = planner_.data_.scene().layers();
-        return policy::TerrainWatch(track, instant.phase, layers, ground).ahead();
+        return policy::TerrainWatch(watched, ground, ground).ahead();
     }
 
     /// So that nothing need be read of the database.
-    [[nodiscard]] bool is_above_all(const policy::PredictedTrack& track) const {
+    [[nodiscard]] bool is_above_all(const policy::TerrainWatchInput& watched) const {
         constexpr double kMargin_m = 50;  // by which the geoid differs along the track at most
-        const double lowest_m = std::fmin(track.from.height.m, track.at(policy::TerrainWatch::kLookAhead_s).height.m);
+        constexpr double kAhead_s = policy::TerrainWatch::kLookAhead_s;
+        const policy::PredictedTrack& track = watched.track;
+        const double lowest_m = std::fmin(track.from.height.m, track.at(kAhead_s).height.m) - watched.uncertainty.height_m -
+                                watched.uncertainty.climb_mps * kAhead_s;
         const double highest_m =
             double{planner_.terrain_.database().header().max_height_m} + planner_.undulation_m(track.from) + kMargin_m;
         return lowest_m > highest_m + policy::required_clearance_m({flight::Scenario::cruise, 0}, 0);
@@ -80,14 +85,57 @@ policy::PredictedTrack FramePlanner::track_of(const flight::OwnShipEstimate& own
     return track;
 }
 
+/// By the signal, or by the bank in a coordinated turn; straight ahead where neither is valid.
+double FramePlanner::turn_radps() const {
+    const flight::AircraftState& state = frame_->state;
+    if (state.is_valid(Signal::heading_rate, frame_->time)) return state[Signal::heading_rate].value_or(0);
+    const double speed_mps = std::hypot(state.own_ship.velocity_north_mps, state.own_ship.velocity_east_mps);
+    const double roll_rad = state[Signal::roll].value_or(0);
+    if (!state.is_valid(Signal::roll, frame_->time) || !(std::fabs(roll_rad) < base::radians(75)) || !(speed_mps > 1)) return 0;
+    return base::kStandardGravity * std::tan(roll_rad) / speed_mps;
+}
+
+/// As stated, or assumed; heights with the terrain's, whatever a design says of its bands.
+policy::TrackUncertainty FramePlanner::track_uncertainty() const {
+    policy::TrackUncertainty uncertainty;
+    if (frame_->state.is_valid(Signal::horizontal_accuracy, frame_->time))
+        uncertainty.position_m =
+            std::fmax(frame_->state[Signal::horizontal_accuracy].value_or(0), policy::kMinPositionUncertainty_m);
+    const design::WideningSettings settings;
+    uncertainty.height_m =
+        design::band_widening(settings, design::deviations_of_coverage(settings.coverage), height_accuracy()).lowered_m;
+    return uncertainty;
+}
+
+policy::PriorityInstant FramePlanner::priority_instant() const {
+    return {frame_->time,           flight::flight_time(frame_->state.utc, frame_->time),
+            frame_->state.own_ship, frame_->conditions.phase.presented,
+            turn_radps(),           terrain_.is_started() ? track_uncertainty() : policy::TrackUncertainty{}};
+}
+
+policy::TerrainWatchInput FramePlanner::watched(const policy::PriorityInstant& instant) const {
+    policy::TerrainWatchInput input;
+    input.track = track_of(instant.own_ship);
+    input.track.turn_radps = instant.turn_radps;
+    input.uncertainty = instant.uncertainty;
+    input.phase = instant.phase;
+    if (data_.has_scene()) input.layers = data_.scene().layers();
+    return input;
+}
+
+/// While there is an alert, from where the own ship is now.
+void FramePlanner::plan_alert_zone() {
+    if (frame_->decisions.terrain_ahead == policy::TerrainAhead::none) return;
+    TerrainGround ground(terrain_, terrain::View());
+    frame_->alert_zone = policy::TerrainWatch(watched(priority_instant()), ground, ground).zone(frame_->decisions.terrain_ahead);
+}
+
 /// Before anything of the frame is planned.
 void FramePlanner::apply_priorities() {
     design::AspectWeights weights = design_at(memory_->shown).priority.weights;
     if (has_intervals_) {
         Boosts boosts(*this);
-        memory_->boost.follow({frame_->time, flight::flight_time(frame_->state.utc, frame_->time), frame_->state.own_ship,
-                               frame_->conditions.phase.presented},
-                              boosts, memory_->shown);
+        memory_->boost.follow(priority_instant(), boosts, memory_->shown);
         if (design_at(memory_->shown).priority.is_stated) weights = memory_->boost.above(weights);
     }
     frame_->conditions.terrain_ahead = memory_->boost.terrain_ahead();

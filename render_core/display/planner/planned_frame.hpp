@@ -22,6 +22,7 @@
 #include "render_core/policy/declutter.hpp"
 #include "render_core/policy/failure_policy.hpp"
 #include "render_core/policy/panel_lighting.hpp"
+#include "render_core/policy/terrain_alert_zone.hpp"
 
 namespace tedavis::display {
 
@@ -79,6 +80,8 @@ struct PlannedFrame : FrameStatement {
     bool is_free_view = false;  ///< the camera is not the own ship's
     bool terrain_has_void = false;
     draw::HeightSpan heights;  ///< of the whole database
+
+    policy::TerrainAlertZone alert_zone;  ///< of the ground that comes too close to the predicted track
 
     FociPlan foci_plan;
     policy::Declutter declutter;

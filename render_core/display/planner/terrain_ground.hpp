@@ -7,10 +7,11 @@
 
 #include "render_core/display/planner/terrain_planner.hpp"
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/policy/ground_bound.hpp"
 
 namespace tedavis::display {
 
-class TerrainGround final : public scene::Ground {
+class TerrainGround final : public scene::Ground, public policy::GroundBound {
 public:
     /// The terrain must be started, and stay.
     TerrainGround(TerrainPlanner& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}
@@ -23,6 +24,10 @@ public:
     }
     [[nodiscard]] double undulation_m(double latitude_rad, double longitude_rad) override {
         return terrain_.database().undulation(latitude_rad, longitude_rad).m;
+    }
+
+    [[nodiscard]] double highest_m(double latitude_rad, double longitude_rad, double radius_m, double floor_m) override {
+        return terrain_.ceiling().over(latitude_rad, longitude_rad, radius_m, floor_m).height_m;
     }
 
 private:

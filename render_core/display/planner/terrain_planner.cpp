@@ -127,9 +127,9 @@ void TerrainPlanner::decide_drape() {
 }
 
 base::Error TerrainPlanner::start_store(const TerrainInput& input, const TerrainMemory& memory) {
-    if (!heights_.start(database_, memory.payloads))
+    if (!heights_.start(database_, memory.payloads) || !ceiling_.start(database_, heights_, memory.payloads))
         return base::make_error(
-            "the budget line 'terrain_heights' is too small for the height query; raise it in the device file");
+            "the budget line 'terrain_heights' is too small for the height queries; raise it in the device file");
     terrain::StoreSettings settings = store_settings(*device_, input.arrival);
     if (drape_ != DrapeState::shown) settings.drape_slots = 0;
     const terrain::TdbFailure failure = store_.start(

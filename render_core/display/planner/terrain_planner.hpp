@@ -16,6 +16,7 @@
 #include "render_core/draw/trace_state.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/terrain/chunk_indices.hpp"
+#include "render_core/terrain/height_ceiling.hpp"
 #include "render_core/terrain/line_of_sight.hpp"
 #include "render_core/terrain/near_ground.hpp"
 
@@ -89,6 +90,7 @@ public:
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
     [[nodiscard]] terrain::HeightQuery& heights() { return heights_; }
+    [[nodiscard]] terrain::HeightCeiling& ceiling() { return ceiling_; }
     [[nodiscard]] const terrain::TerrainStore& store() const { return store_; }
     [[nodiscard]] terrain::ChunkIndices& chunk_indices() { return chunk_indices_; }
 
@@ -137,6 +139,7 @@ private:
     terrain::TerrainDatabase database_;
     terrain::TerrainStore store_;
     terrain::HeightQuery heights_;
+    terrain::HeightCeiling ceiling_;
     terrain::LodSelector selector_;
     terrain::ChunkIndices chunk_indices_;
     draw::TraceState tracer_ = draw::TraceState::not_asked_for;        ///< of the painter

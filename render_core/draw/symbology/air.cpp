@@ -86,8 +86,8 @@ void build_wind(const Painter& painter, const Rect& row, const SymbologyInput& i
     ShortText short_text(text.view().substr(0, unit));
     if (unit != std::string_view::npos) short_text.append(text.view().substr(unit + 2));
     const Rect place = beside_arrow(painter, row, text.view());
-    painter.fitted_text({text.view(), short_text.view()}, place, TextAnchor::left, kText, painter.label_color(show),
-                        TextRim::none);
+    const Words words{text.view(), short_text.view(), show == ElementShow::flagged ? "WIND STALE" : ""};
+    painter.fitted_text(words, place, TextAnchor::left, kText, painter.label_color(show), TextRim::none);
 }
 
 void build_temperature(const Painter& painter, const Rect& row, const SymbologyInput& input) {

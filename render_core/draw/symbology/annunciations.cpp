@@ -5,6 +5,7 @@
 
 #include "render_core/base/check.hpp"
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -20,6 +21,7 @@ constexpr float kRowEdge = 0.06f;     // above and below a notice in its row
 constexpr float kNoticeGap = 0.3f;    // between notices
 constexpr float kPhaseGap = 0.8f;     // between the phase and the first notice
 constexpr float kNoticePad = 0.35f;   // between the words of a notice and its frame, at either side
+constexpr float kMinNoticePad_px = 3;
 constexpr float kMaxPhase = 0.48f;    // share of the strip's width
 constexpr float kTwoRows = 2.4f;      // height from which the strip has two rows
 constexpr float kPhaseShare = 0.54f;  // of the height; the rest has the source
@@ -65,6 +67,7 @@ public:
     void add_phase(const flight::PhaseStatus& status) {
         Annunciation phase{AnnunciationKind::phase, {}, legible_size(kPhaseText, t_), phase_text(status.phase)};
         Annunciation source{AnnunciationKind::phase_source, {}, legible_size(kSourceText, t_), source_text(status.source)};
+        for (Annunciation* field : {&phase, &source}) shorten(*field, kMaxPhase * strip_.width);
         const float width = std::min(kMaxPhase * strip_.width, std::max(width_of(phase), width_of(source)));
         const float top = strip_.y + kStripEdge / 2 * t_, height = strip_.height - kStripEdge * t_;
         phase.box = {left_, top, width, kPhaseShare * height};
@@ -100,7 +103,12 @@ private:
     }
 
     [[nodiscard]] float width_of(const Annunciation& field) const {
-        return text_width_px(field.text.view(), field.size * t_) + 2 * kNoticePad * t_;
+        return text_width_px(field.text.view(), field.size * t_) + 2 * std::max(kNoticePad * t_, kMinNoticePad_px);
+    }
+
+    /// To the shorter wording where the whole one is wider.
+    void shorten(Annunciation& field, float most) const {
+        if (width_of(field) > most) field.text = short_wording(field.text.view());
     }
 
     /// False where a field has no room. The last attempt, with one notice, makes it narrower instead.
@@ -126,6 +134,7 @@ private:
     }
 
     bool put(Annunciation field, float most, Pen& pen, AnnunciationPlan& plan) const {
+        shorten(field, most);
         const float width = std::min(width_of(field), most),
                     height = (strip_.height - kStripEdge * t_) / static_cast<float>(rows_);
         const float rounding = 0.001f * t_;

@@ -6,6 +6,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/draw/font_atlas.hpp"
 #include "render_core/draw/symbology/compass_text.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 #include "render_core/earth/geodetic.hpp"
 
 namespace tedavis::draw {
@@ -20,6 +21,8 @@ constexpr float kRoseReadout = 1.55f;
 constexpr float kAboveScale = 2.1f;  // readout, and what stands outside the scale
 constexpr float kAroundScale = 0.6f;
 constexpr float kRoseRow = 1.2f;
+constexpr float kRowsTop = 0.1f;
+constexpr float kReadoutEms = 2.4f;  // three digits in their frame, in ems of the smallest text
 constexpr float kMaxSideText = 5.2f;
 constexpr float kSideTextEms = 4.7f;  // the same in the smallest text
 constexpr float kCrossedText = 3.3f;
@@ -91,7 +94,7 @@ void build_direction_text(const Painter& painter, const SymbologyInput& input, c
     ShortText text(side.name);
     text.append(" ");
     text.append(rose_degrees(input, true_rad).view());
-    painter.fitted_text({text.view(), text.view().substr(side.name.size() + 1)}, side.place, side.anchor,
+    painter.fitted_text({text.view(), text.view().substr(side.name.size() + 1), ""}, side.place, side.anchor,
                         legible_size(kMarkText, painter.text_px()), mark_color(input, side.element, SymbolRole::selected));
 }
 
@@ -99,7 +102,7 @@ void build_direction_text(const Painter& painter, const SymbologyInput& input, c
 void build_stale_row(const Painter& painter, const CompassRose& rose, const SymbologyInput& input) {
     for (const Element element : {Element::selected_heading, Element::waypoint_bearing, Element::turn_rate}) {
         if (input.decisions[element].show != ElementShow::flagged) continue;
-        return painter.fitted_text("STALE", rose.side_row(RoseSide::right, 2), TextAnchor::right,
+        return painter.fitted_text(short_words_or_none("STALE"), rose.side_row(RoseSide::right, 2), TextAnchor::right,
                                    legible_size(kMarkText, painter.text_px()), painter.color(SymbolRole::caution));
     }
 }
@@ -112,10 +115,10 @@ Point CompassRose::at(double angle_rad, float distance, float across) const noex
 }
 
 Rect CompassRose::side_row(RoseSide side, int row) const noexcept {
-    const float height = kRoseRow * text_px;
+    const float height = legible_row_px(kRoseRow, text_px);
     const bool at_foot = is_whole && row >= kRoseRows / 2;
     const float y = at_foot ? card.bottom() - static_cast<float>(kRoseRows - row) * height
-                            : card.y + 0.1f * text_px + static_cast<float>(row) * height;
+                            : card.y + kRowsTop * text_px + static_cast<float>(row) * height;
     // The nearer of its edges to the center's height says how far the card reaches.
     const float nearest = std::clamp(center.y, y, y + height) - center.y, reach = radius + kAroundScale * text_px;
     const float half_card = std::sqrt(std::max(0.0f, reach * reach - nearest * nearest));
@@ -135,14 +138,18 @@ CompassRose make_compass_rose(const Layout& layout) noexcept {
     const float t = layout.text_px;
     rose.text_px = t;
     rose.box = layout.heading;
-    rose.readout = {rose.box.center().x - 1.6f * t, rose.box.y, 3.2f * t, kRoseReadout * t};
+    const float readout = legible_row_px(kRoseReadout, t), above = kAboveScale * t + (readout - kRoseReadout * t);
+    const float digits = std::max(3.2f * t, kReadoutEms * kMinText_px);
+    rose.readout = {rose.box.center().x - digits / 2, rose.box.y, digits, readout};
     rose.card = {rose.box.x, rose.readout.bottom(), rose.box.width, rose.box.height - rose.readout.height};
-    const float below = rose.box.height - kAboveScale * t, aside = rose.box.width / 2 - kAroundScale * t;
+    const float below = rose.box.height - above, aside = rose.box.width / 2 - kAroundScale * t;
     const float whole = (below - kAroundScale * t) / 2;
     rose.is_whole = whole >= kMinWholeRadius * t;
+    const auto rows_in_card = static_cast<int>((rose.card.height - kRowsTop * t) / legible_row_px(kRoseRow, t));
+    rose.rows = std::clamp(rows_in_card, kMinRoseRows, kRoseRows);
     rose.radius = std::min(rose.is_whole ? whole : below / (1 + kShownBelowCenter), aside);
     rose.mark_px = std::min(t, rose.radius / kMarksAcrossRadius);
-    rose.center = {rose.box.center().x, rose.box.y + kAboveScale * t + rose.radius};
+    rose.center = {rose.box.center().x, rose.box.y + above + rose.radius};
     return rose;
 }
 
@@ -232,7 +239,7 @@ void build_rose_texts(const Painter& painter, const CompassRose& rose, const Sym
     const ElementShow show = input.decisions[Element::turn_rate].show;
     if (show == ElementShow::failed) painter.crossed_out(rose.side_cross(RoseSide::right, 1), "TURN");
     if (show == ElementShow::flagged)
-        painter.fitted_text("TURN", rose.side_row(RoseSide::right, 1), TextAnchor::right,
+        painter.fitted_text({"TURN", ""}, rose.side_row(RoseSide::right, 1), TextAnchor::right,
                             legible_size(kMarkText, painter.text_px()), painter.color(SymbolRole::caution));
     build_stale_row(painter, rose, input);
 }

@@ -14,7 +14,7 @@
 namespace tedavis::draw {
 
 enum class RoseSide : std::uint8_t { left, right };
-inline constexpr int kRoseRows = 4;
+inline constexpr int kRoseRows = 4, kMinRoseRows = 3;
 
 struct CompassRose {
     Rect box;      ///< all
@@ -25,10 +25,11 @@ struct CompassRose {
     float text_px = 0;
     float mark_px = 0;  ///< the unit of marks on the card: a text, or less on a small rose
     bool is_whole = false;
+    int rows = kRoseRows;  ///< that have room to either side; at least kMinRoseRows
 
     /// `across`: to the right of the ray, seen from the center.
     [[nodiscard]] Point at(double angle_rad, float distance, float across = 0) const noexcept;
-    /// The place of a short text beside the card; `row` is less than kRoseRows. Beside a whole rose the last two rows are at the
+    /// The place of a short text beside the card; `row` is less than `rows`. Beside a whole rose the last two rows are at the
     /// foot.
     [[nodiscard]] Rect side_row(RoseSide side, int row) const noexcept;
     /// The part of it, at its outer end, where a name is crossed out.

@@ -1,8 +1,11 @@
 #include "render_core/draw/symbology/course_deviation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -23,7 +26,6 @@ constexpr float kBarWidth = 0.26f;
 
 // In texts.
 constexpr float kCourseText = 0.8f;
-constexpr float kPathName = 1.2f;
 
 bool is_radio(NavigationSource source) { return source == NavigationSource::radio1 || source == NavigationSource::radio2; }
 
@@ -174,16 +176,20 @@ void build_course_texts(const Painter& painter, const CompassRose& rose, const S
     if (shows_value(input.decisions[Element::course].show) && !std::isnan(input.from_true_rad)) {
         ShortText course("CRS ");
         course.append(rose_degrees(input, input.guidance.course_rad).view());
-        write(0, {course.view(), course.view().substr(4)}, source_color(input, Element::course));
+        write(0, {course.view(), course.view().substr(4), ""}, source_color(input, Element::course));
     }
     const bool has_course = shows_value(input.decisions[Element::course].show),
                has_deviation = shows_value(input.decisions[Element::lateral_deviation].show);
     if (has_lost_source(input) || !(has_course || has_deviation)) return;
-    write(1, lateral_name(input), source_color(input, has_deviation ? Element::lateral_deviation : Element::course));
+    write(1, {lateral_name(input), ""}, source_color(input, has_deviation ? Element::lateral_deviation : Element::course));
     const DeviationScale scale = deviation_scale(input.guidance.navigation_source, input.phase.presented);
-    if (has_deviation && !scale.name.empty()) write(2, scale.name, source_color(input, Element::lateral_deviation));
-    const auto is_stale = [&](Element element) { return input.decisions[element].show == ElementShow::flagged; };
-    if (is_stale(Element::course) || is_stale(Element::lateral_deviation)) write(3, "STALE", painter.color(SymbolRole::caution));
+    const auto is_old = [&](Element element) { return input.decisions[element].show == ElementShow::flagged; };
+    const bool is_stale = is_old(Element::course) || is_old(Element::lateral_deviation);
+    // Where there are three rows, the scale's name gives way.
+    const int stale_row = rose.rows - 1;
+    if (is_stale) write(stale_row, short_words_or_none("STALE"), painter.color(SymbolRole::caution));
+    if (has_deviation && !scale.name.empty() && !(is_stale && stale_row == 2))
+        write(2, {scale.name, ""}, source_color(input, Element::lateral_deviation));
 }
 
 void build_vertical_deviation(const Painter& painter, const SymbologyInput& input) {
@@ -192,11 +198,13 @@ void build_vertical_deviation(const Painter& painter, const SymbologyInput& inpu
     const float t = painter.text_px();
     if (show == ElementShow::absent) return;
     const std::string_view name = has_lost_source(input) ? "NAV" : is_radio(input.guidance.navigation_source) ? "GS" : "GP";
-    if (show == ElementShow::failed) return painter.crossed_out({box.x, box.center().y - 0.6f * t, box.width, 1.2f * t}, name);
+    const float width = std::max(box.width, text_width_px(name, kMinText_px) + 2 * painter.stroke_px());
+    const float row = legible_row_px(kDeviationName, t), left = box.right() - width;
+    if (show == ElementShow::failed) return painter.crossed_out({left, box.center().y - 0.6f * t, width, 1.2f * t}, name);
     const design::Color color = source_color(input, Element::vertical_deviation);
     const float size = legible_size(kCourseText, painter.text_px());
-    painter.fitted_text(name, {box.x, box.y, box.width, kPathName * t}, TextAnchor::center, size, color);
-    const float half = box.height / 2 - kPathName * t - 0.6f * t, spacing = half / static_cast<float>(kMaxDots);
+    painter.fitted_text(name, {left, box.y, width, row}, TextAnchor::center, size, color);
+    const float half = box.height / 2 - row - 0.6f * t, spacing = half / static_cast<float>(kMaxDots);
     const Point center{box.x + 0.6f * t, box.center().y};
     build_path_scale(painter, center, spacing, 0.5f * t);
     const DeviationScale scale = deviation_scale(input.guidance.navigation_source, input.phase.presented);

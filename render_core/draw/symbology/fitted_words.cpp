@@ -1,5 +1,7 @@
 #include "render_core/draw/symbology/fitted_words.hpp"
 
+#include <algorithm>
+
 #include "render_core/draw/font_atlas.hpp"
 
 namespace tedavis::draw {
@@ -8,7 +10,30 @@ namespace {
 constexpr std::string_view kLeftOut = "..";
 constexpr float kWidthSlack_px = 0.02f;  // of rounding: a text that was made to fit does
 
-bool is_number(std::string_view text) { return text.find_first_not_of("0123456789+-. ") == std::string_view::npos; }
+constexpr std::size_t kMaxUnitLetters = 3;  // "KT", "HPA", "M/S"
+
+bool has_digit(std::string_view text) { return text.find_first_of("0123456789") != std::string_view::npos; }
+
+/// The end of the word that begins at `from`.
+std::size_t word_end(std::string_view text, std::size_t from) { return std::min(text.find(' ', from), text.size()); }
+
+struct ValueSpan {
+    std::size_t from = 0, to = 0;
+};
+
+/// The word with a digit, with the unit after it, in which `text` would be cut at `at`; empty where it is cut elsewhere.
+ValueSpan value_around(std::string_view text, std::size_t at) {
+    for (std::size_t from = 0; from < at;) {
+        std::size_t to = word_end(text, from);
+        if (has_digit(text.substr(from, to - from)) && to < text.size()) {
+            const std::size_t unit_end = word_end(text, to + 1);
+            if (unit_end - to - 1 <= kMaxUnitLetters) to = unit_end;
+        }
+        if (at < to && has_digit(text.substr(from, to - from))) return {from, to};
+        from = to + 1;
+    }
+    return {};
+}
 
 /// The start of the last code point.
 std::size_t last_start(std::string_view text) {
@@ -31,10 +56,15 @@ Words label_words(std::string_view label) noexcept {
 }
 
 FittedText cut_words(std::string_view text, float room_px, float size_px) noexcept {
-    if (text_width_px(text, size_px) <= room_px + kWidthSlack_px || is_number(text)) return FittedText(text);
+    if (text_width_px(text, size_px) <= room_px + kWidthSlack_px) return FittedText(text);
     const float room = room_px - text_width_px(kLeftOut, size_px);
-    while (!text.empty() && (text.back() == ' ' || text_width_px(text, size_px) > room)) text = text.substr(0, last_start(text));
-    FittedText cut(text);
+    std::string_view kept = text;
+    while (!kept.empty() && (kept.back() == ' ' || text_width_px(kept, size_px) > room)) kept = kept.substr(0, last_start(kept));
+    // At least one character, so that a value at the start is found too.
+    const ValueSpan value = value_around(text, std::max<std::size_t>(kept.size(), 1));
+    if (value.to > 0) kept = text.substr(0, value.from > 0 ? value.from - 1 : value.to);
+    if (kept.size() == text.size()) return FittedText(text);
+    FittedText cut(kept);
     cut.append(kLeftOut);
     return cut;
 }

@@ -11,7 +11,8 @@ namespace tedavis::draw {
 
 using FittedText = base::FixedString<127>;
 
-/// A text with shorter wordings for small screens, from the longest to the shortest. The texts must outlive it.
+/// A text with shorter wordings for small screens, from the longest to the shortest; an empty one at the end says that nothing
+/// stands there where none of them fits. The texts must outlive it.
 class Words {
 public:
     Words(std::string_view text) { add(text); }
@@ -26,13 +27,14 @@ public:
 
 private:
     void add(std::string_view text) { static_cast<void>(texts_.try_push_back(text)); }
-    base::FixedVector<std::string_view, 3> texts_;
+    base::FixedVector<std::string_view, 4> texts_;
 };
 /// A label with a unit as its last word: "BARO FT", or "BARO" where that is too long.
 [[nodiscard]] Words label_words(std::string_view label) noexcept;
 
-/// The text, or as many of its first letters as there is room for, with two dots after them. A text of digits alone is never cut,
-/// because what is left of it would be another number.
+/// The text, or as many of its first letters as there is room for, with two dots after them. A word with a digit is never cut,
+/// nor is it parted from its unit, because what is left would be another value: "WIND 850 HPA" becomes "WIND..". Where the text
+/// begins with a value, it keeps it, whatever the room is.
 [[nodiscard]] FittedText cut_words(std::string_view text, float room_px, float size_px) noexcept;
 
 }  // namespace tedavis::draw

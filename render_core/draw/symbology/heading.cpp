@@ -5,6 +5,7 @@
 #include "render_core/draw/font_atlas.hpp"
 #include "render_core/draw/symbology/compass_rose.hpp"
 #include "render_core/draw/symbology/course_deviation.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/earth/geodetic.hpp"
 
@@ -33,7 +34,8 @@ void build_heading_readout(const Painter& painter, const CompassRose& rose, cons
     const ShortText digits = whole_number(static_cast<int>(std::lround(base::degrees(heading_rad))) % 360, 3);
     painter.fitted_text(digits.view(), number, TextAnchor::center, painter.type().value, color);
     const Rect label{rose.box.x, number.y, number.x - rose.box.x, number.height};
-    painter.fitted_text(heading_label(decision.source), label, TextAnchor::right, size, painter.label_color(decision.show));
+    painter.fitted_text(short_words(heading_label(decision.source)), label, TextAnchor::right, size,
+                        painter.label_color(decision.show));
     const Rect right{number.right() + 0.2f * t, number.y, 2.6f * t, number.height};
     if (decision.show == ElementShow::substituted) painter.crossed_out(right, "HDG");
     const float stale = std::max(right.width, text_width_px("STALE", painter.em_px(size)) + 0.4f * t);

@@ -32,7 +32,11 @@ constexpr float kDeviationHeight = 7.2f;       // below the ends of the scale of
 constexpr float kAttitudeBelowCenter = 6.02f;  // what the ladder and the scale of bank keep above the rose
 
 // In ems of the smallest text: what a height above ground with its label takes, and wind and temperature.
-constexpr float kGroundHeightEms = 5.6f, kAirEms = 5.4f, kAirRowEms = 1.15f, kLegendEms = 9.2f;
+constexpr float kGroundHeightEms = 5.6f, kAirEms = 5.4f, kMinAirEms = 5.25f, kLegendEms = 9.2f;
+// The same of an altitude of five digits without the pointer of its readout, of a vertical speed with its sign, of an altimeter
+// setting with its label, and of a row of the strip, in which notices have frames.
+constexpr float kAltitudeEms = 3.5f, kPointer = 1.02f, kVerticalSpeedEms = 3.28f, kBaroEms = 5.8f, kStripRowEms = 1.3f;
+constexpr float kStripEdges = 0.2f;
 constexpr float kAirWidth = 4.6f, kAirRow = 1.3f, kAirInset = 0.1f;
 constexpr float kMaxKeyRowsOfHeight = 0.08f;  // of the screen's height, for more than one row
 
@@ -59,7 +63,7 @@ float legend_width(const Layout& layout, float from) {
 /// Where the columns beside the attitude end: on small screens above the height above ground, which is wider than the tape.
 float columns_foot(const Layout& layout) {
     const bool is_above = layout.ground_height.right() > layout.legend.x;
-    return is_above ? layout.ground_height.y - kGap * layout.text_px : layout.baro_setting.bottom();
+    return is_above ? layout.airspeed.bottom() : layout.baro_setting.bottom();
 }
 
 /// The foot of the legends' column, as large as what the legends need at least lets it be.
@@ -103,6 +107,19 @@ void add_data_legends(Layout& layout, const LegendNeed& need) {
     }
 }
 
+/// The rose has no room for texts between the columns of a narrow screen: it is below them there, across the whole screen.
+bool has_rose_below_columns(float width, float height, float text_px) { return text_px < kMinText_px && height > 1.2f * width; }
+
+/// Below the columns of a narrow screen, which end above it.
+void add_rose_below(Layout& layout, float bottom) {
+    const float t = layout.text_px, margin = kMargin * t, gap = kGap * t;
+    const float top = layout.screen.center().y + kAttitudeBelowCenter * t + gap;
+    const float height = std::min(bottom - top, kMaxRoseOfHeight * layout.screen.height);
+    layout.heading = {margin, bottom - height, layout.screen.width - 2 * margin, height};
+    for (Rect* column : {&layout.airspeed, &layout.legend, &layout.attitude, &layout.altitude, &layout.vertical_speed})
+        if (!column->empty()) column->height = layout.heading.y - gap - column->y;
+}
+
 /// From where the attitude may end to the foot of the columns beside it.
 void add_rose(Layout& layout) {
     const float t = layout.text_px, gap = kGap * t, bottom = layout.baro_setting.bottom();
@@ -137,13 +154,18 @@ void add_key(Layout& layout, std::size_t entries) {
 }
 
 void add_air(Layout& layout) {
-    const float t = layout.text_px, inset = kAirInset * t;
-    const float row = std::max(kAirRow * t, kAirRowEms * kMinText_px);
-    const float width = std::max(kAirWidth * t, row + kAirEms * kMinText_px);  // an arrow stands before the wind
-    layout.air = {layout.attitude.right() - inset - width, layout.attitude.y + inset, width, 2 * row};
+    const float t = layout.text_px, inset = kAirInset * t, row = legible_row_px(kAirRow, t),
+                right = layout.attitude.right() - inset;
+    // An arrow stands before the wind.
+    const float least = std::max(kAirWidth * t, row + kMinAirEms * kMinText_px),
+                width = std::max(least, row + kAirEms * kMinText_px);
     const Rect& key = layout.key.box;
-    const bool has_room_above = !key.empty() && key.bottom() <= layout.attitude.y && key.right() <= layout.air.x;
-    if (has_room_above) layout.air.y = key.y;
+    const float beside_key = right - key.right();
+    const bool has_room_above = !key.empty() && key.bottom() <= layout.attitude.y && beside_key >= least;
+    if (has_room_above)
+        layout.air = {right - std::min(width, beside_key), key.y, std::min(width, beside_key), 2 * row};
+    else
+        layout.air = {right - width, layout.attitude.y + inset, width, 2 * row};
 }
 
 /// Legends or the key, not both.
@@ -160,6 +182,45 @@ LegendNeed fitting_need(const LegendNeed& asked, float text_px) {
     return need;
 }
 
+/// Of the annunciations.
+float strip_height(float width, float t) {
+    const float texts = width < kTextsForOneRow * t ? kStripOfTwoRows : kStrip;
+    // The phase and its source take two rows of the smallest text.
+    const float rows = t < kMinText_px ? 2 * kStripRowEms * kMinText_px + kStripEdges * t : 0;
+    return std::max(texts * t, rows);
+}
+
+/// Tapes at the sides, the legends' column beside the airspeed, and the attitude between them.
+void add_columns(Layout& layout, const LegendNeed& need, float top, float tall) {
+    const float t = layout.text_px, margin = kMargin * t, gap = kGap * t, right = layout.screen.right() - margin;
+    layout.airspeed = {margin, top, kAirspeedWidth * t, tall};
+    const float altitude = std::max(kAltitudeWidth * t, kAltitudeEms * kMinText_px + kPointer * t);
+    // As wide as its number asks for, if the view keeps its middle beside the columns.
+    const float room = right - layout.screen.center().x - kMinHalfView * t - 2 * gap - altitude;
+    const float narrow = kVerticalSpeedWidth * t, number = kVerticalSpeedEms * kMinText_px;
+    const float speed = room < number ? narrow : std::max(narrow, number);
+    layout.vertical_speed = {right - speed, top, speed, tall};
+    layout.altitude = {layout.vertical_speed.x - gap - altitude, top, altitude, tall};
+    const float beside_airspeed = layout.airspeed.right() + gap;
+    if (need.has_column()) layout.legend = {beside_airspeed, top, legend_width(layout, beside_airspeed), tall};
+    const float left = need.has_column() ? layout.legend.right() + gap : beside_airspeed;
+    layout.attitude = {left, top, layout.altitude.x - gap - left, tall};
+}
+
+/// Below the tapes, from the left: the height above ground, the altimeter's setting and, where the column of vertical speeds is
+/// too narrow for it, their number.
+void add_foot(Layout& layout, float top, float height) {
+    const float t = layout.text_px, margin = kMargin * t, gap = kGap * t, right = layout.screen.right() - margin;
+    layout.ground_height = {margin, top, std::max(kAirspeedWidth * t, kGroundHeightEms * kMinText_px), height};
+    layout.baro_setting = {layout.altitude.x, top, right - layout.altitude.x, height};
+    const float number = kVerticalSpeedEms * kMinText_px;
+    if (layout.vertical_speed.width >= number) return;
+    layout.vertical_speed_number = {right - number, top, number, height};
+    const float baro_right = layout.vertical_speed_number.x - gap;
+    const float baro = std::max(baro_right - layout.altitude.x, kBaroEms * kMinText_px);
+    layout.baro_setting = {baro_right - baro, top, baro, height};
+}
+
 }  // namespace
 
 Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const LegendNeed& asked) noexcept {
@@ -173,29 +234,25 @@ Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const 
     layout.stroke_px = std::max(1.25f, t * 0.1f);
     layout.screen = {0, 0, w, h};
 
-    layout.annunciations = {0, 0, w, (w < kTextsForOneRow * t ? kStripOfTwoRows : kStrip) * t};
-    layout.information = {margin, h - margin - kInformation * t, w - 2 * margin, kInformation * t};
+    layout.annunciations = {0, 0, w, strip_height(w, t)};
+    const float information = legible_row_px(kInformation, t);
+    layout.information = {margin, h - margin - information, w - 2 * margin, information};
 
-    const float bottom_row = layout.information.y - gap - kBottomRow * t;
+    const float foot = std::max(kBottomRow * t, 2 * kMinRowEms * kMinText_px);  // a label over a number
+    const float bottom_row = layout.information.y - gap - foot;
     const float top = layout.annunciations.bottom() + gap;
-    const float tall = bottom_row - gap - top;
-    layout.airspeed = {margin, top, kAirspeedWidth * t, tall};
-    layout.vertical_speed = {w - margin - kVerticalSpeedWidth * t, top, kVerticalSpeedWidth * t, tall};
-    layout.altitude = {layout.vertical_speed.x - gap - kAltitudeWidth * t, top, kAltitudeWidth * t, tall};
-    const float beside_airspeed = layout.airspeed.right() + gap;
-    if (need.has_column()) layout.legend = {beside_airspeed, top, legend_width(layout, beside_airspeed), tall};
-    const float left = need.has_column() ? layout.legend.right() + gap : beside_airspeed;
-    layout.attitude = {left, top, layout.altitude.x - gap - left, tall};
-
-    layout.ground_height = {margin, bottom_row, std::max(kAirspeedWidth * t, kGroundHeightEms * kMinText_px), kBottomRow * t};
-    layout.baro_setting = {layout.altitude.x, bottom_row, w - margin - layout.altitude.x, kBottomRow * t};
+    add_columns(layout, need, top, bottom_row - gap - top);
+    add_foot(layout, bottom_row, foot);
+    const bool is_rose_below = has_rose_below_columns(w, h, t);
+    if (is_rose_below) add_rose_below(layout, bottom_row - gap);
     if (need.adjacent.maps > 0) add_adjacent(layout, need);
     if (need.data.entries > 0) add_data_legends(layout, need);
-    add_rose(layout);
+    if (!is_rose_below) add_rose(layout);
     if (need.key_entries > 0) add_key(layout, need.key_entries);
     add_air(layout);
-    layout.vertical_deviation = {layout.attitude.right() - kDeviationWidth * t, (h - kDeviationHeight * t) / 2,
-                                 kDeviationWidth * t, kDeviationHeight * t};
+    const float deviation = kDeviationHeight * t + 2 * (legible_row_px(kDeviationName, t) - kDeviationName * t);
+    layout.vertical_deviation = {layout.attitude.right() - kDeviationWidth * t, (h - deviation) / 2, kDeviationWidth * t,
+                                 deviation};
     return layout;
 }
 

@@ -49,10 +49,13 @@ struct Layout {
     Rect altitude;                 ///< right tape
     Rect vertical_speed;           ///< right of it
     Rect ground_height;            ///< bottom left; on small screens wider than the tape above it
-    Rect heading;                  ///< compass rose with its readout: bottom, centred on the screen; compass_rose.hpp parts it
-    Rect baro_setting;             ///< bottom right
-    Rect vertical_deviation;       ///< at the right edge of the attitude and within it, at the height of the screen's middle
-    Rect information;              ///< last line: where the flight and the data come from
+    /// Compass rose with its readout: bottom, centred on the screen; compass_rose.hpp parts it. Between the columns; on a narrow
+    /// screen with little text below them.
+    Rect heading;
+    Rect baro_setting;           ///< bottom right
+    Rect vertical_speed_number;  ///< bottom right, where the column of vertical speeds is too narrow for its number; else empty
+    Rect vertical_deviation;     ///< at the right edge of the attitude and within it, at the height of the screen's middle
+    Rect information;            ///< last line: where the flight and the data come from
     /// Legends of data: the foot of the column of the legend, down to the last row; then, where these are too many for it, a
     /// column beside it, or on screens that are too narrow a row below the attitude. Empty where there is no need.
     std::array<Rect, kDataLegendAreas> data_legends{};
@@ -66,6 +69,8 @@ struct Layout {
     Rect adjacent;
 };
 static_assert(std::is_trivially_copyable_v<Layout>);
+
+inline constexpr float kDeviationName = 1.2f;  ///< the row above the scale of the vertical deviation, in texts
 
 inline constexpr std::size_t kLayoutBoxCount = 10;
 struct LayoutBox {

@@ -12,6 +12,17 @@ namespace {
 
 constexpr float kMinRims_px = 3;  // both sides: smoothed edges take half a pixel of each, and one must stay dark
 
+/// Moved so that it lies in the part of the display in which `box` lies.
+Rect kept_in_part(const Rect& place, const Rect& box, const Layout& layout) {
+    constexpr float kRounding_px = 0.01f;
+    for (const Rect* part : {&layout.heading, &layout.attitude}) {
+        if (!part->shrunk(-kRounding_px).contains(box) || place.width > part->width || place.height > part->height) continue;
+        return {std::clamp(place.x, part->x, part->right() - place.width),
+                std::clamp(place.y, part->y, part->bottom() - place.height), place.width, place.height};
+    }
+    return place;
+}
+
 float with_rims(float width_px, float stroke_px) { return width_px + std::max(stroke_px, kMinRims_px); }
 
 }  // namespace
@@ -87,10 +98,11 @@ void Painter::failed(const Rect& box, std::string_view text) const {
     line({inner.x, inner.bottom()}, {inner.right(), inner.y}, this->color(SymbolRole::warning), 1.5f);
     const float em = em_px(0.95f), pads = 0.8f * layout_.text_px;
     const std::size_t blank = text.find(' ');
-    const bool is_narrow = text_width_px(text, kMinText_px) > inner.width - 2 * layout_.stroke_px;
-    const bool has_two_rows = inner.height >= 2.1f * em;
+    const float room = inner.width - 2 * layout_.stroke_px;
+    const bool is_narrow = blank != std::string_view::npos && text_width_px(text, kMinText_px) > room;
+    const bool has_two_rows = inner.height >= 2.1f * em && text_width_px(text.substr(blank + 1), kMinText_px) <= room;
     if (is_narrow && !has_two_rows) text = text.substr(0, blank);  // the cross says that it failed
-    if (is_narrow && has_two_rows && blank != std::string_view::npos) {
+    if (is_narrow && has_two_rows) {
         const float row = std::min(1.2f * em, inner.height / 2), width = inner.width;
         framed_plate({inner.x, box.center().y - row, width, row}, text.substr(0, blank), 0.95f, this->color(SymbolRole::warning));
         return framed_plate({inner.x, box.center().y, width, row}, text.substr(blank + 1), 0.95f,
@@ -103,8 +115,10 @@ void Painter::failed(const Rect& box, std::string_view text) const {
 }
 
 void Painter::crossed_out(const Rect& box, std::string_view text) const {
-    const float needed = text_width_px(text, kMinText_px) + 2 * layout_.stroke_px, wider = std::max(0.0f, needed - box.width);
-    const Rect place{box.x - wider / 2, box.y, box.width + wider, box.height};
+    const float width = std::max(box.width, text_width_px(text, kMinText_px) + 2 * layout_.stroke_px);
+    const float height = std::max(box.height, kMinText_px);
+    const Rect grown{box.center().x - width / 2, box.center().y - height / 2, width, height};
+    const Rect place = kept_in_part(grown, box, layout_);
     const Rect cross = place.shrunk(1.5f * layout_.stroke_px);
     batch_.box(place, this->color(SymbolRole::readout_ground));
     line({cross.x, cross.y}, {cross.right(), cross.bottom()}, this->color(SymbolRole::warning));

@@ -68,7 +68,8 @@ public:
     void framed_plate(const Rect& box, const Words& words, float size, design::Color color) const;
     /// The picture of failed information in its place: a dark box, a red cross and what failed, a word a line in a narrow box.
     void failed(const Rect& box, std::string_view text) const;
-    /// What is lost but replaced by something else: amber text over a red cross. A box that is too narrow is made wider.
+    /// What is lost but replaced by something else: amber text over a red cross. A box that is too small for the smallest text is
+    /// made larger, within the attitude or the rose if it lies there.
     void crossed_out(const Rect& box, std::string_view text) const;
     /// Framed number over its scale; amber frame and digits when `flagged`.
     void readout(const Rect& box, std::string_view text, bool flagged) const;

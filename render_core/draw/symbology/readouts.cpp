@@ -1,4 +1,7 @@
+#include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 
 namespace tedavis::draw {
@@ -7,9 +10,11 @@ namespace {
 using policy::Element;
 using policy::ElementShow;
 
+constexpr float kLabelRow = 1.2f;  // texts
+
 /// A label over a number in one box.
 void labelled_number(const Painter& painter, const Rect& box, const Words& label, std::string_view number, ElementShow show) {
-    const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
+    const Rect upper{box.x, box.y, box.width, legible_row_px(kLabelRow, painter.text_px())};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
     painter.plate(upper, label, painter.type().label, painter.label_color(show));
     painter.readout(lower, number, show == ElementShow::flagged);
@@ -38,11 +43,28 @@ void build_radio_minimum(const Painter& painter, const SymbologyInput& input, co
     design::Color color = painter.color(show == ElementShow::flagged ? SymbolRole::caution : SymbolRole::selected);
     if (input.decisions.radio_minimum == policy::MinimumsState::near) color = painter.color(SymbolRole::scale);
     if (input.decisions.radio_minimum == policy::MinimumsState::at_or_below) color = painter.color(SymbolRole::caution);
-    const Rect upper{box.x, box.y, box.width, 1.2f * painter.text_px()};
+    const Rect upper{box.x, box.y, box.width, legible_row_px(kLabelRow, painter.text_px())};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
     const double feet = limited(input.guidance.radio_minimum_m / base::kMetresPerFoot, 0, 9999);
     painter.plate(upper, "DH", painter.type().label, color);
     painter.plate(lower, whole_number(feet).view(), 1, color);
+}
+
+using InformationRow = base::FixedVector<std::string_view, 8>;
+
+/// Notices that inform, the first `left_out` of them only counted: the last ones say that the flight is not a real one.
+FittedText information_text(const InformationRow& row, std::size_t left_out, bool is_short) {
+    const std::string_view gap = is_short ? " \xC2\xB7 " : "  \xC2\xB7  ";
+    FittedText text;
+    if (left_out > 0) {
+        text.append("+");
+        text.append(whole_number(static_cast<double>(left_out)).view());
+    }
+    for (std::size_t n = left_out; n < row.size(); ++n) {
+        if (!text.empty()) text.append(gap);
+        text.append(is_short ? short_wording(row[n]) : row[n]);
+    }
+    return text;
 }
 
 }  // namespace
@@ -71,15 +93,23 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input) {
 }
 
 void build_information(const Painter& painter, const SymbologyInput& input) {
-    base::FixedString<127> text;
-    for (const policy::Notice& notice : input.decisions.notices) {
-        if (notice.level != policy::NoticeLevel::information) continue;
-        if (!text.empty()) text.append("  \xC2\xB7  ");
-        text.append(notice.text.view());
+    InformationRow row;
+    for (const policy::Notice& notice : input.decisions.notices)
+        if (notice.level == policy::NoticeLevel::information) static_cast<void>(row.try_push_back(notice.text.view()));
+    if (row.empty()) return;
+    const Rect& box = painter.layout().information;
+    const float room = box.width - 2 * painter.stroke_px();
+    const auto draw = [&](const FittedText& text) {
+        painter.fitted_text(text.view(), box, TextAnchor::center, painter.type().label, painter.color(SymbolRole::scale));
+    };
+    const auto fits = [&](const FittedText& text) { return text_width_px(text.view(), kMinText_px) <= room; };
+    const FittedText whole = information_text(row, 0, false);
+    if (fits(whole)) return draw(whole);
+    for (std::size_t left_out = 0; left_out + 1 < row.size(); ++left_out) {
+        const FittedText shorter = information_text(row, left_out, true);
+        if (fits(shorter)) return draw(shorter);
     }
-    if (!text.empty())
-        painter.fitted_text(text.view(), painter.layout().information, TextAnchor::center, painter.type().label,
-                            painter.color(SymbolRole::scale));
+    draw(information_text(row, row.size() - 1, true));
 }
 
 }  // namespace tedavis::draw

@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 #include "render_core/draw/symbology/symbology.hpp"
 #include "render_core/draw/symbology/vertical_tape.hpp"
 
@@ -15,6 +17,7 @@ constexpr double kVerticalSpeedEnd_fpm = 2000;
 constexpr double kMaxVerticalSpeed_fpm = 9990;  // of the numbers
 constexpr double kLowestAltitude_ft = -2000, kHighestAltitude_ft = 99'999;
 constexpr double kTrend_s = 6;
+constexpr float kNumberRow = 1.8f;                                          // texts
 constexpr double kSlowestSpeedTrend_kt = 1, kSlowestAltitudeTrend_ft = 20;  // over kTrend_s
 
 std::string_view airspeed_label(Signal source) {
@@ -126,6 +129,28 @@ void build_vertical_speed_scale(const Painter& painter, const Rect& box, double 
     painter.batch().lift_clip();
 }
 
+/// At the top of `rest`; where the number has no room the bug alone says it.
+void build_selected_vertical_speed(const Painter& painter, ElementShow show, double fpm, Rect& rest) {
+    const ShortText text = whole_number(limited(fpm, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm));
+    const bool has_room = text_width_px(text.view(), kMinText_px) <= rest.width - 2 * painter.stroke_px();
+    if (show == ElementShow::absent || (shows_value(show) && !has_room)) return;
+    build_tape_row(painter, take_top(rest, legible_row_px(kTapeRowHeight, painter.text_px())),
+                   {show, text.view(), "VS SEL", painter.color(SymbolRole::selected)});
+}
+
+/// The foot of `rest`, which becomes lower by it; or, where that is too narrow, the place of its own with its name.
+Rect vertical_speed_number_place(const Painter& painter, bool is_flagged, Rect& rest) {
+    Rect own = painter.layout().vertical_speed_number;
+    if (!own.empty()) {
+        const ElementShow show = is_flagged ? ElementShow::flagged : ElementShow::normal;
+        painter.plate(take_top(own, own.height / 2), "VS", painter.type().label, painter.label_color(show));
+        return own;
+    }
+    const float row = legible_row_px(kNumberRow, painter.text_px());
+    rest.height -= row;
+    return {rest.x, rest.bottom(), rest.width, row};
+}
+
 /// Scale and readout of an altitude in feet.
 VerticalTape altitude_tape(const policy::ElementDecision& decision) {
     VerticalTape tape;
@@ -185,22 +210,17 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::vertical_speed].show;
     const ElementShow selected_show = input.decisions[Element::selected_vertical_speed].show;
     if (show == ElementShow::absent) return;
-    const float t = painter.text_px();
     const double selected_fpm = input.guidance.selected_vertical_speed_mps / base::kMpsPerFootPerMinute;
     Rect rest = painter.layout().vertical_speed;
-    if (selected_show != ElementShow::absent) {
-        const ShortText text = whole_number(limited(selected_fpm, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm));
-        build_tape_row(painter, take_top(rest, kTapeRowHeight * t),
-                       {selected_show, text.view(), "VS SEL", painter.color(SymbolRole::selected)});
-    }
+    build_selected_vertical_speed(painter, selected_show, selected_fpm, rest);
     if (show == ElementShow::failed) return painter.failed(rest, "VS FAIL");
     const bool is_flagged = show == ElementShow::flagged;
-    painter.plate(take_top(rest, kTapeRowHeight * t), is_flagged ? Words("STALE") : Words({"FT/MIN", "FPM"}), kTapeTextSize,
-                  painter.label_color(show));
-    const Rect number{rest.x, rest.bottom() - 1.8f * t, rest.width, 1.8f * t};
+    painter.plate(take_top(rest, legible_row_px(kTapeRowHeight, painter.text_px())), short_words(is_flagged ? "STALE" : "FT/MIN"),
+                  kTapeTextSize, painter.label_color(show));
+    const Rect number = vertical_speed_number_place(painter, is_flagged, rest);
     const double fpm =
         limited(input.vertical_speed_mps / base::kMpsPerFootPerMinute, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm);
-    build_vertical_speed_scale(painter, {rest.x, rest.y, rest.width, number.y - rest.y}, fpm, {selected_show, selected_fpm});
+    build_vertical_speed_scale(painter, rest, fpm, {selected_show, selected_fpm});
     painter.readout(number, whole_number(std::round(fpm / 10) * 10).view(), is_flagged);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/short_words.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -12,6 +13,7 @@ using policy::ElementShow;
 
 // In texts.
 constexpr float kReadoutHeight = 2.2f;
+constexpr float kReadoutEms = 1.4f;  // of the smallest text
 constexpr float kStaleHeight = 1.2f;
 constexpr float kPointerReach = 1.02f;  // of the readout's box, from the edge
 constexpr float kPointerEnd = 0.15f;
@@ -73,7 +75,7 @@ void build_readout(const Painter& painter, const VerticalTape& tape, const TapeL
     painter.batch().polyline(corners, stroke, color, true);
     build_rolling_digits(painter, box.shrunk(stroke), rolling_digits(tape.value, tape.readout), painter.type().value_large,
                          color);
-    if (is_flagged) painter.plate(parts.stale, "STALE", kTapeTextSize, painter.color(SymbolRole::caution));
+    if (is_flagged) painter.plate(parts.stale, short_words("STALE"), kTapeTextSize, painter.color(SymbolRole::caution));
 }
 
 void build_scale(const Painter& painter, const VerticalTape& tape, const TapeLayout& parts) {
@@ -99,7 +101,7 @@ Rect take_top(Rect& box, float height) noexcept {
 }
 
 TapeLayout tape_layout(const Painter& painter, const VerticalTape& tape) noexcept {
-    const float t = painter.text_px(), row = kTapeRowHeight * t;
+    const float t = painter.text_px(), row = legible_row_px(kTapeRowHeight, t);
     TapeLayout parts;
     Rect rest = tape.box;
     if (tape.selected.show != ElementShow::absent) parts.selected = take_top(rest, row);
@@ -117,7 +119,7 @@ TapeLayout tape_layout(const Painter& painter, const VerticalTape& tape) noexcep
     parts.scale.inwards = tape.ticks_right ? -1.0f : 1.0f;
     parts.scale.middle = tape.value;
     parts.scale.px_per_unit = static_cast<double>(rest.height) / tape.span;
-    const float width = rest.width - beyond - kPointerReach * t, height = kReadoutHeight * t;
+    const float width = rest.width - beyond - kPointerReach * t, height = std::max(kReadoutHeight * t, kReadoutEms * kMinText_px);
     parts.readout = {tape.ticks_right ? rest.x : rest.right() - width, rest.center().y - height / 2, width, height};
     parts.has_flags = has_flags;
     const bool is_narrow = width < text_width_px("STALE", kMinText_px) + 2 * painter.stroke_px();

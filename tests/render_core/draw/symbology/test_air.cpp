@@ -116,7 +116,7 @@ TEST(AirReadout, TheArrowPointsWhereTheWindBlows) {
 }
 
 TEST(AirReadout, StaysInItsCornerWhateverTheNumbers) {
-    for (const auto& [width, height] : {std::pair{640u, 480u}, {320u, 240u}, {1920u, 1080u}, {480u, 800u}})
+    for (const auto& [width, height] : {std::pair{640u, 480u}, {320u, 240u}, {240u, 320u}, {1920u, 1080u}, {480u, 800u}})
         for (const double number : {0.0, 1e9, -1e9, double{NAN}}) {
             Air air(number, number, number);
             SymbologyInput shown = air.input();

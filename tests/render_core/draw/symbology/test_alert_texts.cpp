@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "render_core/draw/symbology/short_words.hpp"
 #include "render_core/policy/element_texts.hpp"
 #include "render_core/policy/notice_table.hpp"
 #include "tests/support/draw/batch_shapes.hpp"
@@ -196,8 +197,13 @@ bool is_host(Element element) {
     return false;
 }
 
-SymbologyInput good_input() {
-    SymbologyInput input = test_support::scene_input(test_support::scene_state(47, 0, 0), 1280, 720);
+struct AlertScreen {
+    std::uint32_t width, height;
+};
+constexpr AlertScreen kLargeScreen{1280, 720}, kSmallestScreens[] = {{240, 320}, {320, 240}};
+
+SymbologyInput good_input(const AlertScreen& screen = kLargeScreen) {
+    SymbologyInput input = test_support::scene_input(test_support::scene_state(47, 0, 0), screen.width, screen.height);
     for (policy::ElementDecision& decision : input.decisions.elements) decision.show = ElementShow::normal;
     input.decisions.notices.clear();
     input.decisions.radio_minimum = input.decisions.baro_minimum = policy::MinimumsState::above;
@@ -208,8 +214,8 @@ SymbologyInput good_input() {
     return input;
 }
 
-SymbologyInput input_of(const Case& drawn, const Context& context) {
-    SymbologyInput input = good_input();
+SymbologyInput input_of(const Case& drawn, const Context& context, const AlertScreen& screen) {
+    SymbologyInput input = good_input(screen);
     policy::DisplayDecisions& decisions = input.decisions;
     for (std::size_t n = 0; n < policy::kElementCount; ++n)
         if (context.is_alone && !is_host(static_cast<Element>(n))) decisions.elements[n] = {ElementShow::absent, Signal::count_};
@@ -238,23 +244,25 @@ bool is_decided(const Case& drawn, const Context& context) {
     return drawn.show == ElementShow::failed || (is_guidance && drawn.show == ElementShow::absent);
 }
 
-std::vector<AlertText> drawn_texts(const SymbologyInput& input) {
+std::vector<AlertText> drawn_texts(const SymbologyInput& input, const AlertScreen& screen = kLargeScreen) {
     test_support::BatchStore store;
-    build_symbology(store.batch, input, make_layout(1280, 720, 96));
+    build_symbology(store.batch, input, make_layout(screen.width, screen.height, 96));
     EXPECT_EQ(store.batch.use().refused, 0u);
     return AlertTexts(store.batch).all();
 }
 
-void add_found(const SymbologyInput& input, std::string_view place, ElementShow show, Found& found) {
-    for (const AlertText& text : drawn_texts(input)) found.insert(line_of(place, show, text.color, text.text));
+void add_found(const SymbologyInput& input, std::string_view place, ElementShow show, Found& found,
+               const AlertScreen& screen = kLargeScreen) {
+    for (const AlertText& text : drawn_texts(input, screen)) found.insert(line_of(place, show, text.color, text.text));
 }
 
-void add_elements(Found& found) {
+void add_elements(Found& found, const AlertScreen& screen = kLargeScreen) {
     const std::vector<Context> all = contexts();
     for (std::size_t n = 0; n < policy::kElementCount; ++n)
         for (const Case& drawn : cases_of(static_cast<Element>(n)))
             for (const Context& context : all)
-                if (is_decided(drawn, context)) add_found(input_of(drawn, context), name_of(drawn.element), drawn.show, found);
+                if (is_decided(drawn, context))
+                    add_found(input_of(drawn, context, screen), name_of(drawn.element), drawn.show, found, screen);
 }
 
 void add_normal_states(Found& found) {
@@ -368,6 +376,42 @@ TEST(AlertTexts, EveryTextThatIsDrawnIsInTheTable) {
 }
 
 TEST(AlertTexts, EveryTextOfTheTableIsDrawn) { EXPECT_EQ(missing_in(drawn_lines(), lines_of(policy::element_texts())), Found()); }
+
+/// The text, its short wording, and its words from any one to any other: "STALE RA FT", "STALE RA" and "RA".
+std::vector<std::string> wordings_of(const std::string& text) {
+    std::vector<std::string> words, wordings{std::string(short_wording(text))};
+    std::istringstream parts(text);
+    for (std::string word; parts >> word;) words.push_back(word);
+    for (std::size_t from = 0; from < words.size(); ++from) {
+        std::string wording;
+        for (std::size_t n = from; n < words.size(); ++n) wordings.push_back(wording += words[n]);
+    }
+    if (text.find("/#KT") != std::string::npos) wordings.insert(wordings.end(), {"#/# #S", "WIND STALE"});
+    return wordings;
+}
+
+Found lines_with_shorter_wordings() {
+    Found lines;
+    for (const policy::ElementText& row : policy::element_texts()) {
+        std::istringstream texts{std::string(row.texts)};
+        for (std::string text; std::getline(texts >> std::ws, text, ',');)
+            for (const std::string& wording : wordings_of(text)) lines.insert(line_of(row.place, row.show, row.color, wording));
+    }
+    // The name of the number, where its place is not below its scale.
+    lines.insert(line_of("vertical_speed", ElementShow::flagged, TextColor::amber, "VS"));
+    return lines;
+}
+
+TEST(AlertTexts, OnTheSmallestScreensEveryTextIsOneOfTheTableOrAShorterWordingOfIt) {
+    for (const AlertScreen& screen : kSmallestScreens) {
+        Found found;
+        add_elements(found, screen);
+        EXPECT_GT(found.size(), 60u);
+        EXPECT_EQ(missing_in(lines_with_shorter_wordings(), found), Found()) << screen.width << "x" << screen.height;
+    }
+    const Found cut{"heading flagged amber HDGT..", "course flagged amber L.."};
+    EXPECT_EQ(missing_in(lines_with_shorter_wordings(), cut), cut) << "control";
+}
 
 TEST(AlertTexts, AChangedRowIsFoundBothWays) {
     const auto rows = policy::element_texts();

@@ -218,7 +218,7 @@ TEST(CompassRose, TextsBesideTheCardTouchNeitherItNorEachOther) {
     for (const Screen& screen : kAllScreens) {
         const CompassRose rose = Rose(screen).rose();
         for (const RoseSide side : {RoseSide::left, RoseSide::right})
-            for (int row = 0; row < kRoseRows; ++row) {
+            for (int row = 0; row < rose.rows; ++row) {
                 const Rect place = rose.side_row(side, row);
                 EXPECT_TRUE(rose.card.shrunk(-0.01f).contains(place)) << screen.width << " row " << row;
                 EXPECT_GE(place.width, 3.3f * rose.text_px) << screen.width << " row " << row;

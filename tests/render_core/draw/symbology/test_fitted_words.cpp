@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "render_core/draw/font_atlas.hpp"
 
@@ -30,7 +31,38 @@ TEST(FittedWords, OfTheOthersTheFirstLettersAreKept) {
 TEST(FittedWords, ANumberIsNeverAnotherNumber) {
     EXPECT_EQ(cut("12500", 10), "12500");
     EXPECT_EQ(cut("-2000", 10), "-2000");
-    EXPECT_NE(cut("FL125", 25), "FL125") << "the control: with a letter it is a word";
+    EXPECT_EQ(cut("FL125", 25), "FL125");
+    EXPECT_NE(cut("FLIGHT", 25), "FLIGHT") << "the control: without a digit it is a word";
+}
+
+/// No value that was not in the text: every word with a digit is one of its words, with the unit that followed it.
+std::string changed_value(const std::string& text, const std::string& kept, const std::vector<std::string>& values) {
+    const bool is_cut = kept.size() > 2 && kept.substr(kept.size() - 2) == "..";
+    std::string rest = is_cut ? kept.substr(0, kept.size() - 2) : kept;
+    for (const std::string& value : values)
+        if (const std::size_t at = rest.find(value); at != std::string::npos && text.find(value) == at)
+            rest.erase(at, value.size());
+    return rest.find_first_of("0123456789") == std::string::npos ? "" : rest;
+}
+
+TEST(FittedWords, AValueAndItsUnitAreNeverParted) {
+    const struct {
+        const char* text;
+        std::vector<std::string> values;
+    } kTexts[] = {{"WIND 850 HPA", {"850 HPA"}},
+                  {"241/112KT 45S", {"241/112KT 45S", "241/112KT"}},
+                  {"TRAFFIC 12 NM AHEAD", {"12 NM"}},
+                  {"FL125 CLOUD TOPS", {"FL125"}},
+                  {"5.0\xC2\xB0 PATH", {"5.0\xC2\xB0"}}};
+    for (const auto& [text, values] : kTexts)
+        for (float room = 5; room < text_width_px(text, 11); room += 1)
+            EXPECT_EQ(changed_value(text, cut(text, room), values), "") << text << " in " << room << ": " << cut(text, room);
+    EXPECT_EQ(cut("WIND 850 HPA", 60), "WIND..");
+    EXPECT_EQ(cut("850 HPA WIND", 75), "850 HPA WI..");
+    // The controls: values that are cut as words would be.
+    EXPECT_NE(changed_value("WIND 850 HPA", "WIND 85..", {"850 HPA"}), "");
+    EXPECT_NE(changed_value("WIND 850 HPA", "WIND 850 H..", {"850 HPA"}), "");
+    EXPECT_NE(changed_value("FL125 CLOUD TOPS", "FL1..", {"FL125"}), "");
 }
 
 TEST(FittedWords, LettersOfSeveralBytesAreCutWhole) {

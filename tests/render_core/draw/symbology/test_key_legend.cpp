@@ -136,7 +136,8 @@ TEST(KeyLegend, StaysWithinItsCellsOnEveryScreen) {
     far.title = "VERY LONG NAME OF A QUANTITY";
     far.factor = -12345;
     const SymbologyInput input = key_input({test_support::wind(), far, test_support::classed_wind(9)});
-    for (const auto& [width, height] : {std::pair{320u, 240u}, {480u, 272u}, {480u, 800u}, {640u, 480u}, {3840u, 2160u}}) {
+    for (const auto& [width, height] :
+         {std::pair{240u, 320u}, {320u, 240u}, {480u, 272u}, {480u, 800u}, {640u, 480u}, {3840u, 2160u}}) {
         BatchStore store;
         const Layout layout = layout_of(input, width, height);
         build_legend(Painter(store.batch, layout), input);

@@ -202,7 +202,10 @@ TEST(Layout, TheRoseHasTheLowestPartOfThePictureBelowTheAttitude) {
                 EXPECT_GE(layout.heading.height, 5.7f * t) << screen.width << "x" << screen.height << " " << dpi;
                 EXPECT_LE(layout.heading.height, 0.301f * layout.screen.height);
                 EXPECT_LE(layout.attitude.bottom(), layout.heading.y);
-                EXPECT_NEAR(layout.heading.bottom(), layout.baro_setting.bottom(), 0.01);
+                const bool is_below_columns = layout.heading.y > layout.airspeed.bottom();
+                EXPECT_EQ(is_below_columns, screen.width == 240) << "where the columns leave it no room";
+                const float foot = is_below_columns ? layout.baro_setting.y - 0.3f * t : layout.baro_setting.bottom();
+                EXPECT_NEAR(layout.heading.bottom(), foot, 0.01);
                 EXPECT_NEAR(layout.heading.center().x, layout.screen.center().x, 0.01);
             }
 }
@@ -216,7 +219,7 @@ TEST(Layout, TheVerticalDeviationIsBesideTheAltitudeAtTheHeightOfTheMiddle) {
         EXPECT_GE(box.height, 5 * layout.text_px);
         EXPECT_TRUE(layout.attitude.shrunk(-0.01f).contains(box));
         EXPECT_LT(layout.altitude.x - box.right(), 0.5f * layout.text_px);
-        EXPECT_GT(box.x - center.x, 5.5f * layout.text_px) << "beside the aircraft's symbol";
+        EXPECT_GT(box.x - center.x, 5.2f * layout.text_px) << "beside the aircraft's symbol";
     }
 }
 

@@ -28,7 +28,7 @@ using test_support::text_of;
 struct Screen {
     std::uint32_t width, height;
 };
-constexpr Screen kScreens[] = {{640, 480}, {1920, 1080}, {768, 1024}, {320, 240}};
+constexpr Screen kScreens[] = {{640, 480}, {1920, 1080}, {768, 1024}, {320, 240}, {240, 320}};
 constexpr ElementShow kShows[] = {ElementShow::normal, ElementShow::substituted, ElementShow::flagged, ElementShow::failed,
                                   ElementShow::absent};
 

@@ -25,7 +25,7 @@ struct TextScreen {
     std::uint32_t width, height;
     double dpi;
 };
-constexpr TextScreen kTextScreens[] = {{320, 240, 96}, {480, 272, 96},  {480, 800, 96},
+constexpr TextScreen kTextScreens[] = {{240, 320, 96}, {320, 240, 96},  {480, 272, 96},  {480, 800, 96},
                                        {640, 480, 96}, {1280, 720, 96}, {1024, 768, 300}};
 constexpr ElementShow kShows[] = {ElementShow::normal, ElementShow::substituted, ElementShow::flagged, ElementShow::failed};
 
