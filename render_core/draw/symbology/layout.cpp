@@ -236,7 +236,8 @@ Layout make_layout(std::uint32_t width, std::uint32_t height, double dpi, const 
 
     layout.annunciations = {0, 0, w, strip_height(w, t)};
     const float information = legible_row_px(kInformation, t);
-    layout.information = {margin, h - margin - information, w - 2 * margin, information};
+    const float information_middle = h - std::max(margin + kInformation * t / 2, information / 2);
+    layout.information = {margin, information_middle - information / 2, w - 2 * margin, information};
 
     const float foot = std::max(kBottomRow * t, 2 * kMinRowEms * kMinText_px);  // a label over a number
     const float bottom_row = layout.information.y - gap - foot;
