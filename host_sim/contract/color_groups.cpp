@@ -5,6 +5,7 @@
 
 #include "host_sim/measure/color_vision.hpp"
 #include "render_core/design/color_difference.hpp"
+#include "render_core/draw/alert_zone_look.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -35,11 +36,23 @@ std::vector<Color> ground_colors(const design::DesignSettings& design) {
     return colors;
 }
 
+/// The two colors of the terrain alert, over whatever ground.
+const design::WarningBands& alert_bands() {
+    static const design::WarningBands bands = [] {
+        const draw::AlertColors alert;
+        design::WarningBands made;
+        static_cast<void>(made.try_push_back({0, 0, alert.warning, alert.strength}));
+        static_cast<void>(made.try_push_back({0, 0, alert.caution, alert.strength}));
+        return made;
+    }();
+    return bands;
+}
+
+/// Of the bands where the design has them, else of the alert.
 GroupColors warning_colors(const design::DesignSettings& design) {
     GroupColors colors;
-    if (!design.warning_colors) return colors;
     const std::vector<Color> ground = ground_colors(design);
-    for (const design::WarningBand& band : design.warning_bands)
+    for (const design::WarningBand& band : design.warning_colors ? design.warning_bands : alert_bands())
         for (std::size_t n = 0; n < ground.size(); ++n)
             colors.push_back({design::blended(ground[n], band.color, band.strength), n, &band});
     return colors;

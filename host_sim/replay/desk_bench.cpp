@@ -27,19 +27,14 @@ struct CallingDesign {
     Effect effect;
     const char* design;
 };
-constexpr CallingDesign kCallingDesigns[] = {{Effect::surface_grid, "styles/line_texture"},
-                                             {Effect::ridges, "styles/ridges_and_valleys"},
-                                             {Effect::moving_sun, "styles/moving_sun"},
-                                             {Effect::drape, "styles/aerial_image"},
-                                             {Effect::ground_data, "data/ground_continuous"},
-                                             {Effect::adjacent, "data/adjacent_uncertainty"},
-                                             {Effect::vertical_lines, "effects/vertical_lines"},
-                                             {Effect::projections, "effects/projections"},
-                                             {Effect::curtains, "effects/curtains"},
-                                             {Effect::soft_shadows, "effects/soft_shadows"},
-                                             {Effect::volumetric_light, "effects/volumetric_light"},
-                                             {Effect::focus_ground, "focus/brightness"},
-                                             {Effect::focus_blur, kBlurDesign}};
+constexpr CallingDesign kCallingDesigns[] = {
+    {Effect::surface_grid, "styles/line_texture"},   {Effect::warning_colors, "styles/relative_height"},
+    {Effect::ridges, "styles/ridges_and_valleys"},   {Effect::moving_sun, "styles/moving_sun"},
+    {Effect::drape, "styles/aerial_image"},          {Effect::ground_data, "data/ground_continuous"},
+    {Effect::adjacent, "data/adjacent_uncertainty"}, {Effect::vertical_lines, "effects/vertical_lines"},
+    {Effect::projections, "effects/projections"},    {Effect::curtains, "effects/curtains"},
+    {Effect::soft_shadows, "effects/soft_shadows"},  {Effect::volumetric_light, "effects/volumetric_light"},
+    {Effect::focus_ground, "focus/brightness"},      {Effect::focus_blur, kBlurDesign}};
 
 void embellish(design::DesignSettings& design) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {

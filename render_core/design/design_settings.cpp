@@ -191,11 +191,6 @@ bool magnifies(const DesignSettings& design) noexcept {
     return false;
 }
 
-void require_warning_colors(DesignSettings& design) noexcept {
-    design.warning_colors = true;
-    if (!warn_of_ground_ahead(design.warning_bands)) design.warning_bands = egpws_bands();
-}
-
 DesignSettings default_design_settings() noexcept {
     DesignSettings design;
     design.name = "default";

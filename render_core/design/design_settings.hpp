@@ -167,7 +167,5 @@ static_assert(std::is_trivially_copyable_v<DesignSettings>);
 
 /// Returns the values of an empty file, which a display without a design uses.
 [[nodiscard]] DesignSettings default_design_settings() noexcept;
-/// Enables the warning colours, with the EGPWS bands where the design's own bands would not colour ground ahead.
-void require_warning_colors(DesignSettings& design) noexcept;
 
 }  // namespace tedavis::design

@@ -5,8 +5,6 @@
 namespace tedavis::design {
 namespace {
 
-constexpr Color kRed{0xE0, 0x10, 0x10};
-constexpr Color kYellow{0xF0, 0xD0, 0x00};
 constexpr Color kGreen{0x00, 0x90, 0x20};
 
 void add(WarningBands& bands, double lower_ft, double lower_gear_down_ft, Color color, double strength) noexcept {
@@ -19,9 +17,9 @@ void add(WarningBands& bands, double lower_ft, double lower_gear_down_ft, Color 
 
 WarningBands egpws_bands() noexcept {
     WarningBands bands;
-    add(bands, 2000, 2000, kRed, 0.75);
-    add(bands, 1000, 1000, kYellow, 0.75);
-    add(bands, -500, -250, kYellow, 0.45);
+    add(bands, 2000, 2000, kWarningGround, 0.75);
+    add(bands, 1000, 1000, kCautionGround, 0.75);
+    add(bands, -500, -250, kCautionGround, 0.45);
     add(bands, -1000, -1000, kGreen, 0.45);
     add(bands, -2000, -2000, kGreen, 0.22);
     return bands;
@@ -29,8 +27,8 @@ WarningBands egpws_bands() noexcept {
 
 WarningBands garmin_bands() noexcept {
     WarningBands bands;
-    add(bands, -100, -100, kRed, 0.7);
-    add(bands, -1000, -1000, kYellow, 0.55);
+    add(bands, -100, -100, kWarningGround, 0.7);
+    add(bands, -1000, -1000, kCautionGround, 0.55);
     return bands;
 }
 
@@ -45,12 +43,6 @@ std::size_t band_of(const WarningBands& bands, double terrain_above_aircraft_m, 
     for (std::size_t i = 0; i < bands.size(); ++i)
         if (terrain_above_aircraft_m >= (gear_down ? bands[i].lower_gear_down_m : bands[i].lower_m)) return i;
     return bands.size();
-}
-
-bool warn_of_ground_ahead(const WarningBands& bands) noexcept {
-    constexpr double kMinStrength = 0.4;
-    const std::size_t band = band_of(bands, 0, false);
-    return band < bands.size() && bands[band].strength >= kMinStrength;
 }
 
 }  // namespace tedavis::design

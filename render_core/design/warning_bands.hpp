@@ -15,6 +15,9 @@ namespace tedavis::design {
 
 inline constexpr std::size_t kMaxWarningBands = 8;
 
+/// Ground of which the display warns, and for which it cautions; the same by day and by night, as all of the ground.
+inline constexpr Color kWarningGround{0xE0, 0x10, 0x10}, kCautionGround{0xF0, 0xD0, 0x00};
+
 /// A band of terrain at or above `lower_m` (terrain minus aircraft height, m), up to the band before it.
 struct WarningBand {
     double lower_m = 0;
@@ -33,8 +36,5 @@ using WarningBands = base::FixedVector<WarningBand, kMaxWarningBands>;
 
 /// Returns the index of the band for terrain above (+) or below (-) the aircraft; bands.size() for none.
 [[nodiscard]] std::size_t band_of(const WarningBands& bands, double terrain_above_aircraft_m, bool gear_down) noexcept;
-
-/// True where the bands colour ground at the aircraft's height visibly.
-[[nodiscard]] bool warn_of_ground_ahead(const WarningBands& bands) noexcept;
 
 }  // namespace tedavis::design

@@ -27,6 +27,7 @@ draw::TerrainDrawInput make_terrain_input(const DrawContext& frame) {
     input.warning_colors = frame.decisions.show_warning_colors;
     input.aircraft_msl_m = frame.aircraft_msl_m;
     input.bands_lowered_m = frame.record.bands.lowered_m;
+    input.alert = draw::alert_zone_look(frame.alert_zone);
     input.heights = frame.heights;
     input.air = frame.air;
     input.shadow = frame.shadow_read;
@@ -79,6 +80,7 @@ draw::PictureInput make_picture_input(const DrawContext& frame) {
     if (terrain.warning_colors)
         input.bands = draw::bands_within(frame.design.warning_bands, terrain.aircraft_msl_m - terrain.bands_lowered_m,
                                          terrain.gear_down, -kAny_m, kAny_m);
+    input.alert = terrain.alert.colors;
     input.haze_per_m = terrain.haze_per_m;
     input.left = frame.terrain_left;
     return input;

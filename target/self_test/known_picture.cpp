@@ -38,9 +38,9 @@ constexpr int kColorTolerance = 14;
 constexpr KnownColor kColors[] = {
     {"sky_high_left", 235, 108, {104, 151, 207}},   {"sky_high_right", 370, 70, {89, 137, 199}},
     {"sky_middle", 183, 135, {117, 162, 213}},      {"sky_low", 420, 200, {133, 176, 221}},
-    {"haze_at_horizon", 190, 275, {181, 187, 217}}, {"terrain_far_left", 190, 340, {44, 100, 58}},
-    {"terrain_far_right", 378, 322, {46, 105, 60}}, {"terrain_middle", 200, 320, {44, 101, 58}},
-    {"terrain_near_left", 190, 385, {41, 100, 56}}, {"terrain_near_right", 380, 390, {42, 103, 57}},
+    {"haze_at_horizon", 190, 275, {181, 187, 217}}, {"terrain_far_left", 190, 340, {73, 85, 77}},
+    {"terrain_far_right", 378, 322, {79, 91, 83}},  {"terrain_middle", 200, 320, {74, 86, 79}},
+    {"terrain_near_left", 190, 385, {71, 84, 76}},  {"terrain_near_right", 380, 390, {74, 87, 79}},
 };
 
 /// Rows in which the terrain begins, cast from the elevation raster (tests/target/self_test/test_known_picture.cpp).
@@ -54,7 +54,7 @@ using Belongs = bool (*)(Rgb);
 bool is_white(Rgb c) { return c.r > 200 && c.g > 200 && c.b > 200; }
 bool is_green(Rgb c) { return c.g > 180 && c.r < 120 && c.b < 170; }
 bool is_yellow(Rgb c) { return c.r > 200 && c.g > 170 && c.b < 60; }
-bool is_terrain(Rgb c) { return c.g > c.r + 20 && c.g > c.b + 20; }
+bool is_terrain(Rgb c) { return c.g > c.r + 4 && c.g > c.b + 2 && c.g < 140; }  // the sky and its haze are blue
 
 /// How many pixels of a text's or symbol's colour its box holds.
 struct KnownSymbol {

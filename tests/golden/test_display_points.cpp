@@ -81,10 +81,10 @@ struct Screen {
         : width(size.width),
           height(size.height),
           layout(draw::make_layout(size.width, size.height, design::default_design_settings().view.dpi, need_of_key())) {}
-    /// The key has the warning bands and the terrain.
+    /// The key has the terrain.
     static draw::LegendNeed need_of_key() {
         draw::LegendNeed need;
-        need.key_entries = 2;
+        need.key_entries = 1;
         return need;
     }
     [[nodiscard]] float share_x(float share) const { return share * static_cast<float>(width); }

@@ -181,9 +181,10 @@ TEST(ShippedContracts, ColorsThatOnlyHueTellsApartBreakTheirCondition) {
 
 TEST(ShippedContracts, WarningsThatOnlyHueTellsApartBreakTheirCondition) {
     const std::string design = flights().changed_design(
-        "approach", {{"profile = \"garmin\"",
-                      "profile = \"custom\"\n[[warning.band]]\nlower_ft = -100\ncolor = \"#e8a000\"\nstrength = 0.8\n"
-                      "[[warning.band]]\nlower_ft = -1000\ncolor = \"#a0c800\"\nstrength = 0.8"}});
+        "approach",
+        {{"enabled = false\nprofile = \"egpws\"",
+          "enabled = true\nprofile = \"custom\"\n[[warning.band]]\nlower_ft = -100\ncolor = \"#e8a000\"\nstrength = 0.8\n"
+          "[[warning.band]]\nlower_ft = -1000\ncolor = \"#a0c800\"\nstrength = 0.8"}});
     EXPECT_EQ(broken(flights().fly("hues", design, 360, 368, 4), "default"), Names{"warnings are told apart without hue"});
 }
 

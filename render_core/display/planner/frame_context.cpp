@@ -36,6 +36,7 @@ FrameContext context_of(const PlannedFrame& frame, const Camera& camera) {
     context.is_free_view = frame.is_free_view;
     if (frame.draws_foci) context.foci = &frame.foci_plan.foci.regions;
     context.heights = frame.heights;
+    context.alert_zone = frame.alert_zone;
     return context;
 }
 

@@ -9,6 +9,7 @@
 #include "render_core/draw/height_span.hpp"
 #include "render_core/draw/symbology/symbology_input.hpp"
 #include "render_core/policy/display_decisions.hpp"
+#include "render_core/policy/terrain_alert_zone.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 
 namespace tedavis::display {
@@ -26,6 +27,7 @@ struct FrameContext {
     draw::HeightSpan heights{};  ///< of the whole database
     draw::FocusRange focus{};
     ShadowPlan shadows{};
+    policy::TerrainAlertZone alert_zone{};
     const scene::FocusRegions* foci = nullptr;  ///< that change the ground; must stay. Null: none does
 };
 

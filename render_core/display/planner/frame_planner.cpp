@@ -150,7 +150,6 @@ void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemor
     PlannerMemory& passing = *interval_.memory;
     passing = memory;
     passing.weights = look.weights;  // what the design looks like now is the least work to begin from
-    passing.shows_alert = look.shows_alert;
     passing.shown = phases_.place_of(input.phase.presented);
     passing.view = ViewTransition();
     begin(input, passing, *interval_.frame);

@@ -133,7 +133,6 @@ private:
     struct LookOf {
         std::size_t shown = 0;
         design::AspectWeights weights;
-        bool shows_alert = false;
     };
     void begin(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame);
     void end();
@@ -143,7 +142,7 @@ private:
     // Designs
     void sync_look();
     void take_look(const LookOf& of);
-    [[nodiscard]] LookOf asked_look() const { return {memory_->shown, memory_->weights, memory_->shows_alert}; }
+    [[nodiscard]] LookOf asked_look() const { return {memory_->shown, memory_->weights}; }
     void show_design(std::size_t place);
     void follow_phase();
     void follow_foci();

@@ -70,20 +70,16 @@ void FramePlanner::show_design(std::size_t place) {
 /// The memory may be that of another frame than the last one.
 void FramePlanner::sync_look() {
     const LookOf asked = asked_look();
-    const bool is_same =
-        look_of_.shown == asked.shown && look_of_.weights == asked.weights && look_of_.shows_alert == asked.shows_alert;
-    if (!is_same) take_look(asked);
+    if (!(look_of_.shown == asked.shown && look_of_.weights == asked.weights)) take_look(asked);
     frame_->shown = &look_;
 }
 
-/// At other weights than the stated ones it has the programs of the design as it was read. While terrain is ahead it has warning
-/// colours, whatever it says of them.
+/// At other weights than the stated ones it has the programs of the design as it was read.
 void FramePlanner::take_look(const LookOf& of) {
     const design::DesignSettings& stated = design_at(of.shown);
     look_ = stated;
     design::apply_priorities(of.weights, look_);
     if (!(of.weights == stated.priority.weights)) design::keep_programs(stated, look_);
-    if (of.shows_alert) design::require_warning_colors(look_);
     band_deviations_ = design::deviations_of_coverage(look_.widening.coverage);
     look_of_ = of;
     ++look_key_;

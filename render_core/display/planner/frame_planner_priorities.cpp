@@ -125,7 +125,7 @@ policy::TerrainWatchInput FramePlanner::watched(const policy::PriorityInstant& i
 
 /// While there is an alert, from where the own ship is now.
 void FramePlanner::plan_alert_zone() {
-    if (frame_->decisions.terrain_ahead == policy::TerrainAhead::none) return;
+    if (frame_->decisions.terrain_ahead == policy::TerrainAhead::none || !frame_->decisions.show_terrain) return;
     TerrainGround ground(terrain_, terrain::View());
     frame_->alert_zone = policy::TerrainWatch(watched(priority_instant()), ground, ground).zone(frame_->decisions.terrain_ahead);
 }
@@ -139,10 +139,8 @@ void FramePlanner::apply_priorities() {
         if (design_at(memory_->shown).priority.is_stated) weights = memory_->boost.above(weights);
     }
     frame_->conditions.terrain_ahead = memory_->boost.terrain_ahead();
-    const bool shows_alert = frame_->conditions.terrain_ahead != policy::TerrainAhead::none;
-    if (weights == memory_->weights && shows_alert == memory_->shows_alert) return;
+    if (weights == memory_->weights) return;
     memory_->weights = weights;
-    memory_->shows_alert = shows_alert;
     take_look(asked_look());
 }
 

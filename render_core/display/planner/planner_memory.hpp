@@ -38,7 +38,6 @@ struct PlannerMemory {
     std::uint64_t frames = 0;       ///< planned so far
     std::size_t shown = 0;          ///< the place of the design that is shown
     design::AspectWeights weights;  ///< of it, in the last frame
-    bool shows_alert = false;       ///< terrain is ahead: the shown design has warning colours
     bool had_warning = true;        ///< of the last frame
     bool terrain_failed = false;    ///< the painter could not draw it
     DesignTransition transition;

@@ -8,12 +8,18 @@
 namespace tedavis::draw {
 namespace {
 
+constexpr std::uint32_t kCodesOfStep = 3, kAlertSteps = ColorTable::kSide / kCodesOfStep;
+
 /// The band that holds at a height: its place from the lowest up, counted from 1; 0 for none.
 std::size_t band_at(const TerrainBands& bands, double height_m) {
     std::size_t at = 0;
     for (std::size_t n = 0; n < bands.count; ++n)
         if (static_cast<float>(height_m) >= bands.lower_m[n]) at = n + 1;
     return at;
+}
+
+const float* color_of(const TerrainBands& bands, std::size_t band) {
+    return band > 0 ? bands.color + std::ptrdiff_t{4} * static_cast<std::ptrdiff_t>(band - 1) : nullptr;
 }
 
 /// Of a column of the sky's row.
@@ -24,9 +30,24 @@ design::Color sky_at(const design::SkySettings& sky, std::uint32_t column) {
     return design::blended(sky.horizon, sky.zenith, (column - kSky) / double{kZenith - kSky});
 }
 
-void put(std::uint8_t* texel, design::Color color, const TerrainBands& bands, std::size_t band) {
+/// What a column of a height or of the sea says of the alert, and its color where that is not of none.
+struct ColumnAlert {
+    ColumnAlert(const AlertColors& alert, std::uint32_t column) {
+        if (!alert.is_shown || column % kCodesOfStep == 0 || column == ColorTable::kSide - 1) return;
+        const design::Color& color = column % kCodesOfStep == 1 ? alert.caution : alert.warning;
+        is_any = true;
+        rgba[0] = static_cast<float>(color.red) / 255.0f;
+        rgba[1] = static_cast<float>(color.green) / 255.0f;
+        rgba[2] = static_cast<float>(color.blue) / 255.0f;
+        rgba[3] = static_cast<float>(alert.strength);
+    }
+    bool is_any = false;
+    float rgba[4]{};
+};
+
+/// `over`: red, green, blue, strength; null for nothing.
+void put(std::uint8_t* texel, design::Color color, const float* over) {
     const float rgb[3] = {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
-    const float* over = band > 0 ? bands.color + 4 * (band - 1) : nullptr;
     for (int c = 0; c < 3; ++c) {
         const float mixed = over != nullptr ? rgb[c] + (255 * over[c] - rgb[c]) * over[3] : rgb[c];
         texel[c] = static_cast<std::uint8_t>(std::lround(mixed));
@@ -49,15 +70,21 @@ bool same_colors(const design::SkySettings& a, const design::SkySettings& b) {
     return a.zenith == b.zenith && a.horizon == b.horizon && a.ground == b.ground && a.ground_horizon == b.ground_horizon;
 }
 
+bool same_colors(const AlertColors& a, const AlertColors& b) {
+    return a.is_shown == b.is_shown && a.warning == b.warning && a.caution == b.caution && a.strength == b.strength;
+}
+
 bool same_limits(const TerrainBands& a, const TerrainBands& b) {
     return a.count == b.count && std::memcmp(a.lower_m, b.lower_m, a.count * sizeof(float)) == 0;
 }
 
 }  // namespace
 
-double ColorTable::height_m(const HeightSpan& span, std::uint32_t row, std::uint32_t column) {
+double ColorTable::height_m(const HeightSpan& span, std::uint32_t row, std::uint32_t column, bool in_alert) {
     const double reach_m = span.highest_m > span.lowest_m ? span.highest_m - span.lowest_m : 1;
-    return span.lowest_m + reach_m * (row + column / (kSide - 1.0)) / kHeightRows;
+    const std::uint32_t step = column / kCodesOfStep;
+    const double of_row = in_alert ? (step + 0.5) / kAlertSteps : column / (kSide - 1.0);
+    return span.lowest_m + reach_m * (row + of_row) / kHeightRows;
 }
 
 base::Error ColorTable::start(gl::Gl& gl, base::BudgetLine& line) {
@@ -69,9 +96,10 @@ base::Error ColorTable::start(gl::Gl& gl, base::BudgetLine& line) {
 }
 
 void ColorTable::update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
-                        const design::SkySettings& sky, double haze_per_m) {
-    const bool all =
-        !known_ || span.lowest_m != span_.lowest_m || span.highest_m != span_.highest_m || !same_colors(bands, bands_);
+                        const design::SkySettings& sky, double haze_per_m, const AlertColors& alert) {
+    const bool all = !known_ || !same_colors(alert, alert_) || span.lowest_m != span_.lowest_m ||
+                     span.highest_m != span_.highest_m || !same_colors(bands, bands_);
+    alert_ = alert;
     if (all || !same_limits(bands, bands_)) {
         for (std::uint32_t row = 0; row < kHeightRows; ++row)
             if (all || !same_in_row(bands_, bands, span, row)) update_heights(gl, terrain, span, bands, row);
@@ -90,23 +118,27 @@ void ColorTable::update_heights(gl::Gl& gl, const design::TerrainSettings& terra
     const bool tinted = terrain.style.texture == design::TerrainTexture::hypsometric;
     std::uint8_t texels[4 * kSide];
     for (std::uint32_t column = 0; column < kSide; ++column) {
-        const double at_m = height_m(span, row, column);
-        put(texels + 4 * column, tinted ? design::color_of_value(terrain.palette, at_m) : terrain.style.plain, bands,
-            band_at(bands, at_m));
+        const double at_m = height_m(span, row, column, alert_.is_shown);
+        const ColumnAlert alert(alert_, column);
+        put(texels + 4 * column, tinted ? design::color_of_value(terrain.palette, at_m) : terrain.style.plain,
+            alert.is_any ? alert.rgba : color_of(bands, band_at(bands, at_m)));
     }
     upload_row(gl, row, texels);
 }
 
 void ColorTable::update_sea(gl::Gl& gl, const design::TerrainSettings& terrain, const TerrainBands& bands) const {
     std::uint8_t texels[4 * kSide];
-    for (std::uint32_t column = 0; column < kSide; ++column) put(texels + 4 * column, terrain.sea, bands, band_at(bands, 0));
+    for (std::uint32_t column = 0; column < kSide; ++column) {
+        const ColumnAlert alert(alert_, column);
+        put(texels + 4 * column, terrain.sea, alert.is_any ? alert.rgba : color_of(bands, band_at(bands, 0)));
+    }
     upload_row(gl, kSeaRow, texels);
 }
 
 void ColorTable::update_sky(gl::Gl& gl, const design::SkySettings& sky, double haze_per_m) const {
     std::uint8_t texels[4 * kSide];
     for (std::uint32_t code = 0; code < kSide; ++code) {
-        put(texels + 4 * code, sky_at(sky, code), {}, 0);
+        put(texels + 4 * code, sky_at(sky, code), nullptr);
         const double distance_m = kDistanceCodeStart_m * (std::exp2(kDistanceCodeOctaves * code / 255.0) - 1);
         texels[4 * code + 3] = static_cast<std::uint8_t>(std::lround(255 * -std::expm1(-distance_m * haze_per_m)));
     }

@@ -2,9 +2,10 @@
 /// pixel.
 ///
 /// Rows 0..253 and columns are a height's steps of 1/254 of the span and of 1/255 of such a step: the palette or the plain colour
-/// under the warning bands of the moment. Row 254 is the sea. Row 255 holds in alpha the haze by distance code, and in its
-/// colours the sky: the ground to column 64, from there to 128 the horizon's pixels, to 255 the zenith. Only the rows that a band
-/// entered or left since the last update are computed and uploaded again.
+/// under the warning bands of the moment. During an alert there are 85 steps in three columns each: as it is, then under the
+/// colors of caution and of warning in place of bands; the sea's row has them as well. Row 254 is the sea. Row 255 holds in alpha
+/// the haze by distance code, and in its colours the sky: the ground to column 64, from there to 128 the horizon's pixels, to 255
+/// the zenith. Only the rows that a band entered or left since the last update are computed and uploaded again.
 ///
 /// Memory    256 x 256 texels from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
@@ -13,6 +14,7 @@
 
 #include "render_core/base/memory_budget.hpp"
 #include "render_core/design/design_settings.hpp"
+#include "render_core/draw/alert_zone_look.hpp"
 #include "render_core/draw/height_span.hpp"
 #include "render_core/draw/terrain_bands.hpp"
 #include "render_core/gl/texture.hpp"
@@ -27,16 +29,16 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
     /// Updates the table. `bands` are all bands of the design, or none. `haze_per_m` is 1 / distance at which haze hides
-    /// 1 - 1/e, 0 for none.
+    /// 1 - 1/e, 0 for none. `alert`: as the codes were drawn with.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
-                const design::SkySettings& sky, double haze_per_m);
+                const design::SkySettings& sky, double haze_per_m, const AlertColors& alert = {});
     /// For a change of the design: the next update computes everything.
     void forget() { known_ = false; }
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
     void destroy(gl::Gl& gl) { texture_.destroy(gl); }
 
-    /// Returns the height of a code.
-    [[nodiscard]] static double height_m(const HeightSpan& span, std::uint32_t row, std::uint32_t column);
+    /// Returns the height of a code; during an alert the middle of its step.
+    [[nodiscard]] static double height_m(const HeightSpan& span, std::uint32_t row, std::uint32_t column, bool in_alert = false);
 
 private:
     void upload_row(gl::Gl& gl, std::uint32_t row, const std::uint8_t* texels) const;
@@ -49,6 +51,7 @@ private:
     bool known_ = false;
     HeightSpan span_;
     TerrainBands bands_;
+    AlertColors alert_;
     design::SkySettings sky_;
     double haze_per_m_ = 0;
 };

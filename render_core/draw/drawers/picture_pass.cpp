@@ -109,7 +109,7 @@ void PicturePass::begin(gl::Gl& gl) const {
 
 void PicturePass::finish(gl::Gl& gl, const gl::DrawPlace& place, const design::DesignSettings& design,
                          const PictureInput& input) {
-    if (coded_) colors_.update(gl, design.terrain, input.heights, input.bands, input.sky.colors, input.haze_per_m);
+    if (coded_) colors_.update(gl, design.terrain, input.heights, input.bands, input.sky.colors, input.haze_per_m, input.alert);
     place.bind(gl);
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);

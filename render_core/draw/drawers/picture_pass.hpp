@@ -26,6 +26,7 @@ struct PictureInput {
     bool has_void = false;  ///< ground without data is in view
     HeightSpan heights;     ///< as the terrain was drawn with
     TerrainBands bands;     ///< all of the design, or none
+    AlertColors alert;      ///< as the terrain was drawn with
     double haze_per_m = 0;
 };
 

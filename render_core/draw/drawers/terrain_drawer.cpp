@@ -1,5 +1,6 @@
 #include "render_core/draw/drawers/terrain_drawer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -148,7 +149,7 @@ std::size_t TerrainDrawer::style_of(const DrawnDesign& design, bool is_magnified
 base::Error TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
     TerrainVariant variant = style.variant;
     const bool is_coded = variant.output == TerrainOutput::code;
-    for (std::size_t bands = 0; bands < (is_coded ? 1 : kBandVariants); ++bands)
+    for (std::size_t bands = 0; bands < (is_coded ? kCodeBandVariants : kBandVariants); ++bands)
         for (std::size_t n = 0; n < kPageVariants * (variant.focus.foci > 0 ? kFocusVariants : 1); ++n) {
             const std::size_t pages = n % kPageVariants, focus = n / kPageVariants;
             const bool land_codes = is_coded && pages == kWithPages;
@@ -256,7 +257,8 @@ void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, c
 
 void TerrainDrawer::set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input,
                                              const DepthRange& range) const {
-    for (std::size_t bands = 0; bands < (input.warning_colors ? kBandVariants : 1); ++bands)
+    const bool has_warnings = input.warning_colors || input.alert.is_shown();
+    for (std::size_t bands = 0; bands < (has_warnings ? kBandVariants : 1); ++bands)
         for (const auto& of_focus : style.programs)
             for (const gl::Program& program : of_focus[bands])
                 if (program.valid()) set_frame_uniforms(gl, program, input, range);
@@ -274,6 +276,8 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
         set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));
     if (focus_.is_any() && program.uniform(kTerrainFocus) >= 0)
         focus_.set_frame_uniforms(gl, program, kTerrainFocus, glm::round(input.view.eye));
+    if (program.uniform(kTerrainAlert) >= 0)
+        set_alert_uniforms(gl, program, kTerrainAlert, input.alert, glm::round(input.view.eye));
     if (is_coded()) set_height_range(gl, program, input.heights);
     gl->Uniform1i(program.uniform(kPalette), 0);
     for (std::size_t map = 0; map < design::kBakedMaps; ++map)
@@ -293,10 +297,12 @@ const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const Style& style, co
     if (input.warning_colors && !is_coded())
         bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
                              entry.min_height_m, entry.max_height_m);
-    const std::size_t n = band_variant(bands.count);
+    // Codes of an alert have fewer steps, in the whole picture.
+    const bool has_alert = is_coded() ? input.alert.is_shown() : input.alert.may_reach(double{entry.max_height_m});
+    const std::size_t n = band_variant(std::max(bands.count, std::size_t{has_alert ? 1u : 0u}));
     const gl::Program& program = style.programs[in_focus ? kInFocus : kAcrossFoci][n][pages];
     program.use(gl);
-    if (n > 0) {
+    if (n > 0 && !is_coded()) {
         const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
         gl->Uniform4fv(program.uniform(kBandColor), count, bands.color);
         gl->Uniform1fv(program.uniform(kBandLower), count, bands.lower_m);

@@ -35,6 +35,7 @@ struct TerrainDrawInput {
     double aircraft_msl_m = 0;   ///< for warning colours
     double bands_lowered_m = 0;  ///< amount by which the limits of the bands are lowered
     bool gear_down = false;
+    AlertZoneLook alert;
     HeightSpan heights;  ///< of the whole database, for codes
     AirFrame air;
     ShadowRead shadow;

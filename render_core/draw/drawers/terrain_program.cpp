@@ -84,7 +84,9 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          kFocusUniformNames[2],
                                                          kFocusUniformNames[3],
                                                          kMagnifierUniformNames[0],
-                                                         kMagnifierUniformNames[1]};
+                                                         kMagnifierUniformNames[1],
+                                                         kAlertUniformNames[0],
+                                                         kAlertUniformNames[1]};
 static_assert(kTerrainUniforms <= gl::kMaxUniforms);
 
 constexpr const char* kTextureDefines[design::kTerrainTextures] = {
@@ -116,6 +118,8 @@ constexpr const char* kOverlayDefines[design::kUncertaintyOverlays] = {
 constexpr const char* kMapDefines[design::kBakedMaps] = {"#define MAP_FORM 1\n", "#define MAP_LIGHT 1\n",
                                                          "#define MAP_APERTURE 1\n", "#define MAP_HORIZON 1\n",
                                                          "#define MAP_DRAPE 1\n"};
+
+constexpr const char* kAlertZoneDefine = "#define ALERT_ZONE 1\n";
 
 class DefineList {
 public:
@@ -184,6 +188,7 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
     const bool coast = variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
     defines.add_if(coast, "#define COAST 1\n");
     defines.add_if(variant.classes, "#define CLASSES 1\n");
+    defines.add_if(variant.bands > 0, kAlertZoneDefine);
     return defines.text();
 }
 
@@ -222,6 +227,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     }
     defines.add_if(style.grid.spacing_m > 0, "#define SURFACE_GRID 1\n");
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
+    defines.add_if(variant.bands > 0, kAlertZoneDefine);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.flat, "#define FLAT 1\n");
     defines.add_if(variant.air, "#define AIR 1\n");
@@ -253,6 +259,7 @@ base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const d
     if (!code) fragment.append(shader_text(k_terrain_image_frag));
     if (!code) fragment.append(shader_text(k_surface_line_frag));
     if (variant.focus.foci > 0 && !code) fragment.append(shader_text(k_focus_frag));
+    if (variant.bands > 0) fragment.append(shader_text(k_alert_zone_frag));
     fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
     gl::ProgramSource source;
     source.name = "terrain";

@@ -10,6 +10,7 @@
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/draw/drawers/air_table.hpp"
+#include "render_core/draw/drawers/alert_zone_uniforms.hpp"
 #include "render_core/draw/drawers/focus_ground.hpp"
 #include "render_core/draw/drawers/magnified_uniforms.hpp"
 #include "render_core/draw/drawers/shadow_map.hpp"
@@ -80,19 +81,21 @@ enum TerrainUniform : std::size_t {
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
     kTerrainLeft = kTerrainShadow + kShadowUniforms,
-    kTerrainFocus,                                       ///< the first of kFocusUniformNames
-    kTerrainMagnifier = kTerrainFocus + kFocusUniforms,  ///< the first of kMagnifierUniformNames
-    kTerrainUniforms = kTerrainMagnifier + kMagnifierUniforms
+    kTerrainFocus,                                           ///< the first of kFocusUniformNames
+    kTerrainMagnifier = kTerrainFocus + kFocusUniforms,      ///< the first of kMagnifierUniformNames
+    kTerrainAlert = kTerrainMagnifier + kMagnifierUniforms,  ///< the first of kAlertUniformNames
+    kTerrainUniforms = kTerrainAlert + kAlertUniforms
 };
 
 /// The properties of a chunk and a frame for which a program is compiled.
 struct TerrainVariant {
-    std::size_t bands = 0;  ///< number of warning bands that it distinguishes
-    bool baked = false;     ///< the chunk has attribute pages
-    bool coast = false;     ///< the chunk has sea and land; what a pixel is comes from its pages
-    bool classes = true;    ///< the chunk has sea or void; the code of a chunk that is all land is written faster
-    bool lifted = false;    ///< vertices are raised so that the surface is never below the true terrain
-    bool flat = false;      ///< the surface is a plane at one height
+    std::size_t bands =
+        0;  ///< number of warning bands that it distinguishes; with any also the zone of an alert, codes the zone alone
+    bool baked = false;   ///< the chunk has attribute pages
+    bool coast = false;   ///< the chunk has sea and land; what a pixel is comes from its pages
+    bool classes = true;  ///< the chunk has sea or void; the code of a chunk that is all land is written faster
+    bool lifted = false;  ///< vertices are raised so that the surface is never below the true terrain
+    bool flat = false;    ///< the surface is a plane at one height
     TerrainOutput output = TerrainOutput::color;
     bool ground_data = false;  ///< a field of the scene colours the ground
     design::IntrinsicUncertainty uncertainty =
@@ -120,7 +123,7 @@ using TerrainDefines = base::FixedString<kMaxTerrainDefines>;
                                                                            const TerrainVariant& variant);
 
 /// Programs are compiled for these numbers of warning bands.
-inline constexpr std::size_t kBandVariants = 3;
+inline constexpr std::size_t kBandVariants = 3, kCodeBandVariants = 2;
 inline constexpr std::size_t kBandsOfVariant[kBandVariants] = {0, 2, design::kMaxWarningBands};
 /// Returns the index in kBandsOfVariant of the smallest program that distinguishes `bands` bands.
 [[nodiscard]] constexpr std::size_t band_variant(std::size_t bands) noexcept { return bands == 0 ? 0 : bands <= 2 ? 1 : 2; }

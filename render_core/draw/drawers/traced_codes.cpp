@@ -15,6 +15,7 @@ using terrain::PostClass;
 constexpr std::uint32_t kRowsOfTask = 8;
 constexpr float kHeightSteps = 254.0f, kHighestShare = 1.0f - 1.0f / 65536.0f;  // step 254 is the sea
 constexpr std::uint8_t kSeaStep = 254;
+constexpr std::uint32_t kAlertSteps = 85;
 constexpr double kFarthestCode = 254;  // 255 is the sky
 
 std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(share * 255.0f + 0.5f); }
@@ -80,7 +81,10 @@ struct Coder {
         return ambient + (1 - ambient) * direct;
     }
 
-    void code(std::size_t pixel, float distance_m, std::uint8_t* to) const;
+    /// Returns the height above MSL, m.
+    float code(std::size_t pixel, float distance_m, std::uint8_t* to) const;
+    /// Codes what an alert says of the ground that was met there.
+    void code_alert(const glm::dvec3& place, float height_m, std::uint8_t* to) const;
 
     const CodeInput& input;
     const raytrace::HeightGrid<float>& grid;
@@ -96,7 +100,7 @@ bool is_sea_at(const PostLook* north, const PostLook* south, float u, float v) {
     return (1 - v) * ((1 - u) * sea(north[0]) + u * sea(north[1])) + v * ((1 - u) * sea(south[0]) + u * sea(south[1])) > 0.5f;
 }
 
-void Coder::code(std::size_t pixel, float distance_m, std::uint8_t* to) const {
+float Coder::code(std::size_t pixel, float distance_m, std::uint8_t* to) const {
     const auto cell = static_cast<std::uint32_t>(input.hits.cell[pixel]);
     const std::uint32_t row = cell / (grid.columns - 1), column = cell - row * (grid.columns - 1);
     const std::size_t north = std::size_t{row} * grid.stride + column, south = north + grid.stride;
@@ -108,14 +112,14 @@ void Coder::code(std::size_t pixel, float distance_m, std::uint8_t* to) const {
     const Floats heights{grid.posts[first], grid.posts[north + 1], grid.posts[south], 0};
     const Words corners{word_of(looks[first]), word_of(looks[north + 1]), word_of(looks[south]), 0};
     const float lit = input.light.count > 0 ? sum_of(shares * light_of(corners)) : 1.0f;
-    const float height = (sum_of(shares * heights) - lowest_m) * per_m;
-    const float steps = std::clamp(height, 0.0f, kHighestShare) * kHeightSteps;
+    const float height_m = sum_of(shares * heights);
+    const float steps = std::clamp((height_m - lowest_m) * per_m, 0.0f, kHighestShare) * kHeightSteps;
     const auto whole = static_cast<std::uint8_t>(steps);
     to[0] = whole;
     to[1] = byte_of(steps - static_cast<float>(whole));
     to[2] = byte_of(std::clamp(lit, 1.0f / 255.0f, 1.0f));
     to[3] = distances.of(distance_m);
-    if (((corners[0] | corners[1] | corners[2]) >> 24) == 0) return;  // all land
+    if (((corners[0] | corners[1] | corners[2]) >> 24) == 0) return height_m;  // all land
     const auto has = [&](PostClass what) {
         const auto code = static_cast<std::int32_t>(what);
         return corners[0] >> 24 == code || corners[1] >> 24 == code || corners[2] >> 24 == code;
@@ -125,6 +129,13 @@ void Coder::code(std::size_t pixel, float distance_m, std::uint8_t* to) const {
         to[1] = 0;
     }
     if (has(PostClass::void_)) to[2] = 0;
+    return height_m;
+}
+
+/// As shaders/terrain_code.frag.
+void Coder::code_alert(const glm::dvec3& place, float height_m, std::uint8_t* to) const {
+    const std::uint32_t alert = static_cast<std::uint32_t>(input.alert->at(place, double{height_m}));
+    to[1] = static_cast<std::uint8_t>(std::min(to[1] / 3u, kAlertSteps - 1) * 3 + alert);
 }
 
 struct CodeJob {
@@ -135,6 +146,7 @@ struct CodeJob {
 void write_rows(const CodeJob& job, std::uint32_t task) {
     const terrain::View& view = job.coder.input.view;
     const raytrace::HitPicture& hits = job.coder.input.hits;
+    const bool is_alert = job.coder.input.alert != nullptr && job.coder.input.alert->is_shown();
     const double pixel = 1 / view.focal_px;
     for (std::uint32_t y = task * kRowsOfTask; y < std::min(view.height, (task + 1) * kRowsOfTask); ++y) {
         const double down = (y + 0.5) * pixel - view.half_height_tangent();
@@ -147,7 +159,10 @@ void write_rows(const CodeJob& job, std::uint32_t task) {
                 continue;
             }
             const auto right = static_cast<float>((x + 0.5) * pixel - view.half_width_tangent());
-            job.coder.code(at, hits.t[at] * std::sqrt(level + right * right), to);
+            const float height_m = job.coder.code(at, hits.t[at] * std::sqrt(level + right * right), to);
+            if (!is_alert) continue;
+            const glm::dvec3 way = view.forward + view.right * double{right} + view.down * down;
+            job.coder.code_alert(view.eye + double{hits.t[at]} * way, height_m, to);
         }
     }
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "render_core/design/terrain_style.hpp"
+#include "render_core/draw/alert_zone_look.hpp"
 #include "render_core/draw/drawers/color_table.hpp"
 #include "render_core/draw/traced_ground.hpp"
 #include "render_core/raytrace/view_kernels.hpp"
@@ -31,6 +32,7 @@ struct CodeInput {
     const terrain::View& view;
     HeightSpan heights;  ///< of the whole database
     CodedLight light;
+    const AlertZoneLook* alert = nullptr;  ///< null: none
 };
 
 /// The code of a pixel without terrain: sky.

@@ -70,9 +70,9 @@ void TracedTerrain::see(const terrain::View& view) {
 void TracedTerrain::draw(gl::Gl& gl, const design::DesignSettings& design, const TerrainDrawInput& input,
                          const gl::Texture& picture) {
     see(input.view);
-    write_codes(
-        {ground_, view_.hits(), input.view, input.heights, coded_light(design.terrain.style.shade, input.light_direction)},
-        workers(), codes_);
+    write_codes({ground_, view_.hits(), input.view, input.heights, coded_light(design.terrain.style.shade, input.light_direction),
+                 &input.alert},
+                workers(), codes_);
     TEDAVIS_CHECK(picture.upload(gl, {0, 0, place_.width_px, place_.height_px}, codes_.data()));
 }
 

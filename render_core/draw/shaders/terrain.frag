@@ -152,6 +152,10 @@ void main() {
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
     for (int b = 0; b < WARNING_BANDS; ++b) band = v_height >= band_lower[b] ? band_color[b] : band;
 #endif
+#ifdef ALERT_ZONE
+    float alert = alert_at(v_alert, v_height);  // wins over all bands
+    if (alert > 0.5) band = alert > 1.5 ? alert_zone[4] : alert_zone[5];
+#endif
 #ifdef FOCI
     vec4 rim;
     float focused = focus_degree(n, normalize(v_normal), ray, pixel_m, band.a > 0.0 || v_class.y > 0.0, rim);

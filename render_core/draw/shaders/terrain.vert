@@ -50,6 +50,9 @@ void main() {
 #endif
     gl_Position = view_projection * vec4(shown, 1.0);
     v_height = height;
+#ifdef ALERT_ZONE
+    v_alert = alert_place();
+#endif
     v_class = class_of_vertex();
     v_normal = to_local * normal;
     v_eye = to_local * shown;

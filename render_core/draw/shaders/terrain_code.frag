@@ -1,5 +1,6 @@
 // Red and green: the height in steps of 1/254 of its range and of 1/255 of such a step; red 254/255 is the sea. Blue: light,
-// 0 only where nothing is known. Alpha: the logarithm of the distance.
+// 0 only where nothing is known. Alpha: the logarithm of the distance. With an alert (ALERT_ZONE) green has 85 steps, each three
+// times: as it is, of caution, of warning. Follows alert_zone.frag.
 #ifdef COAST
 uniform sampler2D light_map;   // alpha: class
 uniform vec4 page_origin;      // first texel of the page in the atlas
@@ -11,6 +12,9 @@ VARYING vec2 v_page;
 VARYING vec3 v_code;
 #ifdef CLASSES
 VARYING vec2 v_class;
+#endif
+#ifdef ALERT_ZONE
+VARYING float v_height;
 #endif
 
 void main() {
@@ -27,6 +31,9 @@ void main() {
 #endif
     code.rg = mix(code.rg, vec2(254.0 / 255.0, 0.0), sea);
     code.b *= step(v_class.y, 0.001);
+#endif
+#ifdef ALERT_ZONE
+    code.g = (3.0 * min(floor(code.g * 85.0), 84.0) + alert_at(v_alert, v_height)) / 255.0;
 #endif
     FRAGMENT_COLOR = code;
 }

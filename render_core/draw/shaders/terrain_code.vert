@@ -15,6 +15,9 @@ VARYING vec3 v_code;           // height in steps of 1/254 of the range, light, 
 #ifdef CLASSES
 VARYING vec2 v_class;          // sea, void
 #endif
+#ifdef ALERT_ZONE
+VARYING float v_height;
+#endif
 
 const float kHighest = 1.0 - 1.0 / 65536.0;  // step 254 is the sea
 const float kFarthest = 254.0 / 255.0;  // 255 is the sky
@@ -37,5 +40,9 @@ void main() {
 #endif
 #ifdef CLASSES
     v_class = class_of_vertex();
+#endif
+#ifdef ALERT_ZONE
+    v_alert = alert_place();
+    v_height = height;
 #endif
 }

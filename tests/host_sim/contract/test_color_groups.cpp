@@ -98,7 +98,8 @@ TEST(ColorGroups, LessLightBringsColorsTogether) {
               least_color_gap(design, {"ground", "sea"}, 1)->difference);
     design::DesignSettings without = design;
     without.warning_colors = false;
-    EXPECT_FALSE(least_color_gap(without, {"warnings"}, 1).has_value());
+    EXPECT_TRUE(least_color_gap(without, {"warnings"}, 1).has_value()) << "the colors of the terrain alert";
+    EXPECT_NE(least_color_gap(without, {"warnings"}, 1)->difference, least_color_gap(design, {"warnings"}, 1)->difference);
 }
 
 TEST(ColorGroups, AreNamed) {

@@ -36,7 +36,7 @@ TEST(ResolvedDesign, SaysWhatItInherits) {
     const auto approach = resolved_design(shipped_root() + "/configs/designs/approach.toml");
     EXPECT_EQ(approach["name"], "approach");
     EXPECT_EQ(approach["terrain"]["shade"]["ambient"], 0.3) << "its own";
-    EXPECT_EQ(approach["warning"]["profile"], "garmin") << "of takeoff";
+    EXPECT_EQ(approach["sky"]["haze_distance_m"], 40000) << "of takeoff";
     EXPECT_EQ(approach["sky"]["zenith_color"], "#1c54a8") << "of default";
     EXPECT_FALSE(approach.contains("phases")) << "default's own";
 }

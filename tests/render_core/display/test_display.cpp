@@ -101,6 +101,7 @@ TEST(Display, WarningColorsReachFurtherTheLessIsKnownOfTheHeight) {
 
 TEST(Display, AnotherDesignsCoverageHoldsFromTheNextFrame) {
     design::DesignSettings design = test_support::shipped_design("default");
+    design.warning_colors = true;
     test_support::MemoryBytes bytes(hills().image);
     HeadlessDisplay display("egl", "es3-mid", 320, 240, &bytes, design);
     flight::AircraftState state = aircraft_over_hills(2000);

@@ -49,6 +49,7 @@ TEST(DisplayBudget, WithoutADeadlineNothingChangesAndTheRecordSaysSo) {
 
 TEST(DisplayBudget, AScarceDeadlineCoarsensTheTerrainButTakesNoWarningColors) {
     OverHills over;
+    over.show_bands();
     display::Display& display = over.display.display();
     static_cast<void>(hills_picture(over.display, high()));
     const double whole = display.planned().counters.triangles;

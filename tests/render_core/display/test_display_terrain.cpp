@@ -42,6 +42,7 @@ TEST(Display, WithoutATrustworthyPositionNothingOfTheTerrainIsSeen) {
 
 TEST(Display, StaleAltitudeTakesTheWarningColorsAway) {
     OverHills over;
+    over.show_bands();
     flight::AircraftState state = aircraft_over_hills(1100);
     const HillsPicture warned = hills_picture(over.display, state);
     EXPECT_EQ(over.display.display().record().effects[1].state, EffectState::run);

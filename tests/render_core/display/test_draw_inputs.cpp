@@ -57,6 +57,19 @@ TEST_F(DrawInputs, BandsAreThoseOfTheLoweredHeightOrNone) {
     EXPECT_EQ(make_terrain_input(frame()).heights.highest_m, 900);
 }
 
+TEST_F(DrawInputs, TheZoneOfAnAlertIsColoredInEveryPicture) {
+    EXPECT_FALSE(make_terrain_input(frame()).alert.is_shown());
+    DrawContext alerted = frame();
+    alerted.alert_zone.alert = policy::TerrainAhead::caution;
+    alerted.alert_zone.north_mps = 60;
+    alerted.alert_zone.until_s = 42;
+    decisions_.show_warning_colors = false;  // bands may be off
+    EXPECT_TRUE(make_terrain_input(alerted).alert.is_shown());
+    EXPECT_EQ(make_terrain_input(alerted).alert.zone.until_s, 42);
+    EXPECT_TRUE(make_picture_input(alerted).alert.is_shown);
+    EXPECT_FALSE(make_picture_input(frame()).alert.is_shown);
+}
+
 TEST_F(DrawInputs, BelowTheHorizonIsWhatIsKnownThere) {
     const draw::SkyInput over_terrain = make_sky_input(frame());
     EXPECT_EQ(over_terrain.colors.ground, design_.terrain.unknown);

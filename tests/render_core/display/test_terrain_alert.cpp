@@ -27,14 +27,12 @@ flight::AircraftState towards_hills(double speed_mps = 60) {
     return state;
 }
 
-/// In the colors of the EGPWS bands, which no design's own ground has: saturated red, yellow or green.
+/// Red or yellow, which no design's own ground is.
 double colored_share(const std::vector<std::uint8_t>& rgba) {
     std::size_t colored = 0;
     for (std::size_t n = 0; n < rgba.size(); n += 4) {
         const int red = rgba[n], green = rgba[n + 1], blue = rgba[n + 2];
-        const bool is_warm = red > blue + 60 && green < red + 30;
-        const bool is_green = green > red + 25 && green > blue + 25;
-        colored += is_warm || is_green ? 1u : 0u;
+        colored += red > blue + 60 && green < red + 30 ? 1u : 0u;
     }
     return static_cast<double>(colored) * 4 / static_cast<double>(rgba.size());
 }
@@ -51,12 +49,6 @@ bool says_ahead(const FrameRecord& record) {
     return false;
 }
 
-EffectState state_of_colors(const FrameRecord& record) {
-    for (const EffectRecord& effect : record.effects)
-        if (effect.name.view() == "warning_colors") return effect.state;
-    return EffectState::skipped;
-}
-
 struct Shown {
     FrameRecord record;
     double colored = 0, red = 0;
@@ -70,19 +62,19 @@ Shown shown(const design::DesignSettings& design, const flight::AircraftState& s
     return {headless.display().record(), colored_share(pixels), red_share(pixels)};
 }
 
+/// Bands color ground by its height alone; the zone of an alert colors some of the ground, and only while there is one.
 TEST(TerrainAlert, EveryShippedDesignTellsOfTerrainAhead) {
     for (const char* name :
          {"default", "takeoff", "cruise", "approach", "replanning", "priority", "map_north_up", "map_track_up", "focus/sphere"}) {
         design::DesignSettings design = test_support::shipped_design(name);
         design.symbology = {};
+        design.warning_colors = false;
         const Shown alert = shown(design, towards_hills(), {Scenario::cruise, 0}, "es3-mid");
         const Shown calm = shown(design, towards_hills(10), {Scenario::cruise, 0}, "es3-mid");
         EXPECT_TRUE(says_ahead(alert.record)) << name;
-        EXPECT_EQ(state_of_colors(alert.record), EffectState::run) << name;
         EXPECT_FALSE(says_ahead(calm.record)) << name << ": control, it stands nearly still";
-        if (design.warning_colors) continue;
-        EXPECT_EQ(state_of_colors(calm.record), EffectState::skipped) << name;
-        EXPECT_GT(alert.colored, calm.colored + 0.1) << name;
+        EXPECT_GT(alert.colored, calm.colored + 0.003) << name;
+        EXPECT_LT(alert.colored, calm.colored + 0.6) << name << ": not all of the ground";
     }
 }
 
@@ -99,8 +91,7 @@ TEST(TerrainAlert, NoPhaseDeviceWeightOrBandsOfADesignSilenceIt) {
             static_cast<void>(design.warning_bands.try_push_back({6000, 6000, {0xFF, 0, 0}, 0}));
             const Shown alert = shown(design, towards_hills(), phase, device);
             EXPECT_TRUE(says_ahead(alert.record)) << device << " " << int{phase.code()};
-            EXPECT_EQ(state_of_colors(alert.record), EffectState::run) << device << " " << int{phase.code()};
-            EXPECT_GT(alert.colored, 0.1) << device << " " << int{phase.code()};
+            EXPECT_GT(alert.colored, 0.02) << device << " " << int{phase.code()};
         }
 }
 
@@ -110,7 +101,7 @@ TEST(TerrainAlert, OnlyTheFailurePolicySilencesIt) {
     lost.own_ship.state = base::SignalState::stale;
     const Shown silent = shown(design, lost, {Scenario::cruise, 0}, "es3-mid");
     EXPECT_FALSE(says_ahead(silent.record));
-    EXPECT_EQ(state_of_colors(silent.record), EffectState::skipped);
+    EXPECT_EQ(silent.record.terrain.triangles, 0u) << "there is no ground to color";
 }
 
 /// The alert comes and goes; what a design shows without it is as before.

@@ -89,6 +89,12 @@ struct OverHills {
     explicit OverHills(const std::vector<std::uint8_t>& image = hills().image, const std::string& device = "es3-mid",
                        std::uint32_t width = 320, std::uint32_t height = 240)
         : bytes(image), display("egl", device, width, height, &bytes) {}
+    /// The default design with the warning bands of its profile.
+    void show_bands() {
+        design::DesignSettings design = shipped_design("default");
+        design.warning_colors = true;
+        EXPECT_TRUE(display.display().set_design(design));
+    }
 };
 
 }  // namespace tedavis::test_support

@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "platform/surface_factory.hpp"
 #include "render_core/draw/drawers/terrain_drawer.hpp"
 #include "render_core/gl/render_target.hpp"
+#include "tests/support/files/device_files.hpp"
 #include "tests/support/programs/gl_session.hpp"
 #include "tests/support/terrain/drawn_terrain.hpp"
 #include "tests/support/terrain/raster_scene.hpp"
@@ -45,11 +47,13 @@ struct ChunkPicture {
 class ChunkDrawing {
 public:
     ChunkDrawing(const RasterScene& scene, const design::DesignSettings& design, const std::string& backend = "egl",
-                 const std::string& device = "es3-mid", bool pages = true)
-        : session_(backend, device, RasterScene::kWidth, RasterScene::kHeight),
+                 const std::string& device = "es3-mid", bool pages = true,
+                 draw::TerrainOutput output = draw::TerrainOutput::color)
+        : session_(surface_of(backend, device), compiling(device)),
           bytes_(scene.built.image),
           terrain_(bytes_, session_.device.max_chunk_slots, pages ? session_.device.attribute_pages : 0),
-          design_(design) {
+          design_(design),
+          output_(output) {
         const draw::DrawnDesign only = drawn(design);
         EXPECT_TRUE(indices_.start(terrain_.store(), staging_));
         EXPECT_EQ(drawer_.start(session_.gl, terrain_.store(), indices_, {&only, 1}, session_.device, staging_).message.view(),
@@ -96,8 +100,21 @@ public:
     [[nodiscard]] const terrain::LodResult& lod() const { return lod_; }
 
 private:
-    static draw::DrawnDesign drawn(const design::DesignSettings& design) {
-        return {&design, draw::TerrainOutput::color, draw::ground_focus_kind(design.foci).foci > 0};
+    static std::unique_ptr<base::Surface> surface_of(const std::string& backend, const std::string& device) {
+        const bool is_es2 = shipped_device(device).capability.lane == effects::Lane::es2;
+        auto made = platform::make_surface(backend, {RasterScene::kWidth, RasterScene::kHeight,
+                                                     is_es2 ? platform::ContextLane::es2 : platform::ContextLane::es3});
+        EXPECT_TRUE(made.ok());
+        return std::move(made.value());
+    }
+    /// A device without a compiler gets one: its programs come from text here, its calls are its own.
+    static effects::DeviceSettings compiling(const std::string& name) {
+        effects::DeviceSettings device = shipped_device(name);
+        if (device.capability.gl.calls == effects::CallClass::sc2) device.capability = gl::with_compiler(device.capability);
+        return device;
+    }
+    [[nodiscard]] draw::DrawnDesign drawn(const design::DesignSettings& design) const {
+        return {&design, output_, draw::ground_focus_kind(design.foci).foci > 0};
     }
     ChunkPicture draw_chunks(base::Span<const terrain::SelectedChunk> drawn, const draw::TerrainDrawInput& input,
                              const draw::DepthPlan& depth) {
@@ -122,6 +139,7 @@ private:
     MemoryBytes bytes_;
     DrawnTerrain terrain_;
     design::DesignSettings design_;
+    draw::TerrainOutput output_;
     std::vector<std::uint8_t> staging_memory_ = std::vector<std::uint8_t>(8 << 20);
     base::Arena staging_{staging_memory_.data(), staging_memory_.size()};
     terrain::ChunkIndices indices_;

@@ -28,11 +28,11 @@ public:
         triangle_.destroy(session_.gl);
         table_.destroy(session_.gl);
     }
-    void update(double aircraft_m, double haze_per_m = 0, const HeightSpan& span = kSpan) {
+    void update(double aircraft_m, double haze_per_m = 0, const HeightSpan& span = kSpan, const AlertColors& alert = {}) {
         session_.gl.begin_frame();
         const TerrainBands bands =
             aircraft_m > 0 ? bands_within(design_.warning_bands, aircraft_m, false, -kAny_m, kAny_m) : TerrainBands();
-        table_.update(session_.gl, design_.terrain, span, bands, design_.sky, haze_per_m);
+        table_.update(session_.gl, design_.terrain, span, bands, design_.sky, haze_per_m, alert);
         uploaded_ = session_.gl.frame().uploaded_bytes;
     }
     void forget() { table_.forget(); }
@@ -84,6 +84,38 @@ TEST(ColorTable, EveryCodeHasTheColorOfItsHeight) {
                 ASSERT_NEAR(seen[2], color.blue, 1) << height;
             }
     }
+}
+
+/// Three columns a step: with bands, and under each color of the alert in place of them.
+TEST(ColorTable, InAnAlertEveryHeightHasItsColorsToo) {
+    Table table;
+    table.update(900);
+    const auto before = table.texels();
+    AlertColors alert;
+    alert.is_shown = true;
+    constexpr double kAircraft_m = 900;
+    table.update(kAircraft_m, 0, kSpan, alert);
+    const auto texels = table.texels();
+    for (std::uint32_t row = 0; row < ColorTable::kHeightRows; row += 3)
+        for (std::uint32_t column = 0; column < 255; ++column) {
+            const double height = 200 + 3200 * (row + (column / 3 + 0.5) / 85) / 254;
+            bool at_limit = false;
+            for (const design::WarningBand& band : table.design().warning_bands)
+                at_limit = at_limit || std::fabs(height - kAircraft_m - band.lower_m) < 0.01;
+            if (at_limit) continue;
+            const design::Color tint = design::color_of_value(table.design().terrain.palette, height);
+            const design::Color colors[3] = {expected(table.design(), height, kAircraft_m),
+                                             design::blended(tint, alert.caution, alert.strength),
+                                             design::blended(tint, alert.warning, alert.strength)};
+            const std::uint8_t* seen = texel(texels, row, column);
+            ASSERT_NEAR(seen[0], colors[column % 3].red, 1) << height;
+            ASSERT_NEAR(seen[1], colors[column % 3].green, 1) << height;
+            ASSERT_NEAR(seen[2], colors[column % 3].blue, 1) << height;
+        }
+    const design::Color sea = design::blended(table.design().terrain.sea, alert.warning, alert.strength);
+    EXPECT_NEAR(texel(texels, ColorTable::kSeaRow, 2)[0], sea.red, 1);
+    table.update(kAircraft_m);
+    EXPECT_EQ(table.texels(), before) << "after it, as before it";
 }
 
 TEST(ColorTable, FollowingTheAircraftGivesWhatStartingThereGives) {

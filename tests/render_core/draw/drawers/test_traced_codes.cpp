@@ -7,6 +7,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/draw/drawers/terrain_program.hpp"
+#include "render_core/earth/wgs84.hpp"
 #include "tests/support/raytrace/traced_file.hpp"
 
 namespace tedavis::draw::test_traced_codes {
@@ -29,6 +30,7 @@ struct Row {
     std::vector<HitSide> side = std::vector<HitSide>(8, HitSide::none);
     terrain::View view;
     CodedLight light;
+    AlertZoneLook alert;
 
     Row() {
         view.focal_px = 10;
@@ -45,7 +47,7 @@ struct Row {
     [[nodiscard]] std::vector<std::uint8_t> codes() {
         std::vector<std::uint8_t> all(32);
         base::SerialWorkers workers;
-        write_codes({coast().ground, {t, cell, side, u, v}, view, {400, 1200}, light}, workers, all);
+        write_codes({coast().ground, {t, cell, side, u, v}, view, {400, 1200}, light, &alert}, workers, all);
         return all;
     }
 };
@@ -115,6 +117,39 @@ TEST(TracedCodes, SeaIsWhereMostOfTheCellNearItIsAndUnknownWhateverTouchesAVoid)
     EXPECT_EQ(codes[4 * 4 + 2], 0);
     EXPECT_GT(codes[4 * 2 + 2], 0);
     EXPECT_GT(codes[4 * 5 + 2], 0);
+}
+
+/// A circle of 50 m round a place that one pixel looks at 1000 m away.
+TEST(TracedCodes, GroundInAnAlertsZoneIsMarked) {
+    const double height_m = double{coast().ground.heights().at(70, 30)};
+    policy::TerrainAlertZone zone;
+    zone.alert = policy::TerrainAhead::caution;
+    zone.from = {0.82, 0.17, {900}};
+    zone.radius_m = 50;
+    zone.until_s = 60;
+    zone.floor_msl_m = height_m - 1;
+    Row row;
+    const glm::dmat3 axes = earth::north_east_down(zone.from.latitude_rad, zone.from.longitude_rad);
+    row.view.forward = axes[0];
+    row.view.right = axes[1];
+    row.view.down = axes[2];
+    // The middle of pixel 5 is 1.5 pixels to the right of that of the picture: 150 m at 1000 m.
+    row.view.eye = earth::to_ecef(zone.from) - 1000.0 * axes[0] - 150.0 * axes[1];
+    row.meet(5, 70, 30, 0, 0, 1000);
+    row.meet(4, 70, 30, 0, 0, 1000);
+    const auto marks = [&](const policy::TerrainAlertZone& of) {
+        row.alert = alert_zone_look(of);
+        const std::vector<std::uint8_t> codes = row.codes();
+        EXPECT_EQ(codes[4 * 7], kNothingCode);
+        EXPECT_NEAR(400 + 800 * (codes[20] + (codes[21] / 3 + 0.5) / 85) / 254, height_m, 0.05);
+        return std::vector<int>{codes[4 * 4 + 1] % 3, codes[4 * 5 + 1] % 3};
+    };
+    EXPECT_EQ(marks(zone), (std::vector<int>{0, 2})) << "100 m aside and there";
+    zone.floor_msl_m = height_m + 1;
+    EXPECT_EQ(marks(zone), (std::vector<int>{0, 0})) << "low enough";
+    zone.floor_msl_m = height_m - 1;
+    zone.radius_m = 150;
+    EXPECT_EQ(marks(zone), (std::vector<int>{2, 2}));
 }
 
 }  // namespace
