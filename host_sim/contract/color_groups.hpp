@@ -2,8 +2,8 @@
 ///
 ///   ground        of the palette: its stops and eight steps between two; of a plain texture the plain colour
 ///   sea, unknown  as the design states them
-///   warnings      the warning bands as they are displayed: each with its strength over every colour of the ground; none where
-///                 warning colours are off
+///   warnings      the warning bands as they are displayed: each with its strength over every colour of the ground; the two
+///                 colors of the terrain alert where the design has no bands
 ///   a role        such as obstacle: of the elements of this role that have one plain colour
 ///
 /// Every colour of one group is compared with every colour of the other, a band over a ground only with what lies over the same

@@ -16,7 +16,7 @@ class LegendPictures {
 public:
     static constexpr std::size_t kMaxDesigns = 8;
 
-    /// Keeps a frame of each design that the run shows: its second one where there is one, because the first may still fade in.
+    /// Keeps a frame of each design that the run shows: its second one where there is one.
     /// Designs beyond kMaxDesigns have no picture, and are counted.
     void note(const std::string& design, const FrameResult& result, const flight::FrameInput& input);
     [[nodiscard]] std::uint64_t frames_left_out() const { return frames_left_out_; }

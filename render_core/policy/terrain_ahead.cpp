@@ -83,7 +83,8 @@ TerrainWatch::TerrainWatch(const TerrainWatchInput& input, scene::Ground& ground
     const double kept_m =
         (landing_s < until_s_ ? std::fmin(clearance_m, landing_clearance_m) : clearance_m) + uncertainty.height_m;
     until_s_ = std::fmin(until_s_, landing_s);
-    const double share = std::fmin(1, kCloser * height_above_ground_m_ / (kept_m + uncertainty.climb_mps * until_s_));
+    const double near_m = kCloser * std::fmax(height_above_ground_m_, 0);
+    const double share = std::fmin(1, near_m / (kept_m + uncertainty.climb_mps * until_s_));
     floor_m_ = from.height.m - share * kept_m;
     floor_mps_ = track_.up_mps - share * uncertainty.climb_mps;
 }
@@ -113,6 +114,7 @@ double TerrainWatch::seconds_to_terrain() {
 TerrainAlertZone TerrainWatch::zone(TerrainAhead alert) {
     const earth::Geodetic& from = track_.from;
     TerrainAlertZone zone;
+    if (!std::isfinite(floor_m_ + floor_mps_ + track_.north_mps + track_.east_mps + track_.turn_radps)) return zone;
     zone.alert = alert;
     zone.from = from;
     zone.north_mps = track_.north_mps;
@@ -123,7 +125,7 @@ TerrainAlertZone TerrainWatch::zone(TerrainAhead alert) {
     zone.radius_mps2 = radius_mps2_;
     const double undulation_m = ground_.undulation_m(from.latitude_rad, from.longitude_rad);
     // The bound's discs hold ground that is passed earlier or later than their own time, at another floor.
-    const double off_s = track_.ground_speed_mps() > 0 ? radius_at(until_s_) / track_.ground_speed_mps() : 0;
+    const double off_s = radius_at(until_s_) / std::fmax(track_.ground_speed_mps(), kSlowest_mps);
     zone.floor_msl_m = floor_m_ - undulation_m - std::fabs(floor_mps_) * off_s;
     zone.floor_mps = floor_mps_;
     zone.until_s = until_s_ < kLookAhead_s ? until_s_ : kLookAhead_s + off_s;
@@ -184,7 +186,7 @@ void TerrainWatch::find_runways(base::Span<const scene::Layer> layers) {
         if (layer.entry->role != scene::LayerRole::runway || layer.entry->shape == scene::LayerShape::grid) continue;
         for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature) {
             const scene::Run run = layer.points_of(feature);
-            for (std::uint32_t n = 0; n < run.count; ++n) {
+            for (std::uint32_t n = 0; n + 1 < std::max(run.count, 2u); ++n) {
                 const RunwayLine line{&layer.points[run.first + n], &layer.points[run.first + std::min(n + 1, run.count - 1)]};
                 if (nearest_on(*line.from, *line.to, track_.from, track_).distance_m < reach_m)
                     static_cast<void>(runways_.try_push_back(line));

@@ -2,11 +2,12 @@
 /// so does the color of the ground that is too close (terrain_alert_zone.hpp).
 ///
 /// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires,
-/// within a minute. The track keeps its speed, its rate of turn, for half a turn at most, and its vertical speed. It is widened
-/// by the uncertainty of all of these (TrackUncertainty), and what is below it counts with its proven upper bound: no true track
-/// within that uncertainty comes too close to the ground without an alert. Bounds are of whole blocks of the terrain, so that an
-/// alert may also come for ground a few posts beside the widened track. The phase only sets the clearance; no phase switches the
-/// alert off.
+/// within a minute. The track keeps its vertical speed, its speed and its rate of turn, the last for half a turn at most, where
+/// the track ends, sooner than after a minute; the planner also watches the straight track, on which a turn may end. A track is
+/// widened by the uncertainty of all of these (TrackUncertainty), and what is below it counts with its proven upper bound: no
+/// true track within that uncertainty comes too close to the ground without an alert. Bounds are of whole blocks of the terrain,
+/// or of whole chunks where these are many or cannot be read, so that an alert may also come for ground beside the widened track.
+/// The phase only sets the clearance; no phase switches the alert off.
 ///
 /// Low flight: clearance and uncertainty together take no more than three quarters of the height above the ground at present, so
 /// that level flight over level ground gives no alert: they are scaled down alike.
@@ -20,7 +21,10 @@
 /// Based on  Forward-looking terrain avoidance: required clearances of TSO-C151c table 3.1.1; 60 s and 30 s, and heights near a
 ///           runway, of Garmin and Honeywell guides (190-00709, 060-4241-000). Width: two velocities that differ by dv in speed
 ///           and at most a in direction differ by at most dv + v a, whose integral is the distance of the places.
-/// Bounded   kMaxSteps places of the track, and kMaxRunways for each that is too close. Pure, but for what the grounds read.
+/// Range     places err by the square of the distance times the tangent of the latitude over two Earth radii (12 m in 12 km at 47
+///           degrees), which the uncertainty of the position does not count.
+/// Bounded   twice kMaxSteps places of the track, and kMaxRunways for each that is too close. Pure, but for what the grounds
+/// read.
 ///           Thread  the display's.
 #pragma once
 
@@ -67,7 +71,8 @@ public:
     static constexpr int kMaxSteps = 256;
     static constexpr std::size_t kMaxRunways = 32;
     /// The zone that is shown is so much wider than the track's uncertainty, and lower by what a moving floor rises or falls on
-    /// the way through it: an alert colors the ground that it is for, and a little more.
+    /// the way through it: an alert colors the ground that it is for, and a little more. Ground that the bound of a coarser block
+    /// or of a whole chunk was for may lie outside of it.
     static constexpr double kShownMargin_m = 200;
 
     /// Both grounds must outlive the object.

@@ -1,4 +1,5 @@
 // What comes first in a frame: the design's weights, what raises them, and what of the data is stale.
+#include <algorithm>
 #include <cmath>
 
 #include "render_core/base/units.hpp"
@@ -15,6 +16,16 @@
 namespace tedavis::display {
 
 using flight::Signal;
+
+namespace {
+
+/// A turn may end at any time: what lies straight ahead counts as well.
+policy::TerrainWatchInput straight(policy::TerrainWatchInput watched) {
+    watched.track.turn_radps = 0;
+    return watched;
+}
+
+}  // namespace
 
 /// Of the design that is shown.
 class FramePlanner::Boosts final : public policy::BoostSource {
@@ -37,7 +48,8 @@ private:
         const policy::TerrainWatchInput watched = planner_.watched(instant);
         if (is_above_all(watched)) return policy::TerrainAhead::none;
         TerrainGround ground(planner_.terrain_, terrain::View());
-        return policy::TerrainWatch(watched, ground, ground).ahead();
+        return std::max(policy::TerrainWatch(watched, ground, ground).ahead(),
+                        policy::TerrainWatch(straight(watched), ground, ground).ahead());
     }
 
     /// So that nothing need be read of the database.
@@ -88,7 +100,10 @@ policy::PredictedTrack FramePlanner::track_of(const flight::OwnShipEstimate& own
 /// By the signal, or by the bank in a coordinated turn; straight ahead where neither is valid.
 double FramePlanner::turn_radps() const {
     const flight::AircraftState& state = frame_->state;
-    if (state.is_valid(Signal::heading_rate, frame_->time)) return state[Signal::heading_rate].value_or(0);
+    if (state.is_valid(Signal::heading_rate, frame_->time)) {
+        const double rate_radps = state[Signal::heading_rate].value_or(0);
+        return std::isfinite(rate_radps) ? rate_radps : 0;
+    }
     const double speed_mps = std::hypot(state.own_ship.velocity_north_mps, state.own_ship.velocity_east_mps);
     const double roll_rad = state[Signal::roll].value_or(0);
     if (!state.is_valid(Signal::roll, frame_->time) || !(std::fabs(roll_rad) < base::radians(75)) || !(speed_mps > 1)) return 0;
@@ -98,12 +113,13 @@ double FramePlanner::turn_radps() const {
 /// As stated, or assumed; heights with the terrain's, whatever a design says of its bands.
 policy::TrackUncertainty FramePlanner::track_uncertainty() const {
     policy::TrackUncertainty uncertainty;
-    if (frame_->state.is_valid(Signal::horizontal_accuracy, frame_->time))
-        uncertainty.position_m =
-            std::fmax(frame_->state[Signal::horizontal_accuracy].value_or(0), policy::kMinPositionUncertainty_m);
+    const double stated_m = frame_->state[Signal::horizontal_accuracy].value_or(0);
+    if (frame_->state.is_valid(Signal::horizontal_accuracy, frame_->time) && stated_m > 0)
+        uncertainty.position_m = std::fmax(stated_m, policy::kMinPositionUncertainty_m);
+    design::HeightAccuracy accuracy = height_accuracy();
+    if (!frame_->state.own_ship.height_is_geometric) accuracy.position_m = 0;  // the receiver's is not the altimeter's
     const design::WideningSettings settings;
-    uncertainty.height_m =
-        design::band_widening(settings, design::deviations_of_coverage(settings.coverage), height_accuracy()).lowered_m;
+    uncertainty.height_m = design::band_widening(settings, design::deviations_of_coverage(settings.coverage), accuracy).lowered_m;
     return uncertainty;
 }
 
@@ -123,11 +139,17 @@ policy::TerrainWatchInput FramePlanner::watched(const policy::PriorityInstant& i
     return input;
 }
 
-/// While there is an alert, from where the own ship is now.
+/// While there is an alert, from where the own ship is now: along the track that meets terrain first. As warning colors, it needs
+/// a geometric height, and gives way to the recovery from an unusual attitude.
 void FramePlanner::plan_alert_zone() {
-    if (frame_->decisions.terrain_ahead == policy::TerrainAhead::none || !frame_->decisions.show_terrain) return;
+    const policy::DisplayDecisions& decisions = frame_->decisions;
+    if (decisions.terrain_ahead == policy::TerrainAhead::none || !decisions.show_terrain || decisions.unusual_attitude) return;
+    if (!frame_->state.own_ship.height_is_geometric) return;
     TerrainGround ground(terrain_, terrain::View());
-    frame_->alert_zone = policy::TerrainWatch(watched(priority_instant()), ground, ground).zone(frame_->decisions.terrain_ahead);
+    const policy::TerrainWatchInput turning = watched(priority_instant());
+    policy::TerrainWatch watch(turning, ground, ground), ahead(straight(turning), ground, ground);
+    const bool is_ahead = ahead.seconds_to_terrain() < watch.seconds_to_terrain();
+    frame_->alert_zone = (is_ahead ? ahead : watch).zone(decisions.terrain_ahead);
 }
 
 /// Before anything of the frame is planned.

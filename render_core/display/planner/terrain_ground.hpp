@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render_core/base/units.hpp"
 #include "render_core/display/planner/terrain_planner.hpp"
 #include "render_core/draw/data/element_input.hpp"
 #include "render_core/policy/ground_bound.hpp"
@@ -27,6 +28,7 @@ public:
     }
 
     [[nodiscard]] double highest_m(double latitude_rad, double longitude_rad, double radius_m, double floor_m) override {
+        if (!(std::fabs(latitude_rad) <= base::kPi / 2)) return -std::numeric_limits<double>::infinity();  // beyond a pole
         return terrain_.ceiling().over(latitude_rad, longitude_rad, radius_m, floor_m).height_m;
     }
 

@@ -18,14 +18,19 @@ constexpr std::uint8_t kSeaStep = 254;
 constexpr std::uint32_t kAlertSteps = 85;
 constexpr double kFarthestCode = 254;  // 255 is the sky
 
-std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(share * 255.0f + 0.5f); }
+/// Rounded; a call of lround() for each pixel would cost more than all of its code.
+std::uint8_t byte_of(float share) {
+    const float above = share * 255.0f + 0.5f;
+    return static_cast<std::uint8_t>(above);
+}
 
 /// The codes of distances by their floats' uppermost bits: steps are told apart to a 26th of one.
 class DistanceCodes {
 public:
     DistanceCodes() {
         for (std::uint32_t n = 0; n < kEntries; ++n) {
-            const double octave = n / kPerOctave, within = (n % kPerOctave + 0.5) / kPerOctave;
+            const std::uint32_t octave = n / kPerOctave;
+            const double within = (n % kPerOctave + 0.5) / kPerOctave;
             const double code = 255 * (octave + std::log2(1 + within)) / kDistanceCodeOctaves;
             codes_[n] = static_cast<std::uint8_t>(std::lround(std::fmin(code, kFarthestCode)));
         }

@@ -24,7 +24,7 @@ float alert_at(vec2 place, float height) {
     vec2 passage = passage_of(place);
     vec4 width = alert_zone[1], limit = alert_zone[2], runway = alert_zone[3];
     if (passage.x > width.w || passage.y > width.x + (width.y + width.z * passage.x) * passage.x) return 0.0;
-    if (height <= limit.x + limit.y * passage.x) return 0.0;
+    if (!(height > limit.x + limit.y * passage.x)) return 0.0;
     if (distance(place, runway.xy) < runway.z && height <= runway.w) return 0.0;
     return passage.x <= limit.z ? 2.0 : 1.0;
 }

@@ -22,15 +22,21 @@ Rect ladder_box(const Layout& layout) {
     return {center.x - 0.8f * radius, top, 1.6f * radius, bottom - top};
 }
 
-/// Room that a rung with its numbers takes beyond its ends and beside them, in texts.
+constexpr float kNumberSize = 0.75f;
+
+/// Room that a rung takes beyond its ends and beside them, pixels: with two digits, which are no smaller than the smallest text.
 struct RungMargin {
     float along, across;
 };
-constexpr RungMargin kTenMargin{1.5f, 0.5f}, kFiveMargin{0.25f, 0.25f};
+RungMargin margin_of(const Painter& painter, bool has_numbers) {
+    const float t = painter.text_px(), em = painter.em_px(kNumberSize);
+    if (!has_numbers) return {0.25f * t, 0.25f * t};
+    return {0.3f * t + 1.3f * em, std::max(0.5f * t, 0.6f * em)};
+}
 
 /// Whether a box holds a rung whole, rims included.
-bool holds(const Rect& box, const Point& left, const Point& right, const Point& along, const RungMargin& margin, float text_px) {
-    const float beyond = margin.along * text_px, beside = margin.across * text_px;
+bool holds(const Rect& box, const Point& left, const Point& right, const Point& along, const RungMargin& margin) {
+    const float beyond = margin.along, beside = margin.across;
     const Point corners[4] = {along_and_across(left, along, -beyond, -beside), along_and_across(left, along, -beyond, beside),
                               along_and_across(right, along, beyond, -beside), along_and_across(right, along, beyond, beside)};
     return std::all_of(std::begin(corners), std::end(corners), [&](const Point& corner) { return box.contains(corner); });
@@ -48,7 +54,7 @@ void build_rung(const Painter& painter, const LadderFrame& ladder, const Rect& r
     const float length = std::hypot(right.at.x - left.at.x, right.at.y - left.at.y);
     if (!(length > 0)) return;
     const Point along{(right.at.x - left.at.x) / length, (right.at.y - left.at.y) / length};
-    if (!holds(room, left.at, right.at, along, ten ? kTenMargin : kFiveMargin, t)) return;
+    if (!holds(room, left.at, right.at, along, margin_of(painter, ten))) return;
     if (degrees > 0) {
         painter.line(left.at, right.at);
     } else {  // broken below the horizon
@@ -62,9 +68,9 @@ void build_rung(const Painter& painter, const LadderFrame& ladder, const Rect& r
     painter.line(right.at, along_and_across(right.at, along, 0, hook));
     const ShortText number = whole_number(std::abs(degrees));
     const float angle = std::atan2(along.y, along.x);
-    painter.text(number.view(), along_and_across(left.at, along, -0.3f * t, 0), TextAnchor::right, 0.75f,
+    painter.text(number.view(), along_and_across(left.at, along, -0.3f * t, 0), TextAnchor::right, kNumberSize,
                  painter.color(SymbolRole::scale), angle);
-    painter.text(number.view(), along_and_across(right.at, along, 0.3f * t, 0), TextAnchor::left, 0.75f,
+    painter.text(number.view(), along_and_across(right.at, along, 0.3f * t, 0), TextAnchor::left, kNumberSize,
                  painter.color(SymbolRole::scale), angle);
 }
 

@@ -14,7 +14,6 @@ using test_support::aircraft_over_hills;
 using test_support::has_flag;
 using test_support::hills_picture;
 using test_support::HillsPicture;
-using test_support::kHillsNow;
 using test_support::OverHills;
 
 /// Nothing but triangles costs anything.

@@ -27,10 +27,10 @@ flight::AircraftState towards_hills(double speed_mps = 60) {
     return state;
 }
 
-/// Red or yellow, which no design's own ground is.
+/// Red or yellow, which no design's own ground is; below the strip of annunciations (rows come from the bottom).
 double colored_share(const std::vector<std::uint8_t>& rgba) {
     std::size_t colored = 0;
-    for (std::size_t n = 0; n < rgba.size(); n += 4) {
+    for (std::size_t n = 0; n < rgba.size() * 4 / 5; n += 4) {
         const int red = rgba[n], green = rgba[n + 1], blue = rgba[n + 2];
         colored += red > blue + 60 && green < red + 30 ? 1u : 0u;
     }
@@ -73,6 +73,8 @@ TEST(TerrainAlert, EveryShippedDesignTellsOfTerrainAhead) {
         const Shown calm = shown(design, towards_hills(10), {Scenario::cruise, 0}, "es3-mid");
         EXPECT_TRUE(says_ahead(alert.record)) << name;
         EXPECT_FALSE(says_ahead(calm.record)) << name << ": control, it stands nearly still";
+        // Of the others the zone is a few pixels; draw/drawers/test_alert_zone_uniforms.cpp looks at each of them.
+        if (design.view.mode != design::ViewMode::perspective || !design.foci.empty()) continue;
         EXPECT_GT(alert.colored, calm.colored + 0.003) << name;
         EXPECT_LT(alert.colored, calm.colored + 0.6) << name << ": not all of the ground";
     }
@@ -91,7 +93,7 @@ TEST(TerrainAlert, NoPhaseDeviceWeightOrBandsOfADesignSilenceIt) {
             static_cast<void>(design.warning_bands.try_push_back({6000, 6000, {0xFF, 0, 0}, 0}));
             const Shown alert = shown(design, towards_hills(), phase, device);
             EXPECT_TRUE(says_ahead(alert.record)) << device << " " << int{phase.code()};
-            EXPECT_GT(alert.colored, 0.02) << device << " " << int{phase.code()};
+            EXPECT_GT(alert.colored, 0.004) << device << " " << int{phase.code()};
         }
 }
 
@@ -102,6 +104,35 @@ TEST(TerrainAlert, OnlyTheFailurePolicySilencesIt) {
     const Shown silent = shown(design, lost, {Scenario::cruise, 0}, "es3-mid");
     EXPECT_FALSE(says_ahead(silent.record));
     EXPECT_EQ(silent.record.terrain.triangles, 0u) << "there is no ground to color";
+}
+
+/// A turn may end at any time, and a gust is none.
+TEST(TerrainAlert, WhatLiesStraightAheadCountsInATurn) {
+    for (const double turn_deg : {-20.0, 8.0, 20.0}) {
+        flight::AircraftState turning = towards_hills();
+        turning[flight::Signal::heading_rate] = {base::radians(turn_deg), kHillsNow};
+        const Shown alert = shown(test_support::shipped_design("cruise"), turning, {Scenario::cruise, 0}, "es3-mid");
+        EXPECT_TRUE(says_ahead(alert.record)) << turn_deg;
+    }
+}
+
+/// As warning bands: said, but not colored, while the height is not geometric.
+TEST(TerrainAlert, AHeightOnTheAltimetersSettingColorsNoGround) {
+    design::DesignSettings design = test_support::shipped_design("cruise");
+    design.symbology = {};
+    flight::AircraftState on_qnh = towards_hills();
+    on_qnh.own_ship.height_is_geometric = false;
+    on_qnh.own_ship.height_is_on_qnh = true;
+    on_qnh.own_ship.position.height.m -= 50;  // above MSL
+    on_qnh[flight::Signal::baro_altitude] = {on_qnh.own_ship.position.height.m, kHillsNow};
+    on_qnh[flight::Signal::baro_setting] = {101'325, kHillsNow};
+    flight::AircraftState calm = on_qnh;
+    calm.own_ship.velocity_north_mps = calm.own_ship.velocity_east_mps = 0;
+    const Shown said = shown(design, on_qnh, {Scenario::cruise, 0}, "es3-mid");
+    const Shown quiet = shown(design, calm, {Scenario::cruise, 0}, "es3-mid");
+    EXPECT_TRUE(says_ahead(said.record));
+    EXPECT_FALSE(says_ahead(quiet.record));
+    EXPECT_NEAR(said.colored, quiet.colored, 0.001);
 }
 
 /// The alert comes and goes; what a design shows without it is as before.

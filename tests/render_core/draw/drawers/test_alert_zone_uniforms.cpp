@@ -20,6 +20,9 @@ using test_support::ChunkPicture;
 using test_support::RasterScene;
 
 constexpr int kWidth = RasterScene::kWidth, kHeight = RasterScene::kHeight;
+constexpr std::size_t place_of(int column, int row) {
+    return static_cast<std::size_t>(row) * kWidth + static_cast<std::size_t>(column);
+}
 constexpr double kHighest_m = 860, kFlat_m = 550;
 
 const RasterScene& hills() {
@@ -108,7 +111,7 @@ TerrainAhead violation(const TerrainAlertZone& zone, const GroundPlace& at) {
 
 /// Whether another color lies within a pixel, 5 m or 1 m of height, or what lies there is not known.
 bool is_at_border(const TerrainAlertZone& zone, const std::vector<GroundPlace>& all, int column, int row) {
-    const auto at = [&](int x, int y) { return all[static_cast<std::size_t>(y * kWidth + x)]; };
+    const auto at = [&](int x, int y) { return all[place_of(x, y)]; };
     const GroundPlace middle = at(column, row);
     const TerrainAhead here = violation(zone, middle);
     for (int y = row - 1; y <= row + 1; ++y)
@@ -138,7 +141,7 @@ Agreement compare(const TerrainAlertZone& zone, const Shown& shown, bool is_flat
     Agreement agreement;
     for (int row = 1; row + 1 < kHeight; ++row)
         for (int column = 1; column + 1 < kWidth; ++column) {
-            const GroundPlace& place = all[static_cast<std::size_t>(row * kWidth + column)];
+            const GroundPlace& place = all[place_of(column, row)];
             if (!place.is_hit || is_at_border(zone, all, column, row)) continue;
             const TerrainAhead expected = violation(zone, place);
             const std::optional<TerrainAhead> seen = shown(column, row);
@@ -240,8 +243,9 @@ TEST_P(AlertZonePictures, CodesSayWhichGroundViolates) {
         int other_heights = 0;
         const auto shown = [&](int column, int row) -> std::optional<TerrainAhead> {
             const design::Color code = picture.at(column, row);
-            const double height_m = 300 + 600 * (code.red + (code.green / 3 + 0.5) / 85) / 254;
-            other_heights += std::fabs(height_m - places()[static_cast<std::size_t>(row * kWidth + column)].height_m) > 4 ? 1 : 0;
+            const int step = code.green / 3;
+            const double height_m = 300 + 600 * (code.red + (step + 0.5) / 85) / 254;
+            other_heights += std::fabs(height_m - places()[place_of(column, row)].height_m) > 4 ? 1 : 0;
             return static_cast<TerrainAhead>(code.green % 3);
         };
         expect_agreement(compare(of.zone, shown), of.name);

@@ -98,7 +98,8 @@ TEST(ColorTable, InAnAlertEveryHeightHasItsColorsToo) {
     const auto texels = table.texels();
     for (std::uint32_t row = 0; row < ColorTable::kHeightRows; row += 3)
         for (std::uint32_t column = 0; column < 255; ++column) {
-            const double height = 200 + 3200 * (row + (column / 3 + 0.5) / 85) / 254;
+            const std::uint32_t step = column / 3;
+            const double height = 200 + 3200 * (row + (step + 0.5) / 85) / 254;
             bool at_limit = false;
             for (const design::WarningBand& band : table.design().warning_bands)
                 at_limit = at_limit || std::fabs(height - kAircraft_m - band.lower_m) < 0.01;

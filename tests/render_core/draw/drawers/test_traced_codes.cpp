@@ -141,7 +141,8 @@ TEST(TracedCodes, GroundInAnAlertsZoneIsMarked) {
         row.alert = alert_zone_look(of);
         const std::vector<std::uint8_t> codes = row.codes();
         EXPECT_EQ(codes[4 * 7], kNothingCode);
-        EXPECT_NEAR(400 + 800 * (codes[20] + (codes[21] / 3 + 0.5) / 85) / 254, height_m, 0.05);
+        const int step = codes[21] / 3;
+        EXPECT_NEAR(400 + 800 * (codes[20] + (step + 0.5) / 85) / 254, height_m, 0.05);
         return std::vector<int>{codes[4 * 4 + 1] % 3, codes[4 * 5 + 1] % 3};
     };
     EXPECT_EQ(marks(zone), (std::vector<int>{0, 2})) << "100 m aside and there";
