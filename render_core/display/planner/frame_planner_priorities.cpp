@@ -48,8 +48,9 @@ private:
         const policy::TerrainWatchInput watched = planner_.watched(instant);
         if (is_above_all(watched)) return policy::TerrainAhead::none;
         TerrainGround ground(planner_.terrain_, terrain::View());
-        return std::max(policy::TerrainWatch(watched, ground, ground).ahead(),
-                        policy::TerrainWatch(straight(watched), ground, ground).ahead());
+        const policy::TerrainAhead ahead = policy::TerrainWatch(watched, ground, ground).ahead();
+        if (watched.track.turn_radps == 0) return ahead;
+        return std::max(ahead, policy::TerrainWatch(straight(watched), ground, ground).ahead());
     }
 
     /// So that nothing need be read of the database.
