@@ -1,12 +1,14 @@
 /// Symbols of the map: the own ship in the middle, pointing along the heading; a range ring of a round number of nautical
 /// miles; the north arrow with the map's orientation.
 ///
-/// In the orthographic view they are level: the ring is an ellipse round the own ship's position on the ground, to which a line
-/// leads down. The ring is interrupted in magnified areas, where it would be wrong; these have signs with their scale, and the
-/// corner states them. The corner also says ORTHO, and FLAT where the ground is drawn without relief.
+/// In the orthographic view the symbols lie level: the ring is an ellipse round the point on the ground below the own ship, and a
+/// line leads from the own ship down to this point. The ring is interrupted in magnified areas, where it would be wrong; each
+/// magnified area has a sign with its scale, and a text in the corner of the map says that it is distorted. The corner also says
+/// ORTHO in the orthographic view, and FLAT where the ground is drawn without relief.
 ///
-/// Without a position a red cross replaces them; a stale position is amber with a text. Without a heading the own ship is a
-/// disc. They are drawn in the layout's box of the attitude; ring and line reach below the rose.
+/// Without a position a red cross replaces the symbols; with a stale position they are amber, with a text. Without a heading the
+/// own ship is a disc. The symbols are drawn in the box that the layout reserves for the attitude; the ring and the line may
+/// reach below the compass rose.
 #pragma once
 
 #include <string_view>
@@ -21,7 +23,8 @@ struct RangeRing {
     double radius_m = 0;
     std::string_view label;
 };
-/// The largest ring of 1, 2 or 5 times a power of ten nautical miles within `room_px`; radius 0 where none fits.
+/// Returns the largest ring whose radius is 1, 2 or 5 times a power of ten nautical miles and at most `room_px`; radius 0 where
+/// none fits.
 [[nodiscard]] RangeRing range_ring(double room_px, double px_per_m) noexcept;
 
 }  // namespace tedavis::draw

@@ -1,8 +1,8 @@
-/// Traverses one chunk, and from chunk to chunk, with the rays of a packet.
+/// Traverses the cells of one chunk, or the grid from chunk to chunk, with the rays of a packet.
 ///
-/// Times of crossing grid lines are relative to the origin's cell. A chunk is a small grid whose first cell is number 0. Rays
-/// whose origin is renumbered in the same way cross its lines at exactly the same times, so their hits equal those in the whole
-/// grid bit for bit.
+/// A chunk is treated as a small grid whose first cell has the number 0, and the cells of the rays' origins are renumbered to
+/// match. The times at which a ray crosses grid lines are computed from the distance to its origin's cell, which does not change
+/// by this. Hits are therefore equal, bit for bit, to those of a traversal of the whole grid.
 #pragma once
 
 #include "render_core/raytrace/kernel/march.hpp"
@@ -11,7 +11,7 @@
 
 namespace tedavis::raytrace {
 
-/// Renumbered from a cell of the grid.
+/// Returns the rays of the packet with cells numbered from (first_column, first_row) of the grid.
 template <class V>
 TEDAVIS_LANES_INLINE RayLanes<V> packet_rays(const RayPacket& p, std::int32_t first_column, std::int32_t first_row) {
     using Int = typename V::Int;
@@ -27,6 +27,7 @@ TEDAVIS_LANES_INLINE RayLanes<V> packet_rays(const RayPacket& p, std::int32_t fi
     return ray;
 }
 
+/// PacketKernel::cross for one surface and side.
 template <class V, class Height, CellSurface surface, HitSide side>
 void cross_chunk(const TracedNodes<Height>& nodes, std::int32_t column, std::int32_t row, std::uint32_t asked, RayPacket& p) {
     using Int = typename V::Int;
@@ -40,6 +41,7 @@ void cross_chunk(const TracedNodes<Height>& nodes, std::int32_t column, std::int
     V::store(p.hit_row, V::select(m.is_hit, m.hit_row + Int(row), V::load(p.hit_row)));
 }
 
+/// PacketKernel::seek for one side.
 template <class V, class Height, HitSide side>
 void seek_chunk(const TracedNodes<Height>& nodes, std::uint32_t asked, RayPacket& p) {
     using Int = typename V::Int;
