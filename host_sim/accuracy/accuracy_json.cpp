@@ -4,6 +4,7 @@
 
 #include "host_sim/accuracy/chapters_json.hpp"
 #include "host_sim/accuracy/knob_json.hpp"
+#include "host_sim/accuracy/time_answer.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -53,6 +54,7 @@ AccuracyReport report_of(const Json& json) {
     report.conditions = conditions_of(json.at("conditions"));
     report.interrupted = json.at("interrupted");
     for (const Json& knob : json.at("knobs")) report.knobs.push_back(knob_from(knob));
+    if (!json.at("budget_ms").is_null()) report.budget_ms = json.at("budget_ms");
     for (const Json& name : json.at("not_measured")) report.not_measured.push_back(name);
     for (const Json& flight : json.at("flights")) report.flights.push_back(flight_from(flight));
     report.uncalled = uncalled_from(json.at("uncalled_effects"));
@@ -60,6 +62,31 @@ AccuracyReport report_of(const Json& json) {
     report.control = control_from(json.at("negative_control"));
     for (const Json& compared : json.at("comparisons")) report.comparisons.push_back(compared_from(compared));
     return report;
+}
+
+Json answer_json(const MeasuredKnob& knob, double budget_ms) {
+    const std::optional<TimeAnswer> answer = answer_within(knob, budget_ms);
+    const auto number = [&](double value) { return answer ? Json(value) : Json(nullptr); };
+    const TimeAnswer known = answer.value_or(TimeAnswer());
+    return {{"knob", knob.name},
+            {"budget_ms", budget_ms},
+            {"level", answer ? Json(known.level->name) : Json(nullptr)},
+            {"spread_ms", number(known.need.spread_ms)},
+            {"margin", number(known.need.margin)},
+            {"needed_ms", number(known.need.needed_ms())},
+            {"expected_share", number(known.expected_share)}};
+}
+
+/// To the budgets of the first screen, and of all knobs to the one that was asked for. They follow from the rest of the report,
+/// so they are not read again.
+Json answers_json(const AccuracyReport& report) {
+    Json answers = Json::array();
+    for (const MeasuredKnob& knob : report.knobs) {
+        for (const FrameBudget& budget : kFrameBudgets)
+            if (is_of_frames(knob)) answers.push_back(answer_json(knob, budget.ms));
+        if (report.budget_ms) answers.push_back(answer_json(knob, *report.budget_ms));
+    }
+    return answers;
 }
 
 /// In quotation marks, which names of levels and units do without.
@@ -77,6 +104,8 @@ Json accuracy_json(const AccuracyReport& report) {
             {"interrupted", report.interrupted},
             {"knobs", std::move(knobs)},
             {"not_measured", report.not_measured},
+            {"budget_ms", report.budget_ms ? Json(*report.budget_ms) : Json(nullptr)},
+            {"answers", answers_json(report)},
             {"flights", std::move(flights)},
             {"uncalled_effects", uncalled_json(report.uncalled)},
             {"governor", governor_choice_json(report.governor)},

@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-inline constexpr char kAccuracySchema[] = "tedavis.accuracy/4";
+inline constexpr char kAccuracySchema[] = "tedavis.accuracy/5";
 
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const AccuracyReport& report);
 /// Reads what accuracy_json() wrote. Throws UserError, which begins with `name`: no JSON, another schema, keys that are missing.

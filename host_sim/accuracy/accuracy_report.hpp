@@ -55,6 +55,7 @@ struct AccuracyReport {
     MeasuringConditions conditions;
     bool interrupted = false;
     std::vector<MeasuredKnob> knobs;        ///< in the registry's order
+    std::optional<double> budget_ms;        ///< that the last run was asked for; the answers follow from it
     std::vector<std::string> not_measured;  ///< names of knobs that were asked for, too
     std::vector<FlightErrors> flights;
     std::optional<UncalledEffects> uncalled;

@@ -5,9 +5,9 @@
 
 #include "host_sim/accuracy/compare_accuracy.hpp"
 #include "host_sim/accuracy/effects_chapter.hpp"
-#include "host_sim/accuracy/first_screen.hpp"
 #include "host_sim/accuracy/flight_errors_chapter.hpp"
 #include "host_sim/accuracy/governor_chapter.hpp"
+#include "host_sim/accuracy/time_answer.hpp"
 #include "host_sim/printed_text.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -52,21 +52,24 @@ std::string knob_text(const MeasuredKnob& knob) {
     return text;
 }
 
-/// A frame's budget is one of frames, and 95 of 100 of them must keep to it in the slowest place; for other settings it is one of
-/// all samples together.
-const MeasuredLevel* within_budget(const MeasuredKnob& knob, double budget_ms) {
-    return knob.name == kFrameSettings ? best_frame_within(knob, budget_ms) : best_within(knob, budget_ms);
-}
-
+/// Name, time, error; without a level that none keeps to it.
 std::string choice_text(const MeasuredKnob& knob, const MeasuredLevel* level) {
     const std::string name = "\n  " + knob.name + ": ";
     if (level == nullptr) return name + "no level keeps to it";
-    const std::string options = level->options.empty() ? "" : "; tedavis replay LOG -o DIR " + level->options;
-    const bool is_frame = knob.name == kFrameSettings;
-    const double ms = is_frame ? level->sample_ms.median : level->ms.median;
-    const std::string kept = is_frame ? printed("; 95 of 100 frames of the slowest place within %.3f ms", level->kept_ms) : "";
-    return name + level->name + printed(" (%.3f ms", ms) + kept + printed(", at most %.3g ", level->trusted_error()) + knob.unit +
-           (level->proven ? printed(", proven; %.3g measured)", level->error.max) : ")") + options;
+    const double ms = is_of_frames(knob) ? level->sample_ms.median : level->ms.median;
+    return name + level->name + printed(" (%.3f ms, at most %.3g ", ms, level->trusted_error()) + knob.unit +
+           (level->proven ? printed(", proven; %.3g measured)", level->error.max) : ")");
+}
+
+std::string options_text(const MeasuredLevel* level) {
+    return level == nullptr || level->options.empty() ? "" : "; tedavis replay LOG -o DIR " + level->options;
+}
+
+std::string answer_text(const MeasuredKnob& knob, double budget_ms) {
+    const std::optional<TimeAnswer> answer = answer_within(knob, budget_ms);
+    if (!answer) return choice_text(knob, nullptr);
+    return choice_text(knob, answer->level) + "; " + need_words(knob, answer->need) + share_words(*answer) +
+           options_text(answer->level);
 }
 
 }  // namespace
@@ -88,16 +91,18 @@ std::string accuracy_text(const AccuracyReport& report) {
 std::string budget_text(const AccuracyReport& report, double budget_ms) {
     std::string text = printed("\n\nthe most accurate within %g ms", budget_ms);
     bool is_possible = report.knobs.empty();
-    double quickest_ms = 1e300;
+    double least_ms = 1e300;
     for (const MeasuredKnob& knob : report.knobs) {
-        const MeasuredLevel* const best = within_budget(knob, budget_ms);
-        text += choice_text(knob, best);
-        is_possible = is_possible || best != nullptr;
-        for (const MeasuredLevel& level : knob.levels) quickest_ms = std::min(quickest_ms, level.ms.median);
+        text += answer_text(knob, budget_ms);
+        const double needed_ms = time_need(knob, least_needing(knob)).needed_ms();
+        is_possible = is_possible || needed_ms <= budget_ms;
+        least_ms = std::min(least_ms, needed_ms);
     }
     if (!is_possible)
-        throw UserError(printed("--budget-ms %g: no level of any measured setting keeps to it; the quickest takes %.3g ms",
-                                budget_ms, quickest_ms));
+        throw UserError(
+            printed("--budget-ms %g: no level of any measured setting keeps to it; the quickest needs %.3g ms, with "
+                    "the margin that was measured",
+                    budget_ms, least_ms));
     return text;
 }
 
@@ -106,7 +111,9 @@ std::string target_text(const AccuracyReport& report, double target_error, const
     std::set<std::string> known;
     for (const MeasuredKnob& knob : report.knobs) {
         if (known.insert(knob.unit).second) units += (units.empty() ? "" : ", ") + knob.unit;
-        if (knob.unit == unit) text += choice_text(knob, cheapest_for(knob, target_error));
+        if (knob.unit != unit) continue;
+        const MeasuredLevel* const quickest = cheapest_for(knob, target_error);
+        text += choice_text(knob, quickest) + options_text(quickest);
     }
     if (known.count(unit) == 0)
         throw UserError(option + ": no measured knob has errors in '" + unit + "'; the units are " + units);

@@ -7,12 +7,8 @@
 #include <string>
 
 #include "host_sim/accuracy/accuracy_report.hpp"
-#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 
 namespace tedavis::host_sim {
-
-/// The most accurate level of whose slowest place 95 of 100 frames keep to the budget; null if none does.
-[[nodiscard]] const MeasuredLevel* best_frame_within(const MeasuredKnob& knob, double budget_ms);
 
 /// HTML: a sentence, three numbers, and a table with a row for each budget.
 [[nodiscard]] std::string first_screen(const AccuracyReport& report);

@@ -27,6 +27,7 @@ Json level_json(const MeasuredLevel& level) {
             {"ms", spread_json(level.ms)},
             {"sample_ms", spread_json(level.sample_ms)},
             {"kept_ms", level.kept_ms},
+            {"kept_99_ms", level.kept_99_ms},
             {"error", error_json(level.error)},
             {"bytes", level.bytes},
             {"proven", level.proven ? Json(*level.proven) : Json(nullptr)},
@@ -50,6 +51,7 @@ MeasuredLevel level_of(const Json& json) {
     level.ms = spread_from(json.at("ms"));
     level.sample_ms = spread_from(json.at("sample_ms"));
     level.kept_ms = json.at("kept_ms");
+    level.kept_99_ms = json.at("kept_99_ms");
     level.error = error_of(json.at("error"));
     level.bytes = json.at("bytes");
     if (!json.at("proven").is_null()) level.proven = json.at("proven");
@@ -160,6 +162,8 @@ nlohmann::ordered_json knob_json(const MeasuredKnob& knob) {
             {"samples", knob.samples},
             {"only_level", knob.only_level},
             {"noise", knob.noise},
+            {"moments", knob.moments},
+            {"dearest", knob.dearest},
             {"error_law", law_json(knob.error_law)},
             {"time_law", law_json(knob.time_law)},
             {"law_expected", knob.law_expected},
@@ -187,6 +191,8 @@ MeasuredKnob knob_from(const nlohmann::ordered_json& json) {
     knob.samples = json.at("samples");
     knob.only_level = json.at("only_level");
     knob.noise = json.at("noise");
+    knob.moments = json.at("moments");
+    knob.dearest = json.at("dearest");
     knob.error_law = law_of(json.at("error_law"));
     knob.time_law = law_of(json.at("time_law"));
     knob.law_expected = json.at("law_expected");

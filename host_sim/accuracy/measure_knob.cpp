@@ -27,16 +27,21 @@ MeasuredKnob described(const KnobFacts& facts) {
 using RoundTimes = std::vector<std::vector<double>>;
 struct MeasuredTimes {
     RoundTimes rounds, samples;
+    std::vector<double> moments;  ///< of the level in the middle, in each round
 };
+
+double timed_ms(Knob& knob, std::size_t level, std::size_t sample, const MeasuringPlan& plan) {
+    knob.prepare(level, sample);
+    const double begun = plan.clock_ms();
+    knob.run(level, sample);
+    return plan.clock_ms() - begun;
+}
 
 /// One round of one level.
 void take_round(Knob& knob, std::size_t level, const MeasuringPlan& plan, MeasuredTimes& times) {
     double all_ms = 0;
     for (std::size_t sample = 0; sample < knob.samples(); ++sample) {
-        knob.prepare(level, sample);
-        const double begun = plan.clock_ms();
-        knob.run(level, sample);
-        times.samples[level].push_back(plan.clock_ms() - begun);
+        times.samples[level].push_back(timed_ms(knob, level, sample, plan));
         all_ms += times.samples[level].back();
     }
     times.rounds[level].push_back(all_ms);
@@ -45,12 +50,14 @@ void take_round(Knob& knob, std::size_t level, const MeasuringPlan& plan, Measur
 /// The level that begins a round is the next one in each round, so each level begins about equally often.
 MeasuredTimes time_rounds(Knob& knob, const MeasuringPlan& plan) {
     const std::size_t levels = knob.facts().levels.size(), rounds = std::max(plan.rounds, MeasuringPlan::kMinRounds);
-    MeasuredTimes times{RoundTimes(levels), RoundTimes(levels)};
+    MeasuredTimes times{RoundTimes(levels), RoundTimes(levels), {}};
     const double begun = plan.clock_ms();
     for (std::size_t round = 0; round < rounds; ++round) {
         plan.progress(round, rounds);
         if (round >= MeasuringPlan::kMinRounds && plan.most_s > 0 && plan.clock_ms() - begun > plan.most_s * 1000) break;
         for (std::size_t n = 0; n < levels; ++n) take_round(knob, (n + round) % levels, plan, times);
+        for (std::size_t n = 0; n < knob.moments(); ++n)
+            times.moments.push_back(timed_ms(knob, levels / 2, knob.samples() + n, plan));
     }
     return times;
 }
@@ -69,6 +76,33 @@ double noise_of(const RoundTimes& times) {
         if (a > 0 && b > 0) noise = std::max(noise, std::max(a, b) / std::min(a, b) - 1);
     }
     return noise;
+}
+
+double dearest_of(const Knob& knob, const MeasuredTimes& times) {
+    const double moment_ms = slowest_median(times.moments, knob.moments());
+    const double sample_ms = slowest_median(times.samples[times.samples.size() / 2], knob.samples());
+    return sample_ms > 0 ? std::max(1.0, moment_ms / sample_ms) : 1;
+}
+
+/// Times of each level and what follows from those of all.
+void add_times(const Knob& knob, const MeasuredTimes& times, MeasuredKnob& measured) {
+    std::vector<double> ratios;
+    for (const std::vector<double>& samples : times.samples) {
+        const std::vector<double> own = run_ratios(samples, knob.samples());
+        ratios.insert(ratios.end(), own.begin(), own.end());
+    }
+    for (std::size_t n = 0; n < measured.levels.size(); ++n) {
+        MeasuredLevel& level = measured.levels[n];
+        level.ms = spread_of(times.rounds[n]);
+        level.sample_ms = spread_of(times.samples[n]);
+        const KeptTimes kept = kept_times(times.samples[n], knob.samples(), ratios);
+        level.kept_ms = kept.of_95;
+        level.kept_99_ms = kept.of_99;
+    }
+    measured.rounds = times.rounds.empty() ? 0 : times.rounds.front().size();
+    measured.noise = noise_of(times.rounds);
+    measured.moments = knob.moments();
+    measured.dearest = dearest_of(knob, times);
 }
 
 /// Of the first level and of the most accurate one, where the first is worst; nothing for a knob that draws none.
@@ -136,16 +170,11 @@ MeasuredKnob measure_knob(Knob& knob, const MeasuringPlan& plan) {
         measured.levels.push_back(level_errors(knob, level));
         if (measured.work) measured.work->counts.push_back(knob.work(level));
     }
-    const MeasuredTimes times = time_rounds(knob, plan);
+    add_times(knob, time_rounds(knob, plan), measured);
     for (std::size_t level = 0; level < measured.levels.size(); ++level) {
-        measured.levels[level].ms = spread_of(times.rounds[level]);
-        measured.levels[level].sample_ms = spread_of(times.samples[level]);
-        measured.levels[level].kept_ms = kept_time(times.samples[level], knob.samples());
         measured.levels[level].uploaded_bytes = knob.uploaded_bytes(level);
         measured.levels[level].proven = knob.proven(level);
     }
-    measured.rounds = times.rounds.empty() ? 0 : times.rounds.front().size();
-    measured.noise = noise_of(times.rounds);
     measured.pictures = pictures_of(knob, measured.levels);
     judge(knob.facts(), measured);
     return measured;

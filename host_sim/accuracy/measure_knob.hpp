@@ -2,6 +2,7 @@
 ///
 /// In each round every level processes all samples once. The order of the levels changes from round to round, so that a temporary
 /// load on the machine slows all levels. The odd and the even rounds form an A/A test: the difference between them is noise.
+/// Each round ends with the knob's moments, at the level in the middle.
 #pragma once
 
 #include <functional>

@@ -69,15 +69,6 @@ void judge(const KnobFacts& facts, MeasuredKnob& knob) {
     knob.law_agrees = agrees(knob.error_law, *facts.law);
 }
 
-const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms) {
-    const MeasuredLevel* best = nullptr;
-    for (const MeasuredLevel& level : knob.levels)
-        if (level.is_offered && level.ms.median <= budget_ms &&
-            (best == nullptr || level.trusted_error() < best->trusted_error()))
-            best = &level;
-    return best;
-}
-
 const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error) {
     const MeasuredLevel* best = nullptr;
     for (const MeasuredLevel& level : knob.levels)

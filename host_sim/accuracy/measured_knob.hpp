@@ -17,7 +17,8 @@ struct MeasuredLevel {
     double amount = 0;
     TimeSpread ms;                 ///< of all samples, once
     TimeSpread sample_ms;          ///< of one sample, over all samples and rounds
-    double kept_ms = 0;            ///< what 95 of 100 runs of its slowest sample keep to; see `kept_time`
+    double kept_ms = 0;            ///< what 95 of 100 runs of its slowest sample keep to; see `kept_times`
+    double kept_99_ms = 0;         ///< what 99 of 100 runs keep to
     std::string options;           ///< of `tedavis replay`, which give the level; may be empty
     ErrorDistribution error;       ///< in the metric's unit
     std::optional<double> proven;  ///< the greatest error that the product states for its frames, in the same unit
@@ -53,6 +54,9 @@ struct MeasuredKnob {
     std::size_t rounds = 0, samples = 0;
     /// The greatest ratio of two medians of the same level, from the odd rounds and the even ones, less 1.
     double noise = 0;
+    std::size_t moments = 0;  ///< that were timed beside the samples
+    /// How much longer the dearest moment takes than the slowest sample, medians of one level; 1 or more.
+    double dearest = 1;
     std::vector<MeasuredLevel> levels;  ///< as the knob has them
     std::string only_level;             ///< why the product offers one level, the first; empty: it offers all
     FittedLaw error_law, time_law;      ///< over the amount: mean error, median time
@@ -70,8 +74,6 @@ struct MeasuredKnob {
 /// Fills in what follows from times and errors: dominated levels and laws. A knob with one level has neither.
 void judge(const KnobFacts& facts, MeasuredKnob& knob);
 
-/// The level on offer with the smallest trusted error whose median time keeps to the budget; null where none does.
-[[nodiscard]] const MeasuredLevel* best_within(const MeasuredKnob& knob, double budget_ms);
 /// The quickest level on offer whose trusted error keeps to the target; null where none does.
 [[nodiscard]] const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error);
 

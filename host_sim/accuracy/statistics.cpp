@@ -28,6 +28,13 @@ Sums sums_of(const std::vector<LawPoint>& logs) {
     return sums;
 }
 
+/// Of one sample's runs.
+double median_of(const std::vector<double>& by_round, std::size_t samples, std::size_t sample) {
+    std::vector<double> runs;
+    for (std::size_t n = sample; n < by_round.size(); n += samples) runs.push_back(by_round[n]);
+    return spread_of(std::move(runs)).median;
+}
+
 FittedLaw no_law(std::string reason) {
     FittedLaw law;
     law.reason = std::move(reason);
@@ -56,18 +63,31 @@ TimeSpread spread_of(std::vector<double> values) {
     return {quantile(values, 0.5), quantile(values, 0.05), quantile(values, 0.95)};
 }
 
-double kept_time(const std::vector<double>& by_round, std::size_t samples) {
-    if (samples == 0 || by_round.size() < samples) return 0;
+double slowest_median(const std::vector<double>& by_round, std::size_t samples) {
     double slowest = 0;
+    for (std::size_t sample = 0; sample < samples && by_round.size() >= samples; ++sample)
+        slowest = std::max(slowest, median_of(by_round, samples, sample));
+    return slowest;
+}
+
+std::vector<double> run_ratios(const std::vector<double>& by_round, std::size_t samples) {
     std::vector<double> ratios;
-    for (std::size_t sample = 0; sample < samples; ++sample) {
-        std::vector<double> runs;
-        for (std::size_t n = sample; n < by_round.size(); n += samples) runs.push_back(by_round[n]);
-        const double median = spread_of(runs).median;
-        slowest = std::max(slowest, median);
-        for (const double run : runs) ratios.push_back(median > 0 ? run / median : 1);
+    for (std::size_t sample = 0; sample < samples && by_round.size() >= samples; ++sample) {
+        const double median = median_of(by_round, samples, sample);
+        for (std::size_t n = sample; n < by_round.size(); n += samples) ratios.push_back(median > 0 ? by_round[n] / median : 1);
     }
-    return slowest * spread_of(std::move(ratios)).p95;
+    return ratios;
+}
+
+KeptTimes kept_times(const std::vector<double>& by_round, std::size_t samples, std::vector<double> ratios_beside) {
+    std::vector<double> own = run_ratios(by_round, samples);
+    if (own.empty()) return {};
+    if (ratios_beside.empty()) ratios_beside = own;
+    std::sort(own.begin(), own.end());
+    std::sort(ratios_beside.begin(), ratios_beside.end());
+    const double slowest = slowest_median(by_round, samples);
+    const auto kept = [&](double share) { return slowest * std::max(quantile(own, share), quantile(ratios_beside, share)); };
+    return {kept(0.95), kept(0.99)};
 }
 
 FittedLaw fit_law(const std::vector<LawPoint>& points) {

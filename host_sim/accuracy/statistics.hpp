@@ -23,10 +23,21 @@ struct TimeSpread {
 /// `values` is not empty.
 [[nodiscard]] TimeSpread spread_of(std::vector<double> values);
 
-/// What 95 of 100 runs of the slowest sample keep to: the median of that sample, times what 95 of 100 runs of all samples are at
-/// most of their own sample's median. Runs of one sample alone are too few for such a share. `by_round` has all samples of the
-/// first round, then of the second; 0 where it has none.
-[[nodiscard]] double kept_time(const std::vector<double>& by_round, std::size_t samples);
+// Runs of samples in rounds: `by_round` has all samples of the first round, then of the second.
+
+/// The greatest median of a sample; 0 without a whole round.
+[[nodiscard]] double slowest_median(const std::vector<double>& by_round, std::size_t samples);
+/// Each run over the median of its own sample; none without a whole round.
+[[nodiscard]] std::vector<double> run_ratios(const std::vector<double>& by_round, std::size_t samples);
+
+/// What 95 and 99 of 100 runs of the slowest sample keep to.
+struct KeptTimes {
+    double of_95 = 0, of_99 = 0;
+};
+/// The median of the slowest sample, times what so many runs are at most of their own sample's median. Runs of one sample alone
+/// are too few for such a share, so those of all samples count. The greater of two shares is taken: of these runs, and of
+/// `ratios_beside`, which others had in the same rounds: a level that was disturbed less than its neighbours was lucky.
+[[nodiscard]] KeptTimes kept_times(const std::vector<double>& by_round, std::size_t samples, std::vector<double> ratios_beside);
 
 struct LawPoint {
     double x, y;

@@ -325,6 +325,7 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     AccuracyReport report = begun_report(options.output, now);
     const ComparisonLimits limits = {options.slower_percent / 100, options.less_accurate_percent / 100};
     for (const auto& [file, old] : earlier) static_cast<void>(compare_accuracy(report, old, file, limits));  // of one kind?
+    report.budget_ms = options.budget_ms;
     AccuracyRun run(options, console);
     bool is_whole = run.measure(knobs, ground, report);
     list_unmeasured(knobs, report);

@@ -20,6 +20,7 @@ struct DrawnShare {
 constexpr DrawnShare kDrawnShares[] = {{0.5, "half size"}, {0.75, "three quarters"}, {1, "full size"}};
 constexpr double kBetweenFrames_s = 1.0 / 30;
 constexpr std::size_t kFramePoses = 16, kQuickFramePoses = 5;
+constexpr std::size_t kFrameMoments = 48, kQuickFrameMoments = 20;
 
 struct FrameSetting {
     double tau_px;
@@ -54,6 +55,18 @@ KnobFacts frame_settings_facts(const FlownDisplay& display) {
             std::move(levels)};
 }
 
+std::vector<AircraftPose> joined(std::vector<AircraftPose> poses, const std::vector<AircraftPose>& further) {
+    poses.insert(poses.end(), further.begin(), further.end());
+    return poses;
+}
+
+/// In the middle of equal parts of the flight, with its phases.
+std::vector<AircraftPose> phased_poses(const KnobFlight& flight, std::size_t count) {
+    std::vector<AircraftPose> poses = flight.poses(count);
+    for (AircraftPose& pose : poses) pose.phase = flight.phase_at(pose);
+    return poses;
+}
+
 std::vector<FlownLevel> flown_settings(const KnobGround& ground, const std::shared_ptr<const KnobFlight>& flight) {
     std::vector<FlownLevel> levels;
     for (const FrameSetting& setting : frame_settings()) {
@@ -68,26 +81,31 @@ std::vector<FlownLevel> flown_settings(const KnobGround& ground, const std::shar
 
 class FrameSettingsKnob final : public FlownKnob {
 public:
-    FrameSettingsKnob(const KnobGround& ground, const std::shared_ptr<const KnobFlight>& flight, std::vector<SeenPose> seen)
-        : FlownKnob(frame_settings_facts(ground.display), flown_settings(ground, flight), poses_of(seen)),
+    /// `moments`: poses that are only timed.
+    FrameSettingsKnob(const KnobGround& ground, const std::shared_ptr<const KnobFlight>& flight, std::vector<SeenPose> seen,
+                      const std::vector<AircraftPose>& moments)
+        : FlownKnob(frame_settings_facts(ground.display), flown_settings(ground, flight), joined(poses_of(seen), moments)),
           display_(ground.display),
           grid_(seen_grid(ground.display)),
           settings_(frame_settings()),
           seen_(std::move(seen)),
           measured_(seen_.size()),
           proven_(settings_.size()) {
-        for (const SeenPose& seen : seen_) {
-            before_.push_back(flight->pose_at((seen.pose.time - flight->begin()).to_seconds() - kBetweenFrames_s));
-            before_.back().phase = seen.pose.phase;
+        for (const AircraftPose& pose : pictures().poses()) {
+            before_.push_back(flight->pose_at((pose.time - flight->begin()).to_seconds() - kBetweenFrames_s));
+            before_.back().phase = pose.phase;
         }
     }
+
+    [[nodiscard]] std::size_t samples() const override { return seen_.size(); }
+    [[nodiscard]] std::size_t moments() const override { return before_.size() - seen_.size(); }
 
     /// The frame before, so that the one that is timed moves as in flight: its terrain changes and its buffers are sent.
     void prepare(std::size_t level, std::size_t sample) override {
         FlownKnob::prepare(level, sample);
         pictures().fly_to(level, before_[sample]);
     }
-    void run(std::size_t level, std::size_t sample) override { pictures().fly_to(level, seen_[sample].pose); }
+    void run(std::size_t level, std::size_t sample) override { pictures().fly_to(level, pictures().poses()[sample]); }
 
     void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) override {
         display::Display& display = pictures().display(level, sample);
@@ -131,9 +149,9 @@ private:
 
 std::unique_ptr<Knob> make_frame_settings_knob(const KnobGround& ground) {
     const auto flight = std::make_shared<const KnobFlight>(ground);
-    std::vector<AircraftPose> poses = flight->poses(ground.is_quick ? kQuickFramePoses : kFramePoses);
-    for (AircraftPose& pose : poses) pose.phase = flight->phase_at(pose);
-    return std::make_unique<FrameSettingsKnob>(ground, flight, seen_poses(ground.ground, poses, seen_grid(ground.display)));
+    const std::vector<AircraftPose> poses = phased_poses(*flight, ground.is_quick ? kQuickFramePoses : kFramePoses);
+    return std::make_unique<FrameSettingsKnob>(ground, flight, seen_poses(ground.ground, poses, seen_grid(ground.display)),
+                                               phased_poses(*flight, ground.is_quick ? kQuickFrameMoments : kFrameMoments));
 }
 
 }  // namespace tedavis::host_sim

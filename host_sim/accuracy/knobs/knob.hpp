@@ -93,6 +93,9 @@ public:
     [[nodiscard]] const KnobFacts& facts() const { return facts_; }
     /// How many pieces of work there are; each is timed for itself.
     [[nodiscard]] virtual std::size_t samples() const = 0;
+    /// How many further pieces of work there are, numbered from samples() on, spread over all that a user may meet. They are
+    /// timed at one level, for how much longer the dearest of them takes than the slowest sample, and have no errors.
+    [[nodiscard]] virtual std::size_t moments() const { return 0; }
     /// Comes before run() of the same sample and is not timed: loads what a user does not wait for.
     virtual void prepare(std::size_t /*level*/, std::size_t /*sample*/) {}
     /// Does the work of a sample at a level: this is what is timed, and nothing else.

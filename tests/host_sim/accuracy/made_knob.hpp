@@ -36,7 +36,12 @@ public:
 
     [[nodiscard]] std::size_t samples() const override { return 3; }
     void prepare(std::size_t, std::size_t) override { now_ms += preparation_ms; }
+    [[nodiscard]] std::size_t moments() const override { return moment_times.size(); }
     void run(std::size_t level, std::size_t sample) override {
+        if (sample >= samples()) {
+            now_ms += steps(level) * moment_times[sample - samples()];
+            return;
+        }
         runs.emplace_back(level, sample);
         now_ms += steps(level) * slowness(runs.size() / (samples() * facts().levels.size()));
     }
@@ -57,6 +62,7 @@ public:
     }
 
     double now_ms = 0, preparation_ms = 0;
+    std::vector<double> moment_times;  ///< over those of samples
     std::vector<std::pair<std::size_t, std::size_t>> runs;
     std::function<double(std::size_t round)> slowness = [](std::size_t) { return 1.0; };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host_sim/accuracy/knobs/frame_settings_knob.hpp"
 #include "tests/host_sim/accuracy/made_knob.hpp"
 #include "tests/support/flights/six_levels.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
@@ -17,6 +18,7 @@ AccuracyReport made_report() {
     report.knobs.push_back(test_support::made_knob_of_one_level());
     report.not_measured = {"another"};
     report.interrupted = true;
+    report.budget_ms = 13;
     KnobPictures pictures;
     pictures.knob = "made";
     pictures.cheap_level = "1 steps";
@@ -65,6 +67,28 @@ TEST(AccuracyJson, IsReadAsItWasWritten) {
     EXPECT_EQ(json.at("governor").at("levels")[5].at("given_up").size(), 7u);
     EXPECT_EQ(json.at("governor").at("levels")[3].at("frames"), 15);
     EXPECT_EQ(json.at("not_measured"), (std::vector<std::string>{"another"}));
+}
+
+TEST(AccuracyJson, StatesTheAnswersWithTheirMargin) {
+    AccuracyReport report = test_support::made_report();
+    report.knobs[0].noise = 0.25;
+    EXPECT_TRUE(accuracy_json(report).at("answers").empty()) << "control: no budget was asked for, and no frame was measured";
+    report.budget_ms = 16;
+    auto answers = accuracy_json(report).at("answers");
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_EQ(answers[0], nlohmann::ordered_json({{"knob", "made"},
+                                                  {"budget_ms", 16},
+                                                  {"level", "4 steps"},
+                                                  {"spread_ms", 12},
+                                                  {"margin", 0.25},
+                                                  {"needed_ms", 15},
+                                                  {"expected_share", 0.95}}));
+    report.budget_ms = 3;
+    answers = accuracy_json(report).at("answers");
+    EXPECT_TRUE(answers[0].at("level").is_null());
+    EXPECT_TRUE(answers[0].at("needed_ms").is_null());
+    report.knobs[0].name = kFrameSettings;
+    EXPECT_EQ(accuracy_json(report).at("answers").size(), 6u) << "and those of the first screen";
 }
 
 TEST(AccuracyJson, RefusesWhatItCannotRead) {

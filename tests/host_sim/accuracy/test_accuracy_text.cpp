@@ -36,13 +36,17 @@ TEST(AccuracyText, SaysWhyASettingHasOneLevelAndChoosesNoAlternative) {
 
 TEST(AccuracyText, AnswersByBudget) {
     const AccuracyReport report = made_report();
-    EXPECT_THAT(budget_text(report, 13), HasSubstr("made: 4 steps (12.000 ms, at most 0.25 m)"));
-    test_support::expect_user_error([&] { static_cast<void>(budget_text(report, 1)); },
-                                    "--budget-ms 1: no level of any measured setting keeps to it; the quickest takes 3 ms");
+    EXPECT_THAT(
+        budget_text(report, 13),
+        HasSubstr("made: 4 steps (12.000 ms, at most 0.25 m); 95 of 100 rounds took at most 12 ms; with a margin of 0 % (0 % "
+                  "for the noise of the machine) that is 12 ms, so at least 95 of 100 are expected to keep to it"));
+    test_support::expect_user_error(
+        [&] { static_cast<void>(budget_text(report, 1)); },
+        "--budget-ms 1: no level of any measured setting keeps to it; the quickest needs 3 ms, with the margin");
     AccuracyReport two = made_report();
     two.knobs.push_back(two.knobs[0]);
     two.knobs[1].name = "slow";
-    for (MeasuredLevel& level : two.knobs[1].levels) level.ms.median *= 100;
+    for (MeasuredLevel& level : two.knobs[1].levels) level.ms.p95 *= 100;
     EXPECT_THAT(budget_text(two, 13), HasSubstr("slow: no level keeps to it"));
 }
 
@@ -52,8 +56,11 @@ TEST(AccuracyText, SaysHowReplayGetsAFramesSettings) {
     report.knobs[0].levels[2].options = "--tau 2";
     EXPECT_THAT(
         budget_text(report, 4),
-        HasSubstr("frame_settings: 4 steps (4.000 ms; 95 of 100 frames of the slowest place within 4.000 ms, at most 0.25 m); "
-                  "tedavis replay LOG -o DIR --tau 2"));
+        HasSubstr("frame_settings: 4 steps (4.000 ms, at most 0.25 m); 95 of 100 frames of the slowest measured place took at "
+                  "most 4 ms; with a margin of 0 % (0 % for the noise of the machine) that is 4 ms, so at least 99 of 100 are "
+                  "expected to keep to it; tedavis replay LOG -o DIR --tau 2"));
+    EXPECT_THAT(target_text(report, 0.3, "m", ""),
+                HasSubstr("frame_settings: 4 steps (4.000 ms, at most 0.25 m); tedavis replay"));
 }
 
 TEST(AccuracyText, NamesEachUnitOnce) {

@@ -77,6 +77,19 @@ TEST(MeasureKnob, WhatDiffersBetweenOddAndEvenRoundsIsNoise) {
     EXPECT_GT(measure_knob(noisy, noisy.plan(8)).noise, 0.2);
 }
 
+TEST(MeasureKnob, MomentsSayHowMuchDearerThanTheSlowestSampleAFlightCanBe) {
+    MadeKnob knob(3), quick(3), none(3);
+    knob.moment_times = {0.5, 1.5, 1};
+    const MeasuredKnob measured = measure_knob(knob, knob.plan(8));
+    EXPECT_DOUBLE_EQ(measured.dearest, 1.5);
+    EXPECT_EQ(measured.moments, 3u);
+    EXPECT_DOUBLE_EQ(measured.levels[1].kept_ms, 2) << "they do not count as samples";
+    EXPECT_DOUBLE_EQ(measured.levels[1].ms.median, 6);
+    quick.moment_times = {0.5, 0.25};
+    EXPECT_DOUBLE_EQ(measure_knob(quick, quick.plan(8)).dearest, 1) << "a sample is dearer";
+    EXPECT_DOUBLE_EQ(measure_knob(none, none.plan(8)).dearest, 1);
+}
+
 TEST(MeasureKnob, StopsAfterItsTimeButNotBeforeTheLeastRounds) {
     MadeKnob knob(3);
     MeasuringPlan plan = knob.plan(100);

@@ -70,22 +70,34 @@ std::vector<double> jittered_rounds() {
     return times;
 }
 
-TEST(KeptTime, IsOfTheSlowestSampleAndTheJitterOfAll) {
-    EXPECT_NEAR(kept_time(jittered_rounds(), 3), 4 * 1.18, 0.01);
+TEST(KeptTimes, AreOfTheSlowestSampleAndTheJitterOfAll) {
+    const KeptTimes kept = kept_times(jittered_rounds(), 3, {});
+    EXPECT_NEAR(kept.of_95, 4 * 1.18, 0.01);
+    EXPECT_NEAR(kept.of_99, 4 * 1.196, 0.01);
     EXPECT_LT(spread_of(jittered_rounds()).p95, 4.6) << "all runs together are quicker";
+    EXPECT_NEAR(slowest_median(jittered_rounds(), 3), 4, 1e-12);
 }
 
-TEST(KeptTime, DoesNotDependOnTheOrderOfTheRounds) {
+TEST(KeptTimes, OfALevelThatWasDisturbedLessAreThoseOfItsNeighbors) {
+    const std::vector<double> calm(50, 1.0), disturbed(50, 1.5);
+    EXPECT_DOUBLE_EQ(kept_times({4, 2, 4, 2}, 2, disturbed).of_95, 6);
+    EXPECT_DOUBLE_EQ(kept_times({4, 2, 4, 2}, 2, calm).of_95, 4) << "control";
+    EXPECT_NEAR(kept_times(jittered_rounds(), 3, calm).of_95, 4 * 1.18, 0.01) << "and its own where they are greater";
+}
+
+TEST(KeptTimes, DoNotDependOnTheOrderOfTheRounds) {
     const std::vector<double> times = jittered_rounds();
     std::vector<double> turned(times.end() - 150, times.end());
     turned.insert(turned.end(), times.begin(), times.end() - 150);
-    EXPECT_DOUBLE_EQ(kept_time(turned, 3), kept_time(times, 3));
+    EXPECT_DOUBLE_EQ(kept_times(turned, 3, {}).of_95, kept_times(times, 3, {}).of_95);
 }
 
-TEST(KeptTime, IsZeroWithoutARound) {
-    EXPECT_EQ(kept_time({}, 3), 0);
-    EXPECT_EQ(kept_time({1, 2}, 3), 0);
-    EXPECT_EQ(kept_time({1, 2}, 0), 0);
+TEST(KeptTimes, AreZeroWithoutARound) {
+    EXPECT_EQ(kept_times({}, 3, {2}).of_95, 0);
+    EXPECT_EQ(kept_times({1, 2}, 3, {}).of_95, 0);
+    EXPECT_EQ(kept_times({1, 2}, 0, {}).of_95, 0);
+    EXPECT_EQ(slowest_median({1, 2}, 3), 0);
+    EXPECT_TRUE(run_ratios({1, 2}, 0).empty());
 }
 
 }  // namespace

@@ -68,6 +68,9 @@ inline host_sim::AccuracyReport whole_report() {
     report.knobs.push_back(report.knobs[0]);
     report.knobs[1].name = host_sim::kFrameSettings;
     report.knobs[1].pictures.reset();
+    report.knobs[1].noise = 0.125;
+    report.knobs[1].moments = 20;
+    report.knobs[1].dearest = 1.25;
     for (host_sim::MeasuredLevel& level : report.knobs[1].levels) {
         level.options = "--steps " + level.name;
         level.proven = 1.5 * level.error.max;
