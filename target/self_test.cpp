@@ -104,7 +104,9 @@ private:
         display.draw(host_.surface());
         report_.add("presented", host_.surface().present() == base::SurfaceState::ready, "one frame");
         const display::FrameRecord& record = display.record();
-        report_.add("flags", record.flags.empty(), record.flags.empty() ? "none" : record.flags[0].view());
+        // The self-test's terrain is small: the track leaves it within the minute. Nothing else is flagged.
+        const bool ends_only = record.flags.size() == 1 && record.flags[0].view() == "terrain.ends";
+        report_.add("flags", ends_only, record.flags.empty() ? "none, expected terrain.ends" : record.flags[0].view());
         report_.add_count("terrain_triangles", record.terrain.triangles, 1000, settings_.display.device.triangle_budget);
         base::Arena arena = picture_.arena();
         const auto pixels = arena.allocate_array<std::uint8_t>(static_cast<std::size_t>(picture_.bytes()));
@@ -146,7 +148,7 @@ SelfTestInputs embedded_inputs() noexcept {
             text_of(embedded::k_canaerospace_toml),
             text_of(embedded::k_es2_small_toml),
             text_of(embedded::k_default_toml),
-            {{"alpine", text_of(embedded::k_alpine_toml)},
+            {{"natural", text_of(embedded::k_natural_toml)},
              {"data_radar", text_of(embedded::k_data_radar_toml)},
              {"data_wind", text_of(embedded::k_data_wind_toml)}}};
 }

@@ -26,13 +26,17 @@ using GroupColors = std::vector<GroupColor>;
 
 std::vector<Color> ground_colors(const design::DesignSettings& design) {
     const design::TerrainSettings& terrain = design.terrain;
-    if (!design::colors_by_palette(terrain.style.texture)) return {terrain.style.plain};
+    const bool is_natural = terrain.style.texture == design::TerrainTexture::material;
+    if (!design::colors_by_palette(terrain.style.texture) && !is_natural) return {terrain.style.plain};
     std::vector<Color> colors;
     const auto& stops = terrain.palette.stops;
     for (std::size_t n = 0; n + 1 < stops.size(); ++n)
         for (int step = 0; step < kBetweenStops; ++step)
             colors.push_back(design::blended(stops[n].color, stops[n + 1].color, static_cast<double>(step) / kBetweenStops));
     if (!stops.empty()) colors.push_back(stops[stops.size() - 1].color);
+    if (!is_natural) return colors;
+    for (std::size_t n = 0, tints = colors.size(); n < tints; ++n) colors.push_back(design::wooded(terrain.style, colors[n]));
+    colors.push_back(terrain.style.rock);
     return colors;
 }
 

@@ -150,7 +150,8 @@ struct Stranger {
 
 std::vector<Stranger> strangers_in(const design::DesignSettings& design, const std::vector<Color>& colors,
                                    design::PalettePurpose purpose) {
-    std::vector<Stranger> strangers = {{"missing data", {design.terrain.unknown}}};
+    std::vector<Stranger> strangers = {
+        {"missing data", {purpose == design::PalettePurpose::terrain ? design.terrain.unknown : design.data.missing}}};
     // What stands in the air has a shape of its own; no ground is taken for it.
     if (purpose == design::PalettePurpose::objects) return strangers;
     strangers.push_back({"the sea", {design.terrain.sea}});

@@ -69,6 +69,7 @@ const std::array<std::string_view, kUncertaintyOverlays> kUncertaintyOverlayName
 
 void read_data_style(ConfigSection data, PaletteSource& palettes, DataStyle& style) {
     if (!data.present()) return;
+    read_color(data, "missing_color", style.missing);
     style.stale_after_s = 60 * data.number("stale_after_min", 1, 100'000, style.stale_after_s / 60);
     read_ground(data.section("ground"), palettes, style.ground);
     read_adjacent_view(data.section("adjacent"), palettes, style.adjacent);

@@ -85,7 +85,8 @@ struct GroundData {
 };
 
 struct DataStyle {
-    double stale_after_s = 1800;  ///< age beyond which data are marked stale
+    double stale_after_s = 1800;      ///< age beyond which data are marked stale
+    Color missing{0xC0, 0x30, 0xC0};  ///< of missing values
     GroundData ground;
     AdjacentView adjacent;
     DataElementList elements;

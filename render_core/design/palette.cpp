@@ -111,6 +111,15 @@ Color color_of_name(const Palette& palette, std::string_view name) noexcept {
     return {0, 0, 0, 0};
 }
 
+Palette fitted_palette(const Palette& palette, double lowest_m, double highest_m) noexcept {
+    Palette fitted = palette;
+    if (!palette.fits_terrain || palette.stops.size() < 2) return fitted;
+    const double first_m = palette.stops[0].value, span_m = std::fmax(highest_m - lowest_m, kMinFittedSpan_m);
+    const double scale = span_m / (palette.stops.back().value - first_m);
+    for (ColorStop& stop : fitted.stops) stop.value = lowest_m + (stop.value - first_m) * scale;
+    return fitted;
+}
+
 Palette alpine_palette() noexcept {
     static constexpr ColorStop kStops[] = {
         {0, {0x32, 0x44, 0x3A}},    {300, {0x54, 0x64, 0x5A}},  {800, {0x80, 0x7A, 0x68}},  {1500, {0xA8, 0x92, 0x6C}},
@@ -133,6 +142,9 @@ base::Result<Palette, base::Error> read_palette(std::string_view text, std::stri
     read_names(root, palette);
     choose_required(root, "kind", kKinds, palette.kind);
     root.choose("purpose", kPurposes, palette.purpose);
+    palette.fits_terrain = root.boolean("fits_terrain", palette.fits_terrain);
+    if (palette.fits_terrain && palette.kind != PaletteKind::hypsometric)
+        fault_of(root, "fits_terrain", "is for heights of the terrain only; leave it out, or set kind = \"hypsometric\"");
     if (palette.is_nominal())
         read_classes(root, palette);
     else

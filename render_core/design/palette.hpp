@@ -7,6 +7,7 @@
 ///     unit = "m"                 of the values: "m", "deg", "m/s", "dBZ", "K" or "1"
 ///     purpose = "terrain"        what it colours: "terrain" (default), "data" on the ground, or "objects" in the air
 ///     order = "lightness"        what tells more from less: "lightness" or "hue"
+///     fits_terrain = false       hypsometric only: the stops are spread over the heights of the terrain that is shown
 ///     [[stop]]                   2 to 16, values ascending
 ///     value = 0
 ///     color = "#32443a"
@@ -51,7 +52,8 @@ struct Palette {
     PaletteUnit unit = PaletteUnit::metres;
     PaletteOrder order = PaletteOrder::lightness;
     PalettePurpose purpose = PalettePurpose::terrain;
-    base::FixedVector<ColorStop, kMaxColorStops> stops;        ///< ascending values, at least two
+    bool fits_terrain = false;                           ///< fitted_palette() spreads the stops over the heights of the terrain
+    base::FixedVector<ColorStop, kMaxColorStops> stops;  ///< ascending values, at least two
     base::FixedVector<ClassName, kMaxColorStops> class_names;  ///< names of a nominal palette's classes; stop n has the value n
 
     [[nodiscard]] bool is_nominal() const { return kind == PaletteKind::nominal; }
@@ -67,6 +69,14 @@ static_assert(std::is_trivially_copyable_v<Palette>);
 
 /// Returns the height palette of a display without a design; it equals configs/palettes/alpine.toml.
 [[nodiscard]] Palette alpine_palette() noexcept;
+
+/// Below this difference of heights the terrain is flat land, which must not look like mountains.
+inline constexpr double kMinFittedSpan_m = 300;
+
+/// Returns the palette for terrain between two heights (m above MSL). One that fits terrain has its first stop at the lowest
+/// height and its last one at the highest, at least kMinFittedSpan_m above, the others between them as in the file; any other
+/// palette is returned unchanged.
+[[nodiscard]] Palette fitted_palette(const Palette& palette, double lowest_m, double highest_m) noexcept;
 
 /// Reads a palette file; start-up only (allocates while it reads). The error is one sentence "file:line: what, what to do".
 [[nodiscard]] base::Result<Palette, base::Error> read_palette(std::string_view text, std::string_view file_name);

@@ -21,6 +21,9 @@ void read_share(ConfigSection& section, std::string_view key, double& share) { s
 void read_texture(ConfigSection section, TerrainStyle& style) {
     section.choose("technique", kTerrainTextureNames, style.texture);
     read_color(section, "plain_color", style.plain);
+    read_color(section, "rock_color", style.rock);
+    read_color(section, "woods_filter", style.woods);
+    read_share(section, "grain", style.grain);
 }
 
 DirectedLight read_light(ConfigSection section, DirectedLight light) {
@@ -108,22 +111,38 @@ double tenth_of(double spacing) {
 /// Round in feet where the spacing is in nautical miles.
 double height_spacing_m(ConfigSection& section, double spacing_m) {
     if (section.has("height_spacing_ft")) return section.number("height_spacing_ft", 3, 30'000, 500) * base::kMetresPerFoot;
-    const double unit_m = section.has("spacing_nm") ? base::kMetresPerFoot : 1;
+    const double unit_m = section.has("spacing_nm") || section.has("spacing_arcmin") ? base::kMetresPerFoot : 1;
     const double usual_m = std::fmin(unit_m * tenth_of(spacing_m / unit_m), kMaxHeightSpacing_m);
     return section.number("height_spacing_m", 1, kMaxHeightSpacing_m, usual_m);
 }
 
+void read_spacing(ConfigSection& section, GridSettings& grid) {
+    constexpr std::string_view kSpacings[] = {"spacing_m", "spacing_nm", "spacing_arcmin"};
+    const char* stated = nullptr;
+    for (const std::string_view key : kSpacings) {
+        if (!section.has(key)) continue;
+        if (stated != nullptr) fault_of(section, key, "stands beside another spacing; state one of them");
+        stated = key.data();
+    }
+    grid.spacing_m = grid.spacing_rad = 0;
+    if (section.has("spacing_arcmin"))
+        grid.spacing_rad = base::radians(section.number("spacing_arcmin", 0.01, 600, 1) / 60);
+    else if (section.has("spacing_nm"))
+        grid.spacing_m = section.number("spacing_nm", 0.01, 60, 1) * base::kMetresPerNauticalMile;
+    else
+        grid.spacing_m = section.number("spacing_m", 10, 100'000, 1000);
+}
+
 void read_grid(ConfigSection section, GridSettings& grid) {
     if (!section.present()) return;
-    if (section.has("spacing_m") && section.has("spacing_nm"))
-        fault_of(section, "spacing_nm", "stands beside spacing_m; state one of them");
     if (section.has("height_spacing_m") && section.has("height_spacing_ft"))
         fault_of(section, "height_spacing_ft", "stands beside height_spacing_m; state one of them");
-    grid.spacing_m = section.has("spacing_nm") ? section.number("spacing_nm", 0.01, 60, 1) * base::kMetresPerNauticalMile
-                                               : section.number("spacing_m", 10, 100'000, 1000);
+    read_spacing(section, grid);
     read_color(section, "color", grid.line);
     grid.strength = section.number("strength", 0.05, 1, grid.strength);
-    grid.height_spacing_m = height_spacing_m(section, grid.spacing_m);
+    const double usual_m =
+        grid.is_angular() ? grid.spacing_rad / base::radians(1.0 / 60) * base::kMetresPerNauticalMile : grid.spacing_m;
+    grid.height_spacing_m = height_spacing_m(section, usual_m);
 }
 
 }  // namespace
@@ -132,6 +151,13 @@ const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames = {"pl
                                                                              "openness", "image",       "material"};
 const std::array<std::string_view, kTerrainShades> kTerrainShadeNames = {"none",  "lambert",   "lights",
                                                                          "phong", "light_map", "aperture"};
+
+Color wooded(const TerrainStyle& style, Color tint) noexcept {
+    const auto left = [](std::uint8_t level, std::uint8_t share) {
+        return static_cast<std::uint8_t>(std::lround(level * share / 255.0));
+    };
+    return {left(tint.red, style.woods.red), left(tint.green, style.woods.green), left(tint.blue, style.woods.blue), tint.alpha};
+}
 
 bool has_colored_light(const ShadeSettings& shade) noexcept {
     if (shade.technique == TerrainShade::none || shade.technique == TerrainShade::light_map) return false;
@@ -148,7 +174,7 @@ bool fits_pixel_code(const TerrainStyle& style) noexcept {
                            shade.technique == TerrainShade::lights;
     return (style.texture == TerrainTexture::plain || style.texture == TerrainTexture::hypsometric) && one_light &&
            !(shade.baked_normals && shade.technique != TerrainShade::none) && !has_colored_light(shade) && !shade.cast_shadows &&
-           shade.ambient_occlusion == 0 && shade.openness == 0 && !draws_on_ground(style.sketch) && style.grid.spacing_m == 0;
+           shade.ambient_occlusion == 0 && shade.openness == 0 && !draws_on_ground(style.sketch) && !style.grid.is_shown();
 }
 
 bool has_lines(const SketchSettings& sketch) noexcept { return sketch.silhouettes > 0 || draws_on_ground(sketch); }
@@ -190,7 +216,7 @@ bool same_programs(const TerrainStyle& a, const TerrainStyle& b) noexcept {
            on(a.shade.openness, b.shade.openness) && on(s.silhouettes, t.silhouettes) && on(s.ridges, t.ridges) &&
            on(s.valleys, t.valleys) && on(s.suggestive_contours, t.suggestive_contours) && on(s.contours, t.contours) &&
            s.illuminated == t.illuminated && on(s.hatching, t.hatching) && on(s.stippling, t.stippling) &&
-           on(a.grid.spacing_m, b.grid.spacing_m);
+           a.grid.is_shown() == b.grid.is_shown();
 }
 
 void read_terrain_style(ConfigSection& terrain, TerrainStyle& style) {

@@ -23,7 +23,7 @@ enum class TerrainTexture : std::uint8_t {
     local_relief,  ///< the relief palette over the height above the surroundings (Hesse 2010)
     openness,      ///< the openness palette over positive openness (Doneus 2013)
     image,         ///< the drape stored in the database; plain where it has none. It is not stretched on slopes (terrain.frag)
-    material,      ///< rock, scree, grass and snow by slope and height
+    material,      ///< natural ground: the palette over the height, woods on slopes, rock where it is steep, and a grain
 };
 inline constexpr std::size_t kTerrainTextures = 7;
 extern const std::array<std::string_view, kTerrainTextures> kTerrainTextureNames;
@@ -88,20 +88,30 @@ struct SketchSettings {
 /// the north; to the east it is exact at the middle latitude of the terrain, and elsewhere scaled by the ratio of the
 /// latitudes' cosines. Data elements with the grid also have lines of equal height above MSL.
 struct GridSettings {
-    double spacing_m = 0;  ///< 0: none
+    double spacing_m = 0;    ///< 0: none, or by angle
+    double spacing_rad = 0;  ///< of latitude and longitude, from 0 N 0 E; 0: none, or by length
     Color line{0, 0, 0};
     double strength = 0.65;       ///< 0..1
     double height_spacing_m = 0;  ///< for data; 0: no lines of equal height
+
+    [[nodiscard]] bool is_angular() const { return spacing_rad > 0; }
+    [[nodiscard]] bool is_shown() const { return spacing_m > 0 || is_angular(); }
 };
 
 struct TerrainStyle {
     TerrainTexture texture = TerrainTexture::hypsometric;
     Color plain{0xD8, 0xD2, 0xC4};
+    Color rock{0x8C, 0x84, 0x76};   ///< of natural ground
+    Color woods{0xC2, 0xDB, 0xBA};  ///< of natural ground: shares of red, green and blue that woods leave of its tint
+    double grain = 0.35;            ///< of natural ground, 0..1: share of its light that the grain takes and gives at most
     ShadeSettings shade;
     SketchSettings sketch;
     GridSettings grid;
 };
 static_assert(std::is_trivially_copyable_v<TerrainStyle>);
+
+/// Returns the color of a wooded slope of natural ground, whose tint by height is `tint`.
+[[nodiscard]] Color wooded(const TerrainStyle& style, Color tint) noexcept;
 
 /// True where a light of the shade is not white, so that lit ground changes its hue. The stored light map has no colours.
 [[nodiscard]] bool has_colored_light(const ShadeSettings& shade) noexcept;

@@ -46,6 +46,7 @@ draw::SkyInput make_sky_input(const DrawContext& frame) {
     if (frame.decisions.show_terrain) {
         // What no terrain covers below the horizon is not known to be ground.
         sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
+        sky.ground_is_unknown = true;
         sky.colors.ground = frame.design.terrain.unknown;
         sky.colors.ground_horizon = design::blended(frame.design.terrain.unknown, frame.design.sky.haze, 1 - frame.map_share);
     } else if (frame.decisions.plain_horizon && frame.decisions.below_terrain) {

@@ -88,7 +88,7 @@ void replace_context_blur(const Design&, Effect by, Design& possible) {
 }
 
 void take_out_grid(Design& design) {
-    design.terrain.style.grid.spacing_m = 0;
+    design.terrain.style.grid.spacing_m = design.terrain.style.grid.spacing_rad = 0;
     for (design::DataElement& element : design.data.elements) element.grid = false;
 }
 
@@ -172,7 +172,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .may_be_forbidden()
         .costs(
             "two lines' distances, a pixel of the ground; three, and a place's latitude, longitude and height, a pixel of data")
-        .asked_by("[terrain.grid] spacing_m", [](const Design& design) { return design.terrain.style.grid.spacing_m > 0; })
+        .asked_by("[terrain.grid] spacing_m", [](const Design& design) { return design.terrain.style.grid.is_shown(); })
         .on_taking_out(take_out_grid)
         .applies(always),
     Row(Effect::ground_data, "ground_data")

@@ -14,7 +14,7 @@
 
 namespace tedavis::gl {
 
-inline constexpr std::size_t kMaxUniforms = 72;
+inline constexpr std::size_t kMaxUniforms = 80;
 
 struct AttributeBinding {
     const char* name;

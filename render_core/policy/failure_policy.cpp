@@ -186,6 +186,7 @@ private:
         if (conditions_.terrain == TerrainSource::over_budget) flag(RecordFlag::terrain_over_budget);
         if (conditions_.terrain == TerrainSource::too_coarse) flag(RecordFlag::terrain_too_coarse);
         if (conditions_.terrain == TerrainSource::above_own_ship) flag(RecordFlag::terrain_above_own_ship);
+        if (out_.show_terrain && conditions_.terrain_ends) flag(RecordFlag::terrain_ends);
         if (out_.show_terrain && conditions_.terrain_is_coarse) flag(RecordFlag::terrain_coarse);
         if (out_.show_terrain && conditions_.image_is_missing) flag(RecordFlag::terrain_no_image);
         if (is_flat()) flag(RecordFlag::terrain_flat);
@@ -277,6 +278,7 @@ private:
     }
 
     void add_information() {
+        notice_if(out_.show_terrain && conditions_.terrain_ends, NoticeId::database_ends);
         notice_if(out_.show_terrain && conditions_.image_is_missing, NoticeId::no_terrain_image);
         notice_if(conditions_.is_map && design_.view.mode == design::ViewMode::orthographic, NoticeId::orthographic_view);
         notice_if(is_flat(), NoticeId::flat_ground);

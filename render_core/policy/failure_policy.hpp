@@ -32,6 +32,7 @@ struct DisplayConditions {
     TerrainSource terrain = TerrainSource::none;
     flight::PhaseStatus phase;
     bool generated_flight = false;      ///< the flight comes from a scenario
+    bool terrain_ends = false;          ///< the predicted track leaves the database within the alert's look-ahead
     bool terrain_is_coarse = false;     ///< because of budgets its error exceeds the design's limit
     bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out

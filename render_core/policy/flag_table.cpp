@@ -44,6 +44,8 @@ constexpr FlagRow kFlagRows[] = {
      "Coarser terrain is drawn in their place."},
     {RecordFlag::terrain_outside_database, "terrain.outside_database",
      "The own ship is outside the area of the terrain database.", "The terrain is removed."},
+    {RecordFlag::terrain_ends, "terrain.ends", "The predicted track leaves the area of the terrain database within 60 s.",
+     "A notice is shown; beyond its edge there is no terrain alert."},
     {RecordFlag::terrain_above_own_ship, "terrain.above_own_ship", "The own ship's height is below the database's surface.",
      "The terrain is removed."},
     {RecordFlag::terrain_ahead, "terrain.ahead", "The predicted track comes too close to terrain within 60 s.",

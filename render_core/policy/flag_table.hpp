@@ -30,6 +30,7 @@ enum class RecordFlag : std::uint8_t {
     terrain_failed,
     terrain_failing,
     terrain_outside_database,
+    terrain_ends,
     terrain_above_own_ship,
     terrain_ahead,
     terrain_degraded,

@@ -35,6 +35,7 @@ enum class NoticeId : std::uint8_t {
     data_stale,
     analysis_overlay,
     traffic_incomplete,
+    database_ends,
     no_terrain_image,
     orthographic_view,
     flat_ground,

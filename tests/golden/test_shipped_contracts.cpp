@@ -161,11 +161,11 @@ TEST(ShippedContracts, ADesignThatLeavesOutObstaclesBreaksTheirCondition) {
 /// Hatched and contoured ground under six levels of wind arrows; below the compass rose it is crowded.
 TEST(ShippedContracts, AClutteredDesignIsNotCalm) {
     const std::string design =
-        flights().changed_design("cruise", {{"plain_color = \"#b9bcb0\"", "plain_color = \"#ffffff\""},
+        flights().changed_design("cruise", {{"plain_color = \"#8f8468\"", "plain_color = \"#ffffff\""},
                                             {"technique = \"lambert\"", "technique = \"none\""},
-                                            {"contours = 0.45", "contours = 1.0\nhatching = 1.0"},
+                                            {"contours = 0.35", "contours = 1.0\nhatching = 1.0"},
                                             {"contour_interval_m = 100", "contour_interval_m = 20"},
-                                            {"line_color = \"#3a3f44\"", "line_color = \"#000000\""},
+                                            {"line_color = \"#2c261c\"", "line_color = \"#000000\""},
                                             {"heights_m = [300, 1500]", "heights_m = [100, 300, 600, 900, 1200, 1500]"}});
     EXPECT_EQ(broken(flights().fly("cluttered", design, 84, 92, 4), "default"),
               (Names{"the picture is calm", "no region is crowded"}));

@@ -344,7 +344,7 @@ void add_ground_legend(const SpatialData& data, const SpatialDataPlan& plan, con
     add_uncertainty(design, *slice->attribute(), color, plain, legend);
     if (const base::FixedString<23> none = words_for_none(ground, legend); !none.empty())
         static_cast<void>(legend.signs.try_push_back(sample_of(none.view(), plain, plain, SampleLook::plain)));
-    static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.terrain.unknown, SampleLook::dots)));
+    static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", plain, design.data.missing, SampleLook::dots)));
     if (slice->attribute()->entry->scale != scene::AttributeScale::quantitative) return add_legend(legend, legends);
     static_cast<void>(legend.signs.try_push_back(sample_of("INTERPOLATED", color, plain, SampleLook::cut_grid)));
     add_legend(legend, legends);

@@ -76,7 +76,7 @@ void add_colors(const ElementReport& report, const design::ColorEncoding& encodi
     legend.scale = encoding.scale;
     keep_named_classes(*attribute, UINT32_MAX, legend);
     add_fading(report, *attribute, frame.design, legend);
-    static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.terrain.unknown)));
+    static_cast<void>(legend.signs.try_push_back(sample_of("MISSING", frame.design.data.missing)));
     add_legend(legend, legends);
 }
 

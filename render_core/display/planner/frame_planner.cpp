@@ -16,7 +16,11 @@ namespace tedavis::display {
 using flight::Signal;
 
 base::Error FramePlanner::start_terrain(const TerrainInput& terrain, draw::DrawnDesigns designs, const TerrainMemory& memory) {
-    return terrain.file == nullptr ? base::Error{} : terrain_.start(terrain, designs, settings_.device, memory);
+    if (terrain.file == nullptr) return {};
+    if (base::Error error = terrain_.start(terrain, designs, settings_.device, memory)) return error;
+    fit_palettes();
+    take_look(asked_look());
+    return {};
 }
 
 base::Error FramePlanner::start_symbology(base::Arena& memory) {
@@ -172,6 +176,7 @@ void FramePlanner::begin_plan() {
     if (frame_->conditions.terrain == policy::TerrainSource::ready &&
         state.is_valid(Signal::height_above_terrain, frame_->time) && state[Signal::height_above_terrain].value_or(0) < 0)
         frame_->conditions.terrain = policy::TerrainSource::above_own_ship;
+    frame_->conditions.terrain_ends = terrain_ends_ahead();
     frame_->conditions.shows_measure = shows_measure();
     frame_->conditions.is_reduced = look_.degradation.show_reduced && memory_->budget.is_reduced();
     apply_priorities();
@@ -192,6 +197,21 @@ policy::TerrainSource FramePlanner::terrain_source() const {
     const bool inside =
         terrain_.database().lattice().point(own_ship.position.latitude_rad, own_ship.position.longitude_rad).inside;
     return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
+}
+
+/// Beyond the database the terrain alert knows nothing. At four places a track does not pass by a database of useful size.
+bool FramePlanner::terrain_ends_ahead() const {
+    constexpr int kPlaces = 4;
+    const flight::OwnShipEstimate& own = frame_->state.own_ship;
+    if (frame_->conditions.terrain != policy::TerrainSource::ready || own.state != base::SignalState::valid) return false;
+    policy::PredictedTrack track = track_of(own);
+    if (track.ground_speed_mps() < policy::TerrainWatch::kSlowest_mps) return false;
+    track.turn_radps = turn_radps();
+    for (int n = 1; n <= kPlaces; ++n) {
+        const earth::Geodetic at = track.at(policy::TerrainWatch::kLookAhead_s * n / kPlaces);
+        if (!terrain_.database().lattice().point(at.latitude_rad, at.longitude_rad).inside) return true;
+    }
+    return false;
 }
 
 void FramePlanner::decide() {

@@ -143,6 +143,7 @@ private:
     void sync_look();
     void take_look(const LookOf& of);
     [[nodiscard]] LookOf asked_look() const { return {memory_->shown, memory_->weights}; }
+    void fit_palettes();
     void show_design(std::size_t place);
     void follow_phase();
     void follow_foci();
@@ -152,6 +153,7 @@ private:
     // What may be shown, and what comes first
     void begin_plan();
     [[nodiscard]] policy::TerrainSource terrain_source() const;
+    [[nodiscard]] bool terrain_ends_ahead() const;
     void apply_priorities();
     void decide();
     void decide_again();

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/design/weighted_design.hpp"
+#include "render_core/display/planner/frame_context.hpp"
 #include "render_core/display/planner/frame_planner.hpp"
 #include "render_core/display/planner/stereo_cameras.hpp"
 #include "render_core/effects/design_effects.hpp"
@@ -54,11 +55,22 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
         asked_of_[place] = effects::asked_effects(asked);
         (place == 0 ? design_ : phases_.at(place)) = effects::possible_design(asked, settings_.device);
     }
+    fit_palettes();
     memory.cut();
     show_design(0);
     memory.labels.forget();
     memory.boost.forget();
     find_intervals();
+}
+
+/// To the heights of the terrain, as soon as they are known; see design::fitted_palette().
+void FramePlanner::fit_palettes() {
+    if (!terrain_.is_started()) return;
+    const draw::HeightSpan span = height_span(terrain_.database().header());
+    for (std::size_t place = 0; place < design_count(); ++place) {
+        design::Palette& palette = (place == 0 ? design_ : phases_.at(place)).terrain.palette;
+        palette = design::fitted_palette(palette, span.lowest_m, span.highest_m);
+    }
 }
 
 void FramePlanner::show_design(std::size_t place) {

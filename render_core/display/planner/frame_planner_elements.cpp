@@ -51,7 +51,7 @@ void FramePlanner::find_intervals() {
 ElementFrame FramePlanner::element_frame(scene::Ground& ground, const terrain::View& view) const {
     return {ground,
             view,
-            look_.terrain.unknown,
+            look_.data.missing,
             frame_->flight_time,
             {frame_->trail, &frame_->state, frame_->time},
             memory_->budget.detail_factor(),

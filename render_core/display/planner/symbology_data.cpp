@@ -44,7 +44,7 @@ GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyIn
     const design::DesignSettings& design = frame.design;
     add_ground_legend(frame.data, frame.plan, design, frame.time, symbology.data_legends);
     const AdjacentData adjacent =
-        plan_adjacent_data(frame.data, design.data.adjacent, frame.place, frame.time, design.terrain.unknown);
+        plan_adjacent_data(frame.data, design.data.adjacent, frame.place, frame.time, design.data.missing);
     symbology.adjacent = adjacent.maps;
     add_adjacent_legend(adjacent, frame.time, design, symbology.data_legends);
     add_element_legends(frame.reports, frame.data.scene().layers(), design, frame.time, symbology.data_legends);

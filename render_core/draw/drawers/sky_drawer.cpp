@@ -18,8 +18,9 @@ void set_sky_color(gl::Gl& gl, GLint location, design::Color color) {
 }  // namespace
 
 const char* const kSkyUniformNames[kSkyUniforms] = {
-    "half_tangent",         "down_of_axes", "sine_of_dip",       "pixels_per_down",   "zenith_color",      "horizon_color",
-    "ground_horizon_color", "ground_color", kAirUniformNames[0], kAirUniformNames[1], kAirUniformNames[2], kAirUniformNames[3]};
+    "half_tangent",      "down_of_axes",         "sine_of_dip",      "pixels_per_down", "zenith_color",
+    "horizon_color",     "ground_horizon_color", "ground_color",     "ground_hatch",    kAirUniformNames[0],
+    kAirUniformNames[1], kAirUniformNames[2],    kAirUniformNames[3]};
 
 void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& input) {
     const ViewFrame& view = input.view;
@@ -35,6 +36,7 @@ void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& in
     set_sky_color(gl, at(kHorizon), input.colors.horizon);
     set_sky_color(gl, at(kGroundHorizon), input.colors.ground_horizon);
     set_sky_color(gl, at(kGround), input.colors.ground);
+    gl->Uniform1f(at(kGroundHatch), input.ground_is_unknown ? 1.0f : 0.0f);
     if (at(kSkyAir) >= 0) set_air_uniforms(gl, program, kSkyAir, input.air, input.axes);
 }
 
@@ -42,6 +44,7 @@ base::Error SkyDrawer::start(gl::Gl& gl, base::BudgetTable& budget, bool with_ai
     if (base::Error error = grid_.start(gl, budget)) return error;
     base::FixedString<kMaxShaderText> fragment(with_air ? "#define AIR 1\n" : "");
     if (with_air) fragment.append(shader_text(k_air_frag));
+    fragment.append(shader_text(k_unknown_ground_frag));
     fragment.append(shader_text(k_sky_color_frag));
     fragment.append(shader_text(k_sky_frag));
     auto program = gl::build_program(

@@ -19,6 +19,7 @@ struct SkyInput {
     ViewFrame view;
     double dip_rad = 0;  ///< horizon_dip_rad(height), 0 for the plain horizon
     design::SkySettings colors;
+    bool ground_is_unknown = false;  ///< below the horizon nothing is known: it is hatched
     AirFrame air;
     glm::dmat3 axes{1.0};  ///< columns forward, right, down in ECEF, for the air
 };
@@ -33,6 +34,7 @@ enum SkyUniform : std::size_t {
     kHorizon,
     kGroundHorizon,
     kGround,
+    kGroundHatch,
     kSkyAir,  ///< the first of kAirUniformNames
     kSkyUniforms = kSkyAir + kAirUniforms
 };

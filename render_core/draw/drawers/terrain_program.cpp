@@ -41,6 +41,9 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          "plain_color",
                                                          "sea_color",
                                                          "unknown_color",
+                                                         "missing_color",
+                                                         "natural_rock",
+                                                         "natural_woods",
                                                          "haze_color",
                                                          "pixel",
                                                          "grid_window",
@@ -96,7 +99,7 @@ constexpr const char* kTextureDefines[design::kTerrainTextures] = {
     "#define TEXTURE_RELIEF 1\n#define PALETTE 1\n",
     "#define TEXTURE_OPENNESS 1\n#define PALETTE 1\n",
     "#define TEXTURE_IMAGE 1\n",
-    "#define TEXTURE_MATERIAL 1\n#define STROKES 1\n",
+    "#define TEXTURE_MATERIAL 1\n#define PALETTE 1\n#define STROKES 1\n",
 };
 constexpr const char* kUncertaintyDefines[design::kIntrinsicUncertainties] = {
     "",
@@ -225,7 +228,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
         const bool is_there = variant.maps[n] && (variant.baked || map == BakedMap::drape);
         defines.add_if(is_there && (needs_map(style, map) || (coast && map == BakedMap::light)), kMapDefines[n]);
     }
-    defines.add_if(style.grid.spacing_m > 0, "#define SURFACE_GRID 1\n");
+    defines.add_if(style.grid.is_shown(), "#define SURFACE_GRID 1\n");
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.bands > 0, kAlertZoneDefine);
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
@@ -256,7 +259,9 @@ base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const d
         fragment.append(shader_text(k_ground_overlay_frag));
     if (variant.air && !code) fragment.append(shader_text(k_air_frag));
     if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
+    if (!code) fragment.append(shader_text(k_unknown_ground_frag));
     if (!code) fragment.append(shader_text(k_terrain_image_frag));
+    if (style.texture == TerrainTexture::material && !code) fragment.append(shader_text(k_natural_ground_frag));
     if (!code) fragment.append(shader_text(k_surface_line_frag));
     if (variant.focus.foci > 0 && !code) fragment.append(shader_text(k_focus_frag));
     if (variant.bands > 0) fragment.append(shader_text(k_alert_zone_frag));

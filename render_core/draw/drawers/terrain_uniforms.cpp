@@ -101,12 +101,14 @@ void set_strokes(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of
 
 /// Lines of a chunk by its posts, from the nearest line before its first one.
 void set_grid(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::GridSettings& grid) {
-    const GridStep step = grid_step(of.lattice, grid.spacing_m);
+    const GridStep step = grid_step(of.lattice, grid);
     const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
-    const double first_east = posts.i0 * step.lines_east, first_south = posts.j0 * step.lines_south;
+    const double first_east = step.first_east + posts.i0 * step.lines_east;
+    const double first_south = step.first_south + posts.j0 * step.lines_south;
     gl->Uniform4f(program.uniform(kGridWindow), static_cast<float>(step.lines_east), static_cast<float>(step.lines_south),
                   static_cast<float>(first_east - std::floor(first_east)),
                   static_cast<float>(first_south - std::floor(first_south)));
+    gl->Uniform2f(program.uniform(kGridSpacing), static_cast<float>(step.east_m), static_cast<float>(step.south_m));
 }
 
 }  // namespace
@@ -122,6 +124,7 @@ void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::De
     set_color(gl, program.uniform(kPlainColor), design.terrain.style.plain);
     set_color(gl, program.uniform(kSeaColor), design.terrain.sea);
     set_color(gl, program.uniform(kUnknownColor), design.terrain.unknown);
+    set_color(gl, program.uniform(kMissingColor), design.data.missing);
     set_color(gl, program.uniform(kHazeColor), design.sky.haze);
     set_color(gl, program.uniform(kLineColor), design.terrain.style.sketch.line);
     gl->Uniform1f(program.uniform(kHazePerM), static_cast<float>(haze_per_m));
@@ -147,7 +150,10 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
     const design::Color line = style.grid.line;
     gl->Uniform4f(program.uniform(kGridLook), static_cast<float>(line.red) / 255.0f, static_cast<float>(line.green) / 255.0f,
                   static_cast<float>(line.blue) / 255.0f, number(style.grid.strength));
-    gl->Uniform1f(program.uniform(kGridSpacing), number(style.grid.spacing_m));
+    set_color(gl, program.uniform(kNaturalWoods), style.woods);
+    const design::Color rock = style.rock;
+    gl->Uniform4f(program.uniform(kNaturalRock), static_cast<float>(rock.red) / 255.0f, static_cast<float>(rock.green) / 255.0f,
+                  static_cast<float>(rock.blue) / 255.0f, number(style.grain));
 }
 
 void set_pixel_uniform(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px) {
@@ -204,10 +210,27 @@ void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atla
     gl->Uniform4f(program.uniform(kDrapeOrigin), atlas.nowhere().x, atlas.nowhere().y, 1, atlas.scale());
 }
 
-GridStep grid_step(const terrain::Lattice& lattice, double spacing_m) {
+GridStep grid_step(const terrain::Lattice& lattice, const design::GridSettings& grid) {
     const GroundSize cell = common_cell(lattice);
     const PostStep step = post_step(lattice);
-    return {cell.east_m / spacing_m, cell.north_m / spacing_m, step.east_rad, step.south_rad};
+    if (!grid.is_angular())
+        return {cell.east_m / grid.spacing_m,
+                cell.north_m / grid.spacing_m,
+                0,
+                0,
+                step.east_rad,
+                step.south_rad,
+                grid.spacing_m,
+                grid.spacing_m};
+    const double lines_east = step.east_rad / grid.spacing_rad, lines_south = step.south_rad / grid.spacing_rad;
+    return {lines_east,
+            lines_south,
+            lattice.longitude_rad(0) / grid.spacing_rad,
+            -lattice.latitude_rad(0) / grid.spacing_rad,
+            step.east_rad,
+            step.south_rad,
+            cell.east_m / lines_east,
+            cell.north_m / lines_south};
 }
 
 }  // namespace tedavis::draw

@@ -48,9 +48,11 @@ void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atla
 /// Lines of the surface grid from post to post of a lattice, and the angles between these.
 struct GridStep {
     double lines_east = 0, lines_south = 0;
+    double first_east = 0, first_south = 0;  ///< the lattice's first post, counted in lines
     double east_rad = 0, south_rad = 0;
+    double east_m = 0, south_m = 0;  ///< from line to line at the middle latitude of the whole lattice
 };
-/// The first post lies on lines. At the middle latitude of the whole lattice lines are `spacing_m` apart.
-[[nodiscard]] GridStep grid_step(const terrain::Lattice& lattice, double spacing_m);
+/// Of lines by length the first post lies on two; lines by angle are the Earth's, counted from 0 N 0 E.
+[[nodiscard]] GridStep grid_step(const terrain::Lattice& lattice, const design::GridSettings& grid);
 
 }  // namespace tedavis::draw

@@ -50,13 +50,12 @@ vec3 color_seen(vec4 code) {
     vec3 color = table_at(look.xy).rgb * look.z;
     float haze = table_at(vec2(code.a, 1.0)).a;
 #ifdef HATCHED
-    // What is not known: hatched on the screen, whatever the style.
     float unknown = step(look.z, 0.002);
-    float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) - 0.5) * 12.0;
-    color = mix(color, unknown_color * mix(0.4, 1.0, clamp(stripe - 2.5, 0.0, 1.0)), unknown);
+    color = mix(color, unknown_color * hatch_at(gl_FragCoord.xy), unknown);
     haze *= 1.0 - 0.5 * unknown;
 #endif
-    return mix(color, haze_color, haze);
+    color = mix(color, haze_color, haze);
+    return code.a > kSky ? color * ground_hatch_here() : color;
 }
 #else
 vec3 color_seen(vec4 color) { return color.a > kSky ? sky_color() : color.rgb; }
@@ -64,7 +63,7 @@ vec3 color_seen(vec4 color) { return color.a > kSky ? sky_color() : color.rgb; }
 
 #ifdef SKY
 #ifdef CODED
-void main() { FRAGMENT_COLOR = vec4(table_at(vec2(sky_column(), 1.0)).rgb, left.y); }
+void main() { FRAGMENT_COLOR = vec4(table_at(vec2(sky_column(), 1.0)).rgb * ground_hatch_here(), left.y); }
 #else
 void main() { FRAGMENT_COLOR = vec4(sky_color(), left.y); }
 #endif

@@ -1,9 +1,10 @@
-// Sky above and ground below the visible horizon. With AIR it follows air.frag.
+// Sky above and ground below the visible horizon. Follows unknown_ground.frag; with AIR it follows air.frag.
 uniform float pixels_per_down;  // pixels by which the horizon is crossed per unit of the ray's down component
 uniform vec3 zenith_color;
 uniform vec3 horizon_color;
 uniform vec3 ground_horizon_color;
 uniform vec3 ground_color;
+uniform float ground_hatch;     // 1 where the ground is not known, else 0
 
 VARYING vec2 v_above;
 VARYING vec2 v_at;
@@ -13,6 +14,12 @@ uniform vec2 half_tangent;      // as in screen.vert: rays go forward, right, do
 
 // Towards the zenith, towards the ground's own colour, over the edge of a pixel at the horizon.
 vec3 sky_shares() { return clamp(vec3(v_above.x * 1.6, v_above.x * -4.0, v_above.y * pixels_per_down + 0.5), 0.0, 1.0); }
+
+// What the ground keeps of its color; towards the horizon, where haze hides it, all.
+float ground_hatch_here() {
+    vec3 shares = sky_shares();
+    return 1.0 - ground_hatch * shares.y * (1.0 - shares.z) * (1.0 - hatch_at(gl_FragCoord.xy));
+}
 
 vec3 sky_color() {
     vec3 shares = sky_shares();
@@ -28,7 +35,7 @@ vec3 sky_color() {
         }
     }
 #endif
-    return mix(ground, sky, shares.z);
+    return mix(ground, sky, shares.z) * ground_hatch_here();
 }
 
 // Column of the table of colours, which has these ones in a row: see color_table.hpp.

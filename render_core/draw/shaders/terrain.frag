@@ -20,7 +20,7 @@ uniform vec2 palette_range;      // lowest value, 1 / (highest - lowest)
 #endif
 #ifdef SURFACE_GRID
 uniform vec4 grid_look;          // colour and strength of the lines
-uniform float grid_spacing;      // m
+uniform vec2 grid_spacing;       // metres east, north
 VARYING vec2 v_grid;
 #endif
 #if defined(SHAFTS) || defined(FOCUS_BLUR)
@@ -29,6 +29,9 @@ uniform vec2 left;               // least and most of the distance's code that a
 uniform vec3 plain_color;
 uniform vec3 sea_color;
 uniform vec3 unknown_color;
+#ifdef GROUND_DATA
+uniform vec3 missing_color;      // of data
+#endif
 uniform vec3 haze_color;
 uniform vec2 pixel;              // metres a pixel per metre of distance; strokes apart on the screen, pixels
 #ifdef LIGHTS
@@ -130,23 +133,18 @@ void main() {
     vec4 image = drape_of(v_drape, n);
     color = color * (1.0 - image.a) + image.rgb;
 #elif defined(TEXTURE_MATERIAL)
-    // Meadows on gentle ground, woods on slopes up to the tree line, above it grass and snow; scree and rock where it is steep.
-    float grain = hash(floor(v_ground / 32.0)) * 0.5 + hash(floor(v_ground / 128.0)) * 0.5 - 0.5;
-    float steep = 1.0 - n.z + 0.02 * grain;
-    vec3 cover = mix(vec3(0.62, 0.66, 0.36), vec3(0.20, 0.34, 0.16), smoothstep(0.006, 0.018, steep));
-    cover = mix(cover, vec3(0.56, 0.54, 0.34), smoothstep(1700.0, 2000.0, v_height + 300.0 * grain));
-    cover = mix(cover, vec3(0.93, 0.95, 0.97), smoothstep(2600.0, 2900.0, v_height + 400.0 * grain));
-    cover = mix(cover, vec3(0.62, 0.57, 0.50), smoothstep(0.10, 0.15, steep));
-    color = mix(cover, vec3(0.43, 0.40, 0.38), smoothstep(0.22, 0.32, steep)) * (1.0 + 0.2 * grain);
+    color = natural_ground(palette_color(v_height), n, v_ground, pixel_m * inversesqrt(facing));
 #endif
 #ifdef COAST
     // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1.
     float class_here = TEXTURE2D(light_map, map_place(mix(v_page, floor(v_page + 0.5), coast_sharp))).a;
     float sea = step(0.16667, class_here) * step(class_here, 0.5);
+    // Up to half a texel off the coast water is lighter.
+    float shore = sea * clamp(2.0 - 6.0 * class_here, 0.0, 1.0) * (1.0 - coast_sharp);
 #else
-    float sea = step(0.999, v_class.x);
+    float sea = step(0.999, v_class.x), shore = 0.0;
 #endif
-    color = mix(color, sea_color, sea);
+    color = mix(color, mix(sea_color, vec3(1.0), 0.25 * shore), sea);
     vec4 band = vec4(0.0);
 #ifdef WARNING_BANDS
     // From the lowest band up, so that the highest that holds wins; bands that are not used start at 1e9 m.
@@ -164,7 +162,7 @@ void main() {
 #ifdef GROUND_DATA
     if (data_look.w > 0.5) {
         vec4 data = data_at(v_data);
-        color = with_data(color, data, plain_color, unknown_color, v_ground, pixel_m);
+        color = with_data(color, data, plain_color, missing_color, v_ground, pixel_m);
 #ifdef DATA_OVERLAY
         color = with_overlay(color, data, n, ray, facing, v_ground, pixel_m);
 #endif
@@ -355,8 +353,8 @@ void main() {
     // -- lines of known spacing
 #ifdef SURFACE_GRID
     vec2 from_line = (fract(v_grid + 0.5) - 0.5) * grid_spacing;
-    float meridian = grid_line(from_line.x, grid_spacing, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m));
-    float parallel = grid_line(from_line.y, grid_spacing, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
+    float meridian = grid_line(from_line.x, grid_spacing.x, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m));
+    float parallel = grid_line(from_line.y, grid_spacing.y, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
     color = mix(color, grid_look.rgb, grid_look.a * max(meridian, parallel));
 #endif
 
@@ -367,10 +365,9 @@ void main() {
     color = mix(color, vec3(1.0), clamp(1.5 - from_edge_px, 0.0, 1.0));
 #endif
 
-    // -- what is not known, whatever the style: hatched on the screen
+    // -- what is not known, whatever the style
     float unknown = step(0.001, v_class.y);
-    float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0) - 0.5) * 12.0;
-    color = mix(color, unknown_color * mix(0.4, 1.0, clamp(stripe - 2.5, 0.0, 1.0)), unknown);
+    color = mix(color, unknown_color * hatch_at(gl_FragCoord.xy), unknown);
 #ifdef FOCI
     color = color * (1.0 - rim.a) + rim.rgb;
 #endif

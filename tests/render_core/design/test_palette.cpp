@@ -1,5 +1,6 @@
 #include "render_core/design/palette.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -50,6 +51,26 @@ TEST(Palette, TheBuiltInOneIsTheShippedOne) {
         EXPECT_EQ(file.value().stops[i].value, built_in.stops[i].value);
         EXPECT_EQ(file.value().stops[i].color, built_in.stops[i].color);
     }
+}
+
+TEST(Palette, OneThatFitsTerrainIsSpreadOverItsHeights) {
+    const std::string stops = stop("0") + stop("250", "#404040") + stop("1000", "#ffffff");
+    const Palette fits = read_palette(with("hypsometric", "m", "fits_terrain = true\n" + stops), "p.toml").value();
+    const Palette fitted = fitted_palette(fits, 1200, 3200);
+    ASSERT_EQ(fitted.stops.size(), 3u);
+    EXPECT_DOUBLE_EQ(fitted.stops[0].value, 1200);
+    EXPECT_DOUBLE_EQ(fitted.stops[1].value, 1700);
+    EXPECT_DOUBLE_EQ(fitted.stops[2].value, 3200);
+    EXPECT_EQ(color_of_value(fitted, 1700), color_of_value(fits, 250));
+    const Palette again = fitted_palette(fitted, 1200, 3200);
+    for (std::size_t n = 0; n < 3; ++n)
+        EXPECT_DOUBLE_EQ(again.stops[n].value, fitted.stops[n].value) << "fitting twice changes nothing";
+    EXPECT_DOUBLE_EQ(fitted_palette(fits, 10, 40).stops[2].value, 10 + kMinFittedSpan_m) << "flat land has no mountains' tints";
+
+    const Palette fixed = read_palette(with("hypsometric", "m", stops), "p.toml").value();
+    EXPECT_EQ(fitted_palette(fixed, 1200, 3200).stops[2].value, 1000) << "a palette of true heights keeps them";
+    EXPECT_THAT(error_of(with("sequential", "deg", "fits_terrain = true\n" + stop("0") + stop("90", "#ffffff"))),
+                testing::HasSubstr("'fits_terrain' is for heights of the terrain only"));
 }
 
 TEST(Palette, DegreesBecomeRadians) {

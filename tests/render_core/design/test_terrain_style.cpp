@@ -72,12 +72,32 @@ TEST(TerrainStyle, HeightsAreATenthOfTheGridsSpacingUnlessStated) {
     EXPECT_DOUBLE_EQ(heights_m("spacing_m = 10\n"), 1);
     EXPECT_DOUBLE_EQ(heights_m("spacing_nm = 1\n"), 500 * base::kMetresPerFoot);
     EXPECT_DOUBLE_EQ(heights_m("spacing_nm = 0.5\n"), 200 * base::kMetresPerFoot);
+    EXPECT_DOUBLE_EQ(heights_m("spacing_arcmin = 1\n"), 500 * base::kMetresPerFoot);
     EXPECT_LE(heights_m("spacing_nm = 60\n"), 10'000);
     EXPECT_EQ(heights_m("height_spacing_m = 70\n"), 70);
     EXPECT_DOUBLE_EQ(heights_m("height_spacing_ft = 1000\n"), 304.8);
     EXPECT_NE(read("[terrain.grid]\nheight_spacing_ft = 100\nheight_spacing_m = 100\n").error.find("state one of them"),
               std::string::npos);
     EXPECT_EQ(read("[terrain]\n").style.grid.height_spacing_m, 0) << "without a grid";
+}
+
+TEST(TerrainStyle, TheGridsSpacingIsALengthOrAnAngle) {
+    const ReadStyle minutes = read("[terrain.grid]\nspacing_arcmin = 2\n"), length = read("[terrain.grid]\n");
+    EXPECT_DOUBLE_EQ(minutes.style.grid.spacing_rad, base::radians(2.0 / 60));
+    EXPECT_EQ(minutes.style.grid.spacing_m, 0);
+    EXPECT_TRUE(minutes.style.grid.is_shown());
+    EXPECT_FALSE(length.style.grid.is_angular());
+    EXPECT_EQ(length.style.grid.spacing_m, 1000);
+    EXPECT_NE(read("[terrain.grid]\nspacing_arcmin = 1\nspacing_m = 100\n").error.find("state one of them"), std::string::npos);
+}
+
+TEST(TerrainStyle, NaturalGroundHasItsRockAndItsGrain) {
+    const ReadStyle got =
+        read("[terrain.texture]\ntechnique = 'material'\nrock_color = '#102030'\nwoods_filter = '#80ff40'\ngrain = 0.5\n");
+    ASSERT_EQ(got.error, "");
+    EXPECT_EQ(got.style.rock, (Color{0x10, 0x20, 0x30}));
+    EXPECT_EQ(got.style.grain, 0.5);
+    EXPECT_EQ(wooded(got.style, {100, 100, 100}), (Color{50, 100, 25}));
 }
 
 TEST(TerrainStyle, FileSpeaksDegreesAndTheStyleRadians) {

@@ -172,7 +172,7 @@ TEST(Display, AStyleThatNeedsOtherProgramsIsRefusedAndChangesNothing) {
     const HillsPicture before = hills_picture(over.display, aircraft_over_hills(2000));
     design::DesignSettings other = test_support::shipped_design("default");
     other.view.horizontal_field_of_view_rad = radians(30);
-    other.terrain.style.texture = design::TerrainTexture::material;
+    other.terrain.style.texture = design::TerrainTexture::slope;
     EXPECT_FALSE(over.display.display().set_design(other));
     EXPECT_EQ(before, hills_picture(over.display, aircraft_over_hills(2000)));
     other.terrain.style = test_support::shipped_design("default").terrain.style;

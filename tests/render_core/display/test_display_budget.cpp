@@ -89,8 +89,8 @@ TEST(DisplayBudget, TheDisplaySaysItWhereTheDesignAsks) {
     display::Display& display = over.display.display();
     display.memory().budget.hold(0.001, costs_of_triangles(), test_support::six_levels());
     const HillsPicture quiet = hills_picture(over.display, aircraft_over_hills(1500));
-    design::DesignSettings design = design::default_design_settings();
-    design.terrain.style.sketch.silhouettes = 0.7;
+    design::DesignSettings design = test_support::shipped_design("default");
+    design.effects.fade_s = 0;  // time stands still here
     design.degradation.show_reduced = false;
     ASSERT_TRUE(display.set_design(design));
     const HillsPicture without = hills_picture(over.display, aircraft_over_hills(1500));

@@ -141,6 +141,26 @@ TEST(Display, OutsideTheDatabaseIsSaid) {
     EXPECT_EQ(over.display.display().record().terrain.triangles, 0u);
 }
 
+/// A minute of flight before the border, not two minutes before it, and not along it.
+TEST(Display, WhereTheDatabaseEndsAheadIsSaid) {
+    OverHills over;
+    const terrain::Lattice& lattice = over.display.display().planner().terrain_database()->lattice();
+    const double north_rad = lattice.latitude_rad(0);
+    const auto ends = [&](double south_of_border_m, double north_mps, double east_mps) {
+        flight::AircraftState state = aircraft_over_hills(2000);
+        state.own_ship.position.latitude_rad = north_rad - south_of_border_m / 6.37e6;
+        state.own_ship.velocity_north_mps = north_mps;
+        state.own_ship.velocity_east_mps = east_mps;
+        static_cast<void>(hills_picture(over.display, state));
+        return has_flag(over.display, "terrain.ends");
+    };
+    EXPECT_TRUE(ends(3000, 60, 0));
+    EXPECT_FALSE(ends(7200, 60, 0)) << "two minutes before it";
+    EXPECT_FALSE(ends(3000, -60, 0)) << "away from it";
+    EXPECT_FALSE(ends(3000, 0, 30)) << "along it";
+    EXPECT_FALSE(ends(300, 10, 0)) << "taxiing";
+}
+
 TEST(Display, BelowItsSurfaceTheTerrainIsTakenAway) {
     OverHills over;
     static_cast<void>(hills_picture(over.display, aircraft_over_hills(900)));

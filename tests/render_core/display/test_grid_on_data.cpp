@@ -67,7 +67,7 @@ design::DesignSettings design_of(Shown shown, design::DataTechnique technique) {
     design.terrain.style.plain = {255, 255, 255};
     design.terrain.style.shade.technique = design::TerrainShade::none;
     design.terrain.style.sketch = {};
-    design.terrain.style.grid = {kSpacing_m, {0, 0, 0}, 1, kHeights_m};
+    design.terrain.style.grid = {kSpacing_m, 0, {0, 0, 0}, 1, kHeights_m};
     design.sky.haze_distance_m = 0;
     design.warning_colors = false;
     design.data.elements.clear();

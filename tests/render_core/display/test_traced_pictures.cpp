@@ -41,6 +41,9 @@ const host_sim::AircraftPose kPoses[] = {
 
 design::DesignSettings design_by(TerrainRenderer renderer, double tau_px = 0.1) {
     design::DesignSettings design = test_support::shipped_design("default");
+    design.terrain.style.texture = design::TerrainTexture::hypsometric;  // a style that is drawn as codes
+    design.terrain.style.shade.ambient_occlusion = 0;
+    design.terrain.style.grid = {};
     design.terrain.renderer = renderer;
     design.terrain.tau_px = tau_px;
     return design;

@@ -71,7 +71,7 @@ TEST(TerrainDrawer, TheSurfaceGridHasItsSpacing) {
     design.terrain.style.texture = design::TerrainTexture::plain;
     design.terrain.style.plain = {255, 255, 255};
     design.terrain.style.shade.technique = design::TerrainShade::none;
-    design.terrain.style.grid = {kPosts * east_m, {200, 0, 0}, 1.0};
+    design.terrain.style.grid = {kPosts * east_m, 0, {200, 0, 0}, 1.0};
     const TerrainDrawInput input = lit_from_above(scene.view(128, 128, 4000, 0, -90));
     ChunkDrawing drawing(scene, design);
     const ChunkPicture picture = drawing.draw(input, 0.5);

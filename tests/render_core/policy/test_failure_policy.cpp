@@ -168,6 +168,7 @@ TEST(FailurePolicy, TerrainThatIsNotAsItShouldBeIsShownAndSaid) {
         const char *notice, *flag;
     };
     for (const Case& said : {Case{&DisplayConditions::terrain_is_coarse, "TERRAIN COARSE", "terrain.coarse"},
+                             Case{&DisplayConditions::terrain_ends, "DATABASE ENDS", "terrain.ends"},
                              Case{&DisplayConditions::image_is_missing, "NO TERRAIN IMAGE", "terrain.no_image"}}) {
         DisplayConditions conditions = good_conditions();
         conditions.*said.condition = true;
@@ -435,8 +436,8 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
         DisplayConditions conditions = good_conditions();
         conditions.terrain = static_cast<TerrainSource>((random >> 20) % 4);
         conditions.phase.switch_fault = conditions.phase.disagreement = conditions.generated_flight = true;
-        conditions.terrain_is_coarse = conditions.image_is_missing = conditions.data_are_out_of_date = conditions.is_reduced =
-            conditions.shows_measure = true;
+        conditions.terrain_is_coarse = conditions.terrain_ends = conditions.image_is_missing = conditions.data_are_out_of_date =
+            conditions.is_reduced = conditions.shows_measure = true;
         const DisplayDecisions decisions = decide_on(state, conditions);
         const bool known = state.is_valid(Signal::pitch, kPolicyNow) && state.is_valid(Signal::roll, kPolicyNow) &&
                            state.own_ship.state == SignalState::valid && decisions.view_heading != Signal::count_;

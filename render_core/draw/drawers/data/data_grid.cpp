@@ -38,7 +38,7 @@ GridPlace grid_place(const DataGrid& grid, const glm::dvec3& anchor, bool has_he
     const double meridian_m = earth::meridian_radius_m(at.latitude_rad), height_m = at.height.m;
     const double lines_a_metre = has_heights && settings.height_spacing_m > 0 ? 1 / settings.height_spacing_m : 0;
     const double msl_m = height_m - grid.database->undulation(at.latitude_rad, at.longitude_rad).m;
-    const GridStep step = grid_step(lattice, settings.spacing_m);
+    const GridStep step = grid_step(lattice, settings);
     const terrain::LatticePoint post = lattice.point(at.latitude_rad, at.longitude_rad);
     constexpr double kFull = 255;
     GridPlace place;
@@ -48,8 +48,8 @@ GridPlace grid_place(const DataGrid& grid, const glm::dvec3& anchor, bool has_he
         glm::dvec4(settings.line.red / kFull, settings.line.green / kFull, settings.line.blue / kFull, settings.strength);
     place.radii = glm::dvec3((earth::prime_vertical_radius_m(at.latitude_rad) + height_m) * std::cos(at.latitude_rad),
                              meridian_m + height_m, half_growth(at.latitude_rad) * meridian_m / (meridian_m + height_m));
-    place.first =
-        glm::dvec3(past_line(post.i * step.lines_east), past_line(post.j * step.lines_south), past_line(msl_m * lines_a_metre));
+    place.first = glm::dvec3(past_line(step.first_east + post.i * step.lines_east),
+                             past_line(step.first_south + post.j * step.lines_south), past_line(msl_m * lines_a_metre));
     place.rate = glm::dvec3(step.lines_east / step.east_rad, -step.lines_south / step.south_rad, lines_a_metre);
     place.climb = climb_of_sea(*grid.database, at);
     place.spacing_m = glm::vec3(place.radii.x / place.rate.x, -place.radii.y / place.rate.y,

@@ -24,7 +24,7 @@ struct DataGrid {
     const design::GridSettings* settings = nullptr;      ///< null: no lines
     const terrain::TerrainDatabase* database = nullptr;  ///< database of the ground; provides the geoid
 
-    [[nodiscard]] bool is_shown() const { return settings != nullptr && settings->spacing_m > 0; }
+    [[nodiscard]] bool is_shown() const { return settings != nullptr && settings->is_shown(); }
 };
 
 /// The uniforms for an anchor, with their names in the shader; strength 0 where there is no grid.

@@ -49,7 +49,9 @@ TEST(FramePlanner, EqualInputAndCopiesOfOneMemoryGiveEqualFrames) {
 
 TEST(FramePlanner, TheLegendIsThatOfTheInputAndElseOfTheSettings) {
     using flight::LegendShow;
-    auto hills = std::make_unique<HillsPlanner>(test_support::shipped_design("default"));
+    design::DesignSettings tinted = test_support::shipped_design("default");
+    tinted.terrain.style.texture = design::TerrainTexture::hypsometric;  // natural ground has no scale to explain
+    auto hills = std::make_unique<HillsPlanner>(tinted);
     hills->settle(input_at(0));
     flight::FrameInput input = input_at(0.1);
     EXPECT_EQ(hills->plan(input, hills->memory)->legend.show, LegendShow::key) << "the default in flight";

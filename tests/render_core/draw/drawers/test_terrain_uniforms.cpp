@@ -334,5 +334,24 @@ TEST_F(TerrainUniformValues, StrokesMeetAtTheBordersOfChunks) {
     EXPECT_NEAR(double{west[0]}, 1 / 1200.0 * 111320 * std::cos(base::radians(47 - 64 / 1200.0)), 0.3) << "metres a post";
 }
 
+/// Lines by angle are the Earth's, wherever a database begins; lines by length begin at its first post.
+TEST(GridStep, LinesByAngleLieAtWholeMinutes) {
+    const terrain::Lattice& lattice = hills().lattice();
+    design::GridSettings grid;
+    grid.spacing_rad = base::radians(1.0 / 60);
+    const GridStep step = grid_step(lattice, grid);
+    for (const std::uint32_t post : {0u, 7u, 33u}) {
+        EXPECT_NEAR(step.first_east + post * step.lines_east, base::degrees(lattice.longitude_rad(post)) * 60, 1e-6);
+        EXPECT_NEAR(step.first_south + post * step.lines_south, -base::degrees(lattice.latitude_rad(post)) * 60, 1e-6);
+    }
+    const double latitude_rad = lattice.latitude_rad(lattice.rows() / 2);
+    EXPECT_NEAR(step.south_m, 1852, 10) << "a minute of latitude is a nautical mile";
+    EXPECT_NEAR(step.east_m / step.south_m, std::cos(latitude_rad), 0.01);
+    grid = {};
+    grid.spacing_m = 500;
+    EXPECT_EQ(grid_step(lattice, grid).first_east, 0);
+    EXPECT_EQ(grid_step(lattice, grid).east_m, 500);
+}
+
 }  // namespace
 }  // namespace tedavis::draw::test_terrain_uniforms

@@ -123,7 +123,7 @@ public:
         return {session_.pixels()};
     }
 
-    design::GridSettings settings{kSpacing_m, {0, 0, 0}, 1, kHeights_m};
+    design::GridSettings settings{kSpacing_m, 0, {0, 0, 0}, 1, kHeights_m};
     SolidLook look = [] {
         SolidLook asks;
         asks.has_grid = true;
@@ -234,7 +234,7 @@ TEST(DataGrid, OnAWallLinesOfEqualHeightAreThoseAboveTheSea) {
 
 /// The sea's level is taken to be even round an anchor.
 TEST(DataGrid, TheGeoidBendsLittleOverAPiece) {
-    const design::GridSettings settings{kSpacing_m, {0, 0, 0}, 1, kHeights_m};
+    const design::GridSettings settings{kSpacing_m, 0, {0, 0, 0}, 1, kHeights_m};
     const earth::Geodetic anchor{base::radians(47), base::radians(9.7), {1500}};
     const GridPlace place = grid_place({&settings, &database()}, earth::to_ecef(anchor), true);
     const auto level_m = [](double latitude_rad, double longitude_rad) {
@@ -355,7 +355,7 @@ TEST(DataGrid, ItsUniformsAreThoseOfItsShader) {
 }
 
 TEST(DataGrid, BesideThePolesThereIsNone) {
-    design::GridSettings settings{kSpacing_m, {10, 20, 30}, 0.5, kHeights_m};
+    design::GridSettings settings{kSpacing_m, 0, {10, 20, 30}, 0.5, kHeights_m};
     const DataGrid grid{&settings, &database()};
     const auto strength = [&](double latitude_deg) {
         return grid_place(grid, earth::to_ecef({base::radians(latitude_deg), 0.2, {500}}), true).look.w;

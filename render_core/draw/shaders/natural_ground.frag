@@ -1,0 +1,45 @@
+// Ground as it looks: tints by height, darker woods where it slopes, rock where it is steep, and a grain. Before terrain.frag.
+//
+// The grain is noise of values at whole places (Perlin 1985, section "solid texture", in two dimensions) with a period of 256
+// cells. Its cells are a few pixels wide at any distance: their size doubles with the footprint of a pixel, and two sizes
+// cross-fade. Sizes are powers of two metres, so the grain stands still on the ground.
+#ifdef TEXTURE_MATERIAL
+uniform vec4 natural_rock;       // color of rock; strength of the grain
+uniform vec3 natural_woods;      // shares that they leave of the tint
+
+const float kLargestGrain_m = 512.0;  // of the coordinates' period 256 cells fit
+
+// A permutation of the numbers below 289 (McEwan et al. 2012); every step is exact in float.
+vec2 permuted(vec2 x) {
+    x *= x * 34.0 + 1.0;
+    return x - 289.0 * floor((x + 0.5) * (1.0 / 289.0));  // x is whole
+}
+
+// -0.5..0.5; `place`: in cells.
+float grain_at(vec2 place) {
+    vec2 cell = floor(place), inside = place - cell;
+    inside *= inside * (3.0 - 2.0 * inside);
+    vec4 corner = mod(vec4(cell, cell + 1.0), 256.0);
+    vec2 column = permuted(corner.xz);
+    vec2 row = mix(permuted(column.xx + corner.yw), permuted(column.yy + corner.yw), inside.x);
+    return mix(row.x, row.y, inside.y) * (1.0 / 288.0) - 0.5;
+}
+
+// Grain of three sizes, each twice the one before, the finest with cells of four to eight pixels. It goes while the next larger
+// one comes; none has cells larger than the largest.
+float grain_of(vec2 ground, float footprint_m) {
+    float octave = log2(max(footprint_m * 4.0, 0.25)), size_m = exp2(floor(octave)), fade = fract(octave);
+    float grain = (1.0 - fade) * grain_at(ground / size_m) + grain_at(ground.yx / (2.0 * size_m)) +
+                  fade * grain_at(ground / (4.0 * size_m));
+    return grain * clamp(2.0 - 8.0 * size_m / kLargestGrain_m, 0.0, 1.0);
+}
+
+// `tint`: by height alone. `footprint_m`: of a pixel on the ground.
+vec3 natural_ground(vec3 tint, vec3 n, vec2 ground, float footprint_m) {
+    float grain = grain_of(ground, footprint_m);
+    float steep = 1.0 - n.z + 0.008 * grain;
+    vec3 color = mix(tint, tint * natural_woods, smoothstep(0.003, 0.020, steep));
+    color = mix(color, natural_rock.rgb, smoothstep(0.14, 0.32, steep));
+    return color * (1.0 + 0.6 * natural_rock.a * grain);
+}
+#endif
