@@ -15,20 +15,20 @@
 
 namespace tedavis::host_sim {
 
-/// What is measured: names as the user gave them, and numbers that tell contents apart.
+/// What is measured: names as the user gave them, and identity numbers, which differ where the contents differ.
 struct MeasuredInputs {
     std::string terrain;
     std::uint64_t terrain_identity = 0;         ///< terrain_identity()
-    std::string flight = "the shipped flight";  ///< that the knobs fly
+    std::string flight = "the shipped flight";  ///< along which knobs are measured
     std::uint64_t flight_identity = 0;          ///< RecordedPoses::identity; 0: the shipped flight
-    std::string size, device, design;           ///< of the displays that it is flown with
+    std::string size, device, design;           ///< of the displays that draw the flight
     std::uint64_t display_identity = 0;         ///< of these three, by the texts of the files
     bool is_quick = false;
 };
 
 struct MeasuringConditions : MeasuredInputs {
-    std::string version, commit, compiler, command, date;  ///< date: of the first knob, UTC
-    std::string processor, renderer;                       ///< renderer: of GL, as its driver calls itself
+    std::string version, commit, compiler, command, date;  ///< date: when the first knob was measured, UTC
+    std::string processor, renderer;                       ///< renderer: the name that the GL driver states
     unsigned processors = 0;
     double load = 0;            ///< of the machine when the run began, mean of a minute; 0: unknown
     std::uint64_t program = 0;  ///< of the file that ran (replay/index_key.hpp)
@@ -56,7 +56,7 @@ struct AccuracyReport {
     bool interrupted = false;
     std::vector<MeasuredKnob> knobs;        ///< in the registry's order
     std::optional<double> budget_ms;        ///< that the last run was asked for; the answers follow from it
-    std::vector<std::string> not_measured;  ///< names of knobs that were asked for, too
+    std::vector<std::string> not_measured;  ///< names of knobs that were asked for and not measured
     std::vector<FlightErrors> flights;
     std::optional<UncalledEffects> uncalled;
     std::optional<GovernorChoice> governor;
@@ -64,15 +64,15 @@ struct AccuracyReport {
     std::vector<ComparedReport> comparisons;
 };
 
-/// Of this machine and program.
+/// Returns the conditions of a run that begins now, on this machine and with this program.
 [[nodiscard]] MeasuringConditions conditions_now(const std::string& command, const std::string& renderer,
                                                  const MeasuredInputs& inputs);
 
-/// True where both measured the same: heights, flight, extent, and displays by name, whose files may have changed between two
-/// versions.
+/// Returns whether both measured the same heights, flight and extent, and displays of the same names. The files of these displays
+/// may have changed between two versions.
 [[nodiscard]] bool have_same_inputs(const MeasuredInputs& a, const MeasuredInputs& b);
 
-/// True where figures of both may stand in one report: same program, machine, files of displays, and inputs.
+/// Returns whether figures of both may stand in one report: they have the same program, machine, files of displays, and inputs.
 [[nodiscard]] bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b);
 
 }  // namespace tedavis::host_sim

@@ -1,5 +1,5 @@
-/// The chapters of a report beside its knobs as JSON, and read again; README.md lists the keys. Reading throws nlohmann::json
-/// exceptions.
+/// Writes the chapters of a report, except its knobs, as JSON, and reads them again. The README.md of this folder lists the keys.
+/// Reading throws exceptions of nlohmann::json.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-/// The terrain's error along a flight, and the three lines of its tolerance: what was asked for, what the display proved for each
-/// frame, and what was measured.
+/// The error of the drawn terrain along a flight, in pixels: the tolerance that was asked for, the bound that the display proved,
+/// and the error that was measured, for each frame and for each of several tolerances.
 ///
 /// The proven bound (FrameRecord's worst_error_px) must never be below the measured error. How far above it lies says how tight
 /// it is.
@@ -15,8 +15,8 @@
 
 namespace tedavis::host_sim {
 
-/// How much of the proven bound the measured error is, over frames: 0 .. 1, above 1 where the bound is broken. Frames whose bound
-/// is too small to be measured do not count.
+/// The ratio of the measured error to the proven bound, over frames: 0..1, above 1 where the bound does not hold. Frames whose
+/// bound is too small to be measured do not count.
 struct Tightness {
     double median = 0, max = 0;
 };
@@ -26,15 +26,15 @@ struct MeasuredMoment {
     double time_s = 0;                      ///< since the flight's begin
     double proven_px = 0, measured_px = 0;  ///< measured: the greatest of the frame's samples
     double ms = 0;
-    std::uint64_t samples = 0;  ///< places of the ground
+    std::uint64_t samples = 0;  ///< points of the ground where the error was measured
     std::string pose;           ///< as `--pose` of `tedavis shot` takes it
-    std::string phase = {};     ///< " --phase P" of it; empty: none
+    std::string phase = {};     ///< its option of `tedavis shot`, " --phase P"; empty: no phase
 };
 
-/// One tolerance over all frames.
+/// What was found with one tolerance, over all frames.
 struct ToleranceLine {
     double asked_px = 0;
-    double proven_px = 0, measured_px = 0;  ///< the greatest
+    double proven_px = 0, measured_px = 0;  ///< the largest of all frames
     std::uint64_t samples = 0, broken = 0;  ///< broken: samples above the bound of their frame
     Tightness tightness = {};               ///< of the frames
 };
@@ -44,10 +44,10 @@ struct FlightErrors {
     std::uint64_t identity = 0;               ///< RecordedPoses::identity; 0: the shipped flight
     std::uint64_t terrain_identity = 0;       ///< of the heights (replay/index_key.hpp)
     std::string drawn = {};                   ///< options of `tedavis shot` besides pose, phase and tolerance
-    double asked_px = 0;                      ///< of the moments
+    double asked_px = 0;                      ///< tolerance of the moments: the design's
     double known_to_px = kSeenErrorBound_px;  ///< what a measured error may be wrong by
     std::vector<MeasuredMoment> moments;
-    std::vector<ToleranceLine> lines;  ///< from the coarsest
+    std::vector<ToleranceLine> lines;  ///< the largest tolerance first
 
     [[nodiscard]] bool holds() const;             ///< no sample was above its bound
     [[nodiscard]] std::uint64_t samples() const;  ///< of all frames
@@ -61,14 +61,15 @@ struct FlightErrorsPlan {
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
-/// Those of the ground's flight over its heights, among others; null where there are none.
+/// Returns the element of `flights` that was measured along the flight of `ground` and over its heights; null if there is none.
 [[nodiscard]] const FlightErrors* errors_over(const KnobGround& ground, const std::vector<FlightErrors>& flights);
 
-/// Those of all grounds that are among others, each once: what an earlier run leaves for a run over these.
+/// Returns the elements of `flights` that belong to one of `grounds`, each once: a run over these grounds reuses what an earlier
+/// run measured.
 [[nodiscard]] std::vector<FlightErrors> errors_over(const std::vector<KnobGround>& grounds,
                                                     const std::vector<FlightErrors>& flights);
 
-/// Along the flight of the ground, drawn with its display. Throws UserError.
+/// Measures the errors along the ground's flight, drawn with the ground's display. Throws UserError.
 [[nodiscard]] FlightErrors measure_flight_errors(const KnobGround& ground, const FlightErrorsPlan& plan);
 
 }  // namespace tedavis::host_sim
