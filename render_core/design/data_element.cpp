@@ -46,8 +46,8 @@ bool is_surface(DataTechnique technique) {
     }
 }
 
-/// Tubes and areas have their own heights, and solids and ribbons stand on the ground.
-bool may_float(DataTechnique technique) { return !is_surface(technique); }
+/// Tubes, pathways and areas have their own heights, and solids and ribbons stand on the ground.
+bool may_float(DataTechnique technique) { return !is_surface(technique) && technique != DataTechnique::pathway; }
 
 /// Lines that may have a height of their own.
 bool may_have_cues(DataTechnique technique) {
@@ -69,6 +69,15 @@ void read_uncertainty(ConfigSection section, DataElement& element) {
     element.uncertainty_strength = section.number("strength", 0, 1, element.uncertainty_strength);
     element.uncertainty_levels = static_cast<std::uint32_t>(section.integer("levels", 0, kMaxClasses, 0));
     if (element.uncertainty_levels == 1) fault_of(section, "levels", "must be 0 for continuous, or 2 to 16");
+}
+
+/// A pathway shows where the path is, in one scale of colours.
+void refuse_of_pathway(ConfigSection& section, const DataElement& element) {
+    if (element.technique != DataTechnique::pathway) return;
+    if (element.own != OwnData::none)
+        return fault_of(section, "technique", "'pathway' is for what is planned; show the own flight as 'tube' or 'ribbon'");
+    for (const std::string_view key : {"second_attribute", "size_attribute"})
+        if (section.has(key)) return fault_of(section, key, "does not apply to the technique 'pathway'; leave it out here");
 }
 
 void read_layer(ConfigSection& section, DataElement& element) {
@@ -137,14 +146,15 @@ DataElement read_element(ConfigSection section, PaletteSource& palettes) {
     if (element.uncertainty == ElementUncertainty::dashed_rim && element.technique != DataTechnique::billboard)
         fault_of(section, "uncertainty", "'dashed_rim' is for the technique 'billboard'; choose another one");
     read_cues(section, element);
+    refuse_of_pathway(section, element);
     return element;
 }
 
 }  // namespace
 
 const std::array<std::string_view, kDataTechniques> kDataTechniqueNames{
-    "tube",   "space_time",  "prism", "solid",   "ribbon", "billboard",  "diagram",
-    "arrows", "flat_arrows", "barbs", "spheres", "bars",   "isosurface", "uncertainty_only"};
+    "tube",   "pathway",     "space_time", "prism",   "solid", "ribbon",     "billboard",       "diagram",
+    "arrows", "flat_arrows", "barbs",      "spheres", "bars",  "isosurface", "uncertainty_only"};
 const std::array<std::string_view, kElementUncertainties> kElementUncertaintyNames{
     "none", "transparency", "saturation", "widening", "ellipsoid", "circles", "triangles", "tetrahedra", "dashed_rim"};
 

@@ -11,7 +11,8 @@
 ///     palette = "data_radar"       and `classes` or `breaks`
 ///     second_attribute = "..."     of tubes: on every other side, with second_palette
 ///     size_attribute = "..."       what the size says: size_m is that of its largest value
-///     size_m = 300                 radius of tubes and spheres, length of arrows, height of bars and markers
+///     size_m = 300                 radius of tubes and spheres, width of a pathway's frames, length of arrows, height of bars
+///                                  and markers
 ///     heights_m = [1500, 3000]     of slices through a field, in its own datum, or
 ///     heights_over_ground = true   they are above the ground
 ///     levels = [30, 40]            of isosurfaces
@@ -38,6 +39,7 @@ namespace tedavis::design {
 
 enum class DataTechnique : std::uint8_t {
     tube,        ///< trajectories and routes: a tube round the path
+    pathway,     ///< trajectories: frames to fly through, ahead of the own ship
     space_time,  ///< trajectories whose height is time
     prism,       ///< areas from their floor to their ceiling
     solid,       ///< obstacles, cables, runways, buildings and models as solids
@@ -60,7 +62,7 @@ enum class ElementUncertainty : std::uint8_t {
     none,
     transparency,  ///< less certain data are more transparent
     saturation,    ///< less certain data are greyer
-    widening,      ///< tubes and prisms are widened by the accuracy of their positions (95 %)
+    widening,      ///< tubes, pathways and prisms are widened by the accuracy of their positions (95 %)
     ellipsoid,     ///< an ellipsoid of possible positions round a point
     circles,       ///< glyphs for the level, redundantly by size and colour
     triangles,

@@ -9,6 +9,7 @@
 #include "render_core/draw/data/ground_strips.hpp"
 #include "render_core/draw/data/model_solids.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
+#include "render_core/draw/data/pathway_solids.hpp"
 #include "render_core/draw/data/place_ellipsoids.hpp"
 #include "render_core/effects/device.hpp"
 
@@ -35,6 +36,7 @@ bool shows(DataTechnique technique, const scene::Layer& layer) {
         case DataTechnique::prism: return layer.entry->shape == scene::LayerShape::areas;
         case DataTechnique::tube:
         case DataTechnique::space_time: return draw::shows_tubes(layer);
+        case DataTechnique::pathway: return draw::shows_pathways(layer);
         case DataTechnique::solid: return shows_solids(layer);
         case DataTechnique::ribbon: return layer.entry->shape == scene::LayerShape::lines;
         case DataTechnique::diagram: return layer.entry->shape == scene::LayerShape::points;
@@ -62,8 +64,15 @@ bool is_traffic(const scene::Layer& layer) {
 bool moves(const design::DataElement& element, const scene::Layer& layer) {
     if (element.own != design::OwnData::none) return true;
     const DataTechnique technique = element.technique;
+    if (technique == DataTechnique::pathway) return true;
     if (technique == DataTechnique::isosurface) return draw::isosurfaces_move(layer);
     return is_traffic(layer) || (technique == DataTechnique::prism && draw::prisms_move(layer));
+}
+
+draw::OwnPlace own_place(const OwnFlightFrame& own) {
+    if (own.aircraft == nullptr) return {};
+    const flight::OwnShipEstimate& estimate = own.aircraft->own_ship;
+    return {estimate.position, estimate.state == base::SignalState::valid};
 }
 
 draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, const draw::ElementInput& input) {
@@ -284,7 +293,8 @@ draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFra
             frame.view.eye,
             0,
             time_.is_confirmed || is_received,
-            &foci_[report]};
+            &foci_[report],
+            own_place(frame.own)};
 }
 
 /// What stands is built whether it is valid now or not: it may become so.
@@ -322,6 +332,7 @@ draw::ElementCount ElementPlanner::build_element(draw::SolidBatch& batch, const 
         case DataTechnique::prism: return draw::add_area_prisms(batch, mesh_, input);
         case DataTechnique::tube:
         case DataTechnique::space_time: return tubes_.add(batch, mesh_, input);
+        case DataTechnique::pathway: return draw::add_pathway(batch, mesh_, input);
         case DataTechnique::solid: return build_solids(batch, mesh_, input);
         case DataTechnique::ribbon: return draw::add_ribbons(batch, mesh_, input);
         case DataTechnique::isosurface: return isosurfaces_.add(batch, mesh_, input);

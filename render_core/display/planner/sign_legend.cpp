@@ -25,6 +25,7 @@ using scene::LayerRole;
 constexpr Color kUnderSigns{0, 0, 0};
 /// As the hull of a tube and the margin of an area are drawn over the ground.
 constexpr double kMarginShare = 0.35;
+constexpr double kDashShare = 0.6;  // of the outer frame of a pathway
 
 /// Signs over the picture find their room when the legends have theirs.
 bool shows_nothing(const ElementReport& report) {
@@ -66,6 +67,7 @@ private:
         switch (element.technique) {
             case DataTechnique::prism: return add_area(report);
             case DataTechnique::tube:
+            case DataTechnique::pathway:
             case DataTechnique::space_time: return add_tube(report);
             case DataTechnique::billboard: return add_billboard(report);
             case DataTechnique::solid: return add_margin(report, "POS", element.color);
@@ -135,8 +137,12 @@ private:
         if (shown != ElementUncertainty::widening && shown != ElementUncertainty::ellipsoid) return;
         base::FixedString<15> text(name);
         text.append(draw::states_accuracy(*report.layer) ? " 95 %" : " \xC2\xB1 ?");
-        LegendSample& sample = begin(text.view(), SampleLook::margin, color);
-        sample.under = blended(ground_, color, kMarginShare);
+        const bool is_outline = report.element->technique == DataTechnique::pathway;
+        LegendSample& sample = begin(text.view(), is_outline ? SampleLook::dashed_rim : SampleLook::margin, color);
+        if (is_outline)
+            sample.share = kDashShare;
+        else
+            sample.under = blended(ground_, color, kMarginShare);
         add_sample(sample);
     }
 

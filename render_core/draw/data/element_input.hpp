@@ -5,12 +5,19 @@
 #include <glm/vec3.hpp>
 
 #include "render_core/design/data_element.hpp"
+#include "render_core/earth/geodetic.hpp"
 #include "render_core/scene/ground.hpp"
 #include "render_core/scene/scene.hpp"
 
 namespace tedavis::draw {
 
 class LayerFoci;
+
+/// The own ship's place, for what is shown only ahead of it.
+struct OwnPlace {
+    earth::Geodetic place;  ///< its height is not used
+    bool is_valid = false;  ///< false: unknown, or not of now
+};
 
 struct ElementInput {
     const design::DataElement& element;
@@ -24,6 +31,7 @@ struct ElementInput {
     double metres_per_px_m = 0;       ///< width of a pixel at a distance of 1 m
     bool has_age = true;              ///< false: the frame's time is extrapolated, and ages are unknown
     const LayerFoci* foci = nullptr;  ///< of this layer; null: everything is in the focus
+    OwnPlace own{};
 };
 
 inline constexpr double kFloating_m = 5;  ///< height above the ground below which no link is drawn

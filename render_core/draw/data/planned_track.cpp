@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -40,10 +41,10 @@ bool has_times(const scene::ScenePoint& a, const scene::ScenePoint& b) {
     return a.time_ns != scene::kNoTime && b.time_ns != scene::kNoTime && b.time_ns > a.time_ns;
 }
 
-/// Nearer than `least_m`, which then is its distance.
-void take_if_nearer(const scene::Layer& layer, const scene::Run& run, const Surroundings& map, double& least_m,
-                    PlannedTrack& nearest) {
-    for (std::uint32_t leg = 0; leg + 1 < run.count; ++leg) {
+/// Of some legs, nearer than `least_m`, which then is its distance.
+void take_if_nearer(const scene::Layer& layer, const scene::Run& run, std::uint32_t first_leg, std::uint32_t legs,
+                    const Surroundings& map, double& least_m, PlannedTrack& nearest) {
+    for (std::uint32_t leg = first_leg; leg < first_leg + legs; ++leg) {
         const glm::dvec2 from = map.at(layer.points[run.first + leg]), to = map.at(layer.points[run.first + leg + 1]);
         const double part = nearest_part(from, to), distance_m = glm::length(glm::mix(from, to, part));
         if (!(distance_m < least_m)) continue;
@@ -52,16 +53,38 @@ void take_if_nearer(const scene::Layer& layer, const scene::Run& run, const Surr
     }
 }
 
-void follow_time(const Surroundings& map, std::int64_t time_ns, double farthest_m, PlannedTrack& way) {
+void take_nearest(const scene::Layer& layer, const Surroundings& map, double& least_m, PlannedTrack& nearest) {
+    for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature) {
+        const scene::Run run = layer.points_of(feature);
+        if (run.count > 1) take_if_nearer(layer, run, 0, run.count - 1, map, least_m, nearest);
+    }
+}
+
+/// True where the time gives a place near the own ship, which the way then has.
+bool follow_time(const Surroundings& map, std::int64_t time_ns, double farthest_m, PlannedTrack& way) {
     for (std::uint32_t leg = 0; leg + 1 < way.run.count; ++leg) {
         const scene::ScenePoint &from = way.layer->points[way.run.first + leg], &to = way.layer->points[way.run.first + leg + 1];
         if (!has_times(from, to) || time_ns < from.time_ns || time_ns > to.time_ns) continue;
         const double part = static_cast<double>(time_ns - from.time_ns) / static_cast<double>(to.time_ns - from.time_ns);
-        if (glm::length(glm::mix(map.at(from), map.at(to), part)) > farthest_m) return;
+        if (glm::length(glm::mix(map.at(from), map.at(to), part)) > farthest_m) return false;
         way.leg = leg;
         way.part = part;
-        return;
+        return true;
     }
+    return false;
+}
+
+/// The nearest place within `farthest_m` along the way of the one that it has.
+void take_nearest_around(const Surroundings& map, double farthest_m, PlannedTrack& way) {
+    const auto long_m = [&](std::uint32_t leg) {
+        const base::Span<const scene::ScenePoint>& points = way.layer->points;
+        return glm::length(map.at(points[way.run.first + leg + 1]) - map.at(points[way.run.first + leg]));
+    };
+    std::uint32_t first = way.leg, last = way.leg;
+    for (double left_m = farthest_m; first > 0 && left_m > 0;) left_m -= long_m(--first);
+    for (double left_m = farthest_m; last + 2 < way.run.count && left_m > 0;) left_m -= long_m(++last);
+    double least_m = std::numeric_limits<double>::infinity();
+    take_if_nearer(*way.layer, way.run, first, last - first + 1, map, least_m, way);
 }
 
 }  // namespace
@@ -73,10 +96,20 @@ PlannedTrack planned_track(const scene::Scene& scene, const earth::Geodetic& own
     double least_m = farthest_m;
     for (const scene::Layer& layer : scene.layers()) {
         if (layer.entry->role != scene::LayerRole::trajectory || layer.entry->shape != scene::LayerShape::lines) continue;
-        for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
-            take_if_nearer(layer, layer.points_of(feature), map, least_m, nearest);
+        take_nearest(layer, map, least_m, nearest);
     }
-    if (nearest.layer != nullptr && has_date) follow_time(map, time_ns, farthest_m, nearest);
+    if (nearest.layer != nullptr && has_date) static_cast<void>(follow_time(map, time_ns, farthest_m, nearest));
+    return nearest;
+}
+
+PlannedTrack track_beside(const scene::Layer& layer, const earth::Geodetic& own_ship, std::int64_t time_ns, bool has_date,
+                          double farthest_m) {
+    const Surroundings map(own_ship);
+    PlannedTrack nearest;
+    double least_m = farthest_m;
+    take_nearest(layer, map, least_m, nearest);
+    if (nearest.layer != nullptr && has_date && follow_time(map, time_ns, farthest_m, nearest))
+        take_nearest_around(map, farthest_m, nearest);
     return nearest;
 }
 

@@ -20,6 +20,12 @@ struct PlannedTrack {
 [[nodiscard]] PlannedTrack planned_track(const scene::Scene& scene, const earth::Geodetic& own_ship, std::int64_t time_ns,
                                          bool has_date, double farthest_m);
 
+/// Finds the path of one layer of lines, whatever its role, on which the own ship flies: the nearest place. Of paths with times
+/// it lies within `farthest_m` along the path of the place that the time gives, if that place is within `farthest_m` of the own
+/// ship, so that a path that crosses or retraces itself is entered where the flight is.
+[[nodiscard]] PlannedTrack track_beside(const scene::Layer& layer, const earth::Geodetic& own_ship, std::int64_t time_ns,
+                                        bool has_date, double farthest_m);
+
 /// Returns a point on a leg, with its height and, where both ends have one, its time.
 [[nodiscard]] scene::ScenePoint point_on(const PlannedTrack& way, std::uint32_t leg, double part);
 

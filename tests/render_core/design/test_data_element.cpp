@@ -112,6 +112,20 @@ TEST(DataElement, DashedRimsAreForSigns) {
     }
 }
 
+TEST(DataElement, APathwayTakesNoKeysOfTubesAndIsForWhatIsPlanned) {
+    const auto fault = [](const std::string& technique, const std::string& keys) {
+        return read("[[data.element]]\n" + keys + "technique = \"" + technique + "\"\n").fault;
+    };
+    const std::string layer = "layer = \"a\"\n";
+    for (const std::string key : {"size_attribute = \"speed\"\n", "second_attribute = \"speed\"\nsecond_palette = \"grey\"\n"}) {
+        EXPECT_NE(fault("pathway", layer + key).find("'pathway'"), std::string::npos) << fault("pathway", layer + key);
+        EXPECT_EQ(fault("tube", layer + key).find("'pathway'"), std::string::npos) << "control";
+    }
+    EXPECT_NE(fault("pathway", "own = \"trail\"\n").find("is planned"), std::string::npos);
+    EXPECT_EQ(fault("tube", "own = \"trail\"\n"), "");
+    EXPECT_EQ(fault("pathway", layer + "size_m = 150\nhalo_px = 1\nghost = 0.3\nopacity = 0.9\ndetail = 0.5\n"), "");
+}
+
 TEST(DataElement, TheSurfaceGridIsForWhatHasASurface) {
     for (std::size_t n = 0; n < kDataTechniques; ++n) {
         const std::string name(kDataTechniqueNames[n]);

@@ -63,5 +63,27 @@ TEST_F(CuedElements, LinesTravelWhileTheirWayStands) {
     EXPECT_EQ(pictures(), std::pair(false, true)) << "a spacing in ten seconds";
 }
 
+/// Frames are built in every frame, and what stands is left as it is.
+TEST_F(CuedElements, APathwayHasFramesAheadOfTheOwnShip) {
+    ask_for("flight", DataTechnique::pathway);
+    elements_.set(&scene_.scene(), asked_);
+    flight::AircraftState aircraft;
+    const auto pieces_at = [&](double longitude_deg, base::SignalState state) {
+        aircraft.own_ship.position = {base::radians(46.78), base::radians(longitude_deg), {2100}};
+        aircraft.own_ship.state = state;
+        elements_.plan(
+            {ground_, frame_.view, {255, 0, 255}, flight::time_of_source(test_support::kNow), {nullptr, &aircraft, {}}});
+        return elements_.moving().pieces().size();
+    };
+    const std::size_t early = pieces_at(9.79, base::SignalState::valid);
+    const std::uint64_t standing = elements_.planned().standing_key;
+    EXPECT_GT(early, 6u);
+    EXPECT_EQ(elements_.reports()[0].count.drawn, 1u);
+    EXPECT_LT(pieces_at(9.84, base::SignalState::valid), early) << "the path's end is nearer";
+    EXPECT_EQ(pieces_at(9.79, base::SignalState::stale), 1u) << "the line alone";
+    EXPECT_EQ(elements_.planned().standing_key, standing);
+    EXPECT_EQ(elements_.standing().pieces().size(), 0u);
+}
+
 }  // namespace
 }  // namespace tedavis::display::test_cued_elements

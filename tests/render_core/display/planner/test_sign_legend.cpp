@@ -98,6 +98,9 @@ TEST(SignLegend, AreasAndTubesSayHowFarTheyMayBeOff) {
     EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas, 300), element_of(DataTechnique::prism)), "NO-GO;");
     const auto tube = element_of(DataTechnique::tube, ElementUncertainty::widening);
     EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines, 20), tube), "TRAJECTORY;PATH 95 %;");
+    const auto pathway = element_of(DataTechnique::pathway, ElementUncertainty::widening);
+    EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines, 20), pathway), "TRAJECTORY;PATH 95 %;");
+    EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines), pathway), "TRAJECTORY;PATH \xC2\xB1 ?;");
     EXPECT_EQ(said(layer_of(LayerRole::trajectory, scene::LayerShape::lines), element_of(DataTechnique::space_time)),
               "TRAJECTORY;1 H: 3281 FT;");
     EXPECT_EQ(said(layer_of(LayerRole::no_go, scene::LayerShape::areas), no_go, ElementState::out_of_date), "");

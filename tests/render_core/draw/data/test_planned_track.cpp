@@ -55,6 +55,20 @@ TEST(PlannedTrack, TheTimeTellsTheWayBackFromTheWayOut) {
         << "who is not where the plan has him is where he is nearest";
 }
 
+/// Late by half a minute, on the way back: the own ship is on the way back where it is nearest, not where the plan has it.
+TEST(PlannedTrack, BesideALateFlightIsTheNearestPlaceOfThePartThatIsFlown) {
+    const LoadedScene scene(out_and_back(true));
+    const auto beside = [&](double longitude_deg, int time_s) {
+        return track_beside(scene.layer(), at(46.801, longitude_deg), time_s * kSecond_ns, true, 5000);
+    };
+    EXPECT_EQ(beside(9.825, 17 * 60).leg, 17u);
+    EXPECT_NEAR(beside(9.825, 17 * 60).part, 0.5, 1e-3);
+    EXPECT_EQ(beside(9.825, 120).leg, 2u) << "on the way out";
+    EXPECT_EQ(beside(9.825, 10 * 60).leg, 2u) << "the plan is elsewhere";
+    EXPECT_EQ(track_beside(scene.layer(), at(46.801, 9.825), 17 * 60 * kSecond_ns, false, 5000).leg, 2u) << "without a date";
+    EXPECT_EQ(track_beside(scene.layer(), at(46.86, 9.825), 0, false, 5000).layer, nullptr) << "6 km away";
+}
+
 TEST(PlannedTrack, OtherLinesAreNone) {
     host_sim::LayerDraft road = out_and_back(false);
     road.role = scene::LayerRole::road;
