@@ -80,12 +80,14 @@ std::string check_design(const std::string& path) {
     return "a design";
 }
 
-/// A palette is judged with the colours of a display that was given no design.
+/// A palette is judged with the colours of a display that was given no design; one that fits terrain, without bands: natural
+/// ground has none.
 std::string check_palette(const std::string& path) {
     const design::Palette palette = palette_from_text(read_file(path), path);
     std::vector<std::string> faults = palette_faults(palette, path);
-    for (std::string& fault : palette_faults_in_design(palette, design::default_design_settings(), path))
-        faults.push_back(std::move(fault));
+    design::DesignSettings design = design::default_design_settings();
+    design.warning_colors = !palette.fits_terrain;
+    for (std::string& fault : palette_faults_in_design(palette, design, path)) faults.push_back(std::move(fault));
     require_no_faults(faults);
     return "a palette of " + std::to_string(palette.stops.size()) + " colours, fit for every colour vision";
 }

@@ -39,6 +39,7 @@ constexpr FixedUnit kFixed[] = {{"east", "m/s", kAll},
                                 {"sag", "m", kObstacles},
                                 {"diameter", "m", kObstacles},
                                 {"width", "m", kStrips},
+                                {"glide_path", "rad", roles({LayerRole::runway})},
                                 {"heading", "rad", kModels}};
 
 struct UnitFactor {

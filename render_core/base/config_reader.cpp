@@ -9,6 +9,7 @@
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wnull-dereference"
 #include <toml++/toml.h>
+#include <algorithm>
 #pragma GCC diagnostic pop
 
 #include <cmath>
@@ -103,14 +104,26 @@ void inherit_list(toml::array& own, toml::array& base, std::vector<BasedTable>& 
     }
 }
 
-/// Moves into the first table what it does not say itself; what is moved keeps its place in its file.
-void inherit_tables(toml::table& root, toml::table& base_root) {
+/// True where the table says the same by another key of the group.
+bool has_alternative(const toml::table& own, std::string_view key, Span<const KeyGroup> alternatives) {
+    for (const KeyGroup& group : alternatives) {
+        if (std::find(group.begin(), group.end(), key) == group.end()) continue;
+        for (const std::string_view other : group)
+            if (own.contains(other)) return true;
+    }
+    return false;
+}
+
+/// Moves into the first table what it does not say itself; what is moved keeps its place in its file. What it says by one key of
+/// `alternatives` it does not inherit by another.
+void inherit_tables(toml::table& root, toml::table& base_root, Span<const KeyGroup> alternatives) {
     std::vector<BasedTable> open{{&root, &base_root}};
     while (!open.empty()) {
         const auto [own, base] = open.back();
         open.pop_back();
         for (auto&& [key, node] : *base) {
             toml::node* const said = own->get(key.str());
+            if (said == nullptr && has_alternative(*own, key.str(), alternatives)) continue;
             if (said == nullptr)
                 node.visit([table = own, &at = key](auto& value) { table->insert(at.str(), std::move(value)); });
             else if (said->is_table() && node.is_table())
@@ -139,13 +152,14 @@ std::string_view ConfigReader::name() const { return document_->name; }
 
 ConfigSection ConfigReader::root() { return {this, &document_->root}; }
 
-void ConfigReader::inherit(std::string_view text, std::string_view name, Span<const std::string_view> own) {
+void ConfigReader::inherit(std::string_view text, std::string_view name, Span<const std::string_view> own,
+                           Span<const KeyGroup> alternatives) {
     toml::parse_result parsed = toml::parse(text, name);
     if (!parsed)
         return document_->report(parsed.error().source(), std::string(parsed.error().description()) + "; mend the TOML there");
     toml::table base = std::move(parsed).table();
     for (const std::string_view key : own) base.erase(key);
-    inherit_tables(document_->root, base);
+    inherit_tables(document_->root, base, alternatives);
 }
 
 bool ConfigReader::finish() {

@@ -27,6 +27,9 @@ struct StatedFile {
     std::string_view name, stated_in;
 };
 
+/// Keys of a table that say the same in different units.
+using KeyGroup = Span<const std::string_view>;
+
 /// A table of the file. An absent table reads as an empty one (every key has its fallback).
 class ConfigSection {
 public:
@@ -95,8 +98,10 @@ public:
     /// Adds the settings of the file `name` that this reader's file does not have. Tables are merged key by key at any depth.
     /// Arrays of tables are merged by the key "name" where all tables of this reader have one: tables with the same name are
     /// merged, further ones follow those of `name`. Any other value of this reader is kept. `own` lists root keys of `name`
-    /// that are not inherited. Faults name the file that contains the wrong value.
-    void inherit(std::string_view text, std::string_view name, Span<const std::string_view> own);
+    /// that are not inherited; of the keys of a group of `alternatives`, in whatever table, one that is stated here stands for
+    /// all. Faults name the file that contains the wrong value.
+    void inherit(std::string_view text, std::string_view name, Span<const std::string_view> own,
+                 Span<const KeyGroup> alternatives = {});
     /// True when nothing was wrong and every key was read.
     [[nodiscard]] bool finish();
     [[nodiscard]] bool ok() const;

@@ -170,7 +170,7 @@ void read_symbology(ConfigSection section, SymbologySettings& shown) {
 }
 
 void refuse_grid_without_spacing(ConfigSection data, const DesignSettings& design) {
-    if (design.terrain.style.grid.spacing_m > 0) return;
+    if (design.terrain.style.grid.is_shown()) return;
     for (std::size_t n = 0; n < design.data.elements.size(); ++n) {
         if (!design.data.elements[n].grid) continue;
         ConfigSection element = data.table_at("element", n);
@@ -181,7 +181,7 @@ void refuse_grid_without_spacing(ConfigSection data, const DesignSettings& desig
 }  // namespace
 
 bool has_grid_on_data(const DesignSettings& design) noexcept {
-    return design.terrain.style.grid.spacing_m > 0 && asks_for_grid(design.data.elements);
+    return design.terrain.style.grid.is_shown() && asks_for_grid(design.data.elements);
 }
 
 bool magnifies(const DesignSettings& design) noexcept {

@@ -73,7 +73,7 @@ struct TerrainSettings {
     double tau_px = 1.0;  ///< requested pixel error tau, (0.1 .. 32)
     Palette palette;      ///< palette of the style's texture
     Color sea{0x30, 0x58, 0x80};
-    Color unknown{0x2A, 0x25, 0x1C};  ///< ground without data and beyond the database, which is hatched
+    Color unknown{0x4A, 0x32, 0x26};  ///< ground without data and beyond the database, which is hatched
     TerrainStyle style;
     bool conservative_up = false;  ///< the silhouette is never below the true terrain
 };

@@ -9,6 +9,10 @@ namespace {
 static_assert(kMaxBases == 8, "as the sentence says");
 constexpr const char* kTooMany = "is one base too many; at most 8 stand behind a design";
 constexpr std::string_view kOwnKeys[] = {"name", "phases"};
+constexpr std::string_view kSpacings[] = {"spacing_m", "spacing_nm", "spacing_arcmin"};
+constexpr std::string_view kHeightSpacings[] = {"height_spacing_m", "height_spacing_ft"};
+constexpr std::string_view kLineSpacings[] = {"line_spacing_m", "line_spacing_nm"};
+constexpr base::KeyGroup kAlternatives[] = {kSpacings, kHeightSpacings, kLineSpacings};
 
 /// The design itself and its bases.
 using FileNames = base::FixedVector<base::FixedString<1023>, kMaxBases + 1>;
@@ -35,7 +39,7 @@ void inherit_bases(base::ConfigReader& reader, DesignSource& files) {
             return fault_of(root, "based_on", "names a design that is itself based on this one; name another, or leave it out");
         if (!read.try_push_back(base.file_name)) return fault_of(root, "based_on", kTooMany);
         root.remove("based_on");
-        reader.inherit(base.text, base.file_name, kOwnKeys);
+        reader.inherit(base.text, base.file_name, kOwnKeys, kAlternatives);
     }
 }
 

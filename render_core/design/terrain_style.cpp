@@ -139,7 +139,8 @@ void read_grid(ConfigSection section, GridSettings& grid) {
         fault_of(section, "height_spacing_ft", "stands beside height_spacing_m; state one of them");
     read_spacing(section, grid);
     read_color(section, "color", grid.line);
-    grid.strength = section.number("strength", 0.05, 1, grid.strength);
+    read_share(section, "strength", grid.strength);
+    if (grid.strength == 0) grid.spacing_m = grid.spacing_rad = 0;
     const double usual_m =
         grid.is_angular() ? grid.spacing_rad / base::radians(1.0 / 60) * base::kMetresPerNauticalMile : grid.spacing_m;
     grid.height_spacing_m = height_spacing_m(section, usual_m);

@@ -84,9 +84,10 @@ struct SketchSettings {
     double stroke_spacing_px = 7;     ///< spacing of hatches and stipples on the screen, within a factor of two
 };
 
-/// The surface grid: lines of known spacing along meridians and parallels over the ground, a depth cue. The spacing is exact to
-/// the north; to the east it is exact at the middle latitude of the terrain, and elsewhere scaled by the ratio of the
-/// latitudes' cosines. Data elements with the grid also have lines of equal height above MSL.
+/// The surface grid: lines along meridians and parallels over the ground, a depth cue. By angle they lie at whole multiples of
+/// the spacing. By length the spacing is exact to the north; to the east it is exact at the middle latitude of the terrain, and
+/// elsewhere scaled by the ratio of the latitudes' cosines. Data elements with the grid also have lines of equal height above
+/// MSL.
 struct GridSettings {
     double spacing_m = 0;    ///< 0: none, or by angle
     double spacing_rad = 0;  ///< of latitude and longitude, from 0 N 0 E; 0: none, or by length

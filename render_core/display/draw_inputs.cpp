@@ -5,6 +5,7 @@ namespace {
 
 constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
 /// No calm blue and brown: who sees it flies below the surface.
+constexpr double kUnknownHaze = 0.6;  ///< share of haze in unknown ground at the horizon: it is not taken for hazy water
 constexpr design::Color kContactSky{0x3A, 0x3C, 0x42}, kContactGround{0x86, 0x0A, 0x0A}, kContactHorizon{0xC0, 0x18, 0x18};
 
 }  // namespace
@@ -48,7 +49,8 @@ draw::SkyInput make_sky_input(const DrawContext& frame) {
         sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
         sky.ground_is_unknown = true;
         sky.colors.ground = frame.design.terrain.unknown;
-        sky.colors.ground_horizon = design::blended(frame.design.terrain.unknown, frame.design.sky.haze, 1 - frame.map_share);
+        sky.colors.ground_horizon =
+            design::blended(frame.design.terrain.unknown, frame.design.sky.haze, kUnknownHaze * (1 - frame.map_share));
     } else if (frame.decisions.plain_horizon && frame.decisions.below_terrain) {
         sky.colors.zenith = sky.colors.horizon = kContactSky;
         sky.colors.ground = kContactGround;

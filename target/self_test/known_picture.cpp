@@ -38,7 +38,7 @@ constexpr int kColorTolerance = 14;
 constexpr KnownColor kColors[] = {
     {"sky_high_left", 235, 108, {104, 151, 207}},    {"sky_high_right", 370, 70, {89, 137, 199}},
     {"sky_middle", 183, 135, {117, 162, 213}},       {"sky_low", 420, 200, {133, 176, 221}},
-    {"haze_at_horizon", 190, 275, {164, 182, 199}},  {"terrain_far_left", 190, 340, {86, 98, 61}},
+    {"haze_at_horizon", 190, 275, {98, 98, 102}},    {"terrain_far_left", 190, 340, {86, 98, 61}},
     {"terrain_far_right", 378, 322, {101, 112, 70}}, {"terrain_middle", 200, 320, {85, 96, 60}},
     {"terrain_near_left", 190, 385, {78, 91, 55}},   {"terrain_near_right", 380, 390, {73, 87, 51}},
 };

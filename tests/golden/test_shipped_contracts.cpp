@@ -172,7 +172,7 @@ TEST(ShippedContracts, AClutteredDesignIsNotCalm) {
 }
 
 TEST(ShippedContracts, ColorsThatOnlyHueTellsApartBreakTheirCondition) {
-    const std::string design = flights().changed_design("approach", {{"color = \"#e04030\"", "color = \"#c86a2c\""},
+    const std::string design = flights().changed_design("approach", {{"color = \"#ff4830\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#ff7060\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#60e0ff\"", "color = \"#8a9a2c\""}});
     EXPECT_EQ(broken(flights().fly("alike", design, 360, 368, 4), "default"),

@@ -11,6 +11,8 @@
 #include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/pathway_solids.hpp"
 #include "render_core/draw/data/place_ellipsoids.hpp"
+#include "render_core/draw/data/planned_track.hpp"
+#include "render_core/draw/data/runway_strips.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
@@ -56,28 +58,34 @@ bool shows(const design::DataElement& element, const scene::Layer& layer) {
     return element.own == design::OwnData::none ? shows(element.technique, layer) : shows_own(element);
 }
 
+bool is_runway_solid(const design::DataElement& element, const scene::Layer& layer) {
+    return element.technique == DataTechnique::solid && layer.entry->role == scene::LayerRole::runway &&
+           layer.entry->shape == scene::LayerShape::lines;
+}
+
 bool is_traffic(const scene::Layer& layer) {
     return layer.entry->role == scene::LayerRole::traffic && layer.entry->shape == scene::LayerShape::lines;
 }
 
-/// Of its solids; billboards are built every frame anyway.
+/// Of its solids; billboards are built every frame anyway. A runway's outline is as wide on the screen in each.
 bool moves(const design::DataElement& element, const scene::Layer& layer) {
     if (element.own != design::OwnData::none) return true;
     const DataTechnique technique = element.technique;
     if (technique == DataTechnique::pathway) return true;
     if (technique == DataTechnique::isosurface) return draw::isosurfaces_move(layer);
-    return is_traffic(layer) || (technique == DataTechnique::prism && draw::prisms_move(layer));
+    return is_traffic(layer) || is_runway_solid(element, layer) ||
+           (technique == DataTechnique::prism && draw::prisms_move(layer));
 }
 
 draw::OwnPlace own_place(const OwnFlightFrame& own) {
     if (own.aircraft == nullptr) return {};
     const flight::OwnShipEstimate& estimate = own.aircraft->own_ship;
-    return {estimate.position, estimate.state == base::SignalState::valid};
+    const bool is_valid = estimate.state == base::SignalState::valid;
+    return {estimate.position, is_valid, is_valid && estimate.height_is_geometric};
 }
 
 draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, const draw::ElementInput& input) {
     if (input.layer.entry->shape == scene::LayerShape::meshes) return draw::add_models(batch, mesh, input);
-    if (input.layer.entry->role == scene::LayerRole::runway) return draw::add_runways(batch, mesh, input);
     return input.layer.entry->shape == scene::LayerShape::points ? draw::add_obstacle_points(batch, mesh, input)
                                                                  : draw::add_cables(batch, mesh, input);
 }
@@ -306,10 +314,35 @@ void ElementPlanner::build(draw::SolidBatch& batch, bool moving, const ElementFr
         if (is_glyph_technique(report.element->technique)) continue;
         if (moves(*report.element, *report.layer) != moving) continue;
         const draw::ElementInput input = input_of(n, frame);
-        if (!is_billboard_technique(report.element->technique)) report.count = build_element(batch, input);
+        if (is_runway_solid(*report.element, *report.layer))
+            report.count = draw::add_runways(batch, mesh_, input, approach_frame(frame));
+        else if (!is_billboard_technique(report.element->technique))
+            report.count = build_element(batch, input);
         static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));
     }
     build_cues(batch, moving, frame);
+}
+
+/// Nothing of a position that is not valid: a light that shows an old angle would mislead.
+draw::ApproachFrame ElementPlanner::approach_frame(const ElementFrame& frame) const {
+    constexpr double kFarthestPlan_m = 20'000;
+    draw::ApproachFrame approach;
+    approach.forward = frame.view.forward;
+    approach.metres_per_px_m = 1 / frame.view.focal_px;
+    const flight::AircraftState* const aircraft = frame.own.aircraft;
+    if (aircraft == nullptr || aircraft->own_ship.state != base::SignalState::valid) return approach;
+    approach.has_own_ship = true;
+    approach.own_ship = aircraft->own_ship.position;
+    if (!aircraft->own_ship.height_is_geometric)
+        approach.own_ship.height.m += frame.ground.undulation_m(approach.own_ship.latitude_rad, approach.own_ship.longitude_rad);
+    if (scene_ == nullptr) return approach;
+    const draw::PlannedTrack way = draw::planned_track(*scene_, approach.own_ship, time_.utc.ns, time_.is_date, kFarthestPlan_m);
+    if (way.layer == nullptr) return approach;
+    const scene::ScenePoint& last = way.layer->points[way.run.first + way.run.count - 1];
+    approach.has_destination = true;
+    approach.destination_latitude_rad = last.latitude_rad;
+    approach.destination_longitude_rad = last.longitude_rad;
+    return approach;
 }
 
 /// In the room that all elements have left. Lines that travel are built every frame, whatever they stand on.

@@ -20,6 +20,7 @@
 #include "render_core/display/planner/traffic_layer.hpp"
 #include "render_core/draw/data/billboard_sheet.hpp"
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/draw/data/extended_centerline.hpp"
 #include "render_core/draw/data/focus_cues.hpp"
 #include "render_core/draw/data/isosurface_solids.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
@@ -138,6 +139,7 @@ private:
     void plan_own_winds(const ElementFrame& frame);
     void count_out_of_view(const ElementFrame& frame);
     void take_foci(const ElementFrame& frame);
+    [[nodiscard]] draw::ApproachFrame approach_frame(const ElementFrame& frame) const;
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);

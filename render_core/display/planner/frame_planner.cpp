@@ -199,19 +199,23 @@ policy::TerrainSource FramePlanner::terrain_source() const {
     return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
 }
 
-/// Beyond the database the terrain alert knows nothing. At four places a track does not pass by a database of useful size.
+/// Beyond the database the terrain alert knows nothing. The track may end its turn at any
+/// time, so the straight one counts as well.
 bool FramePlanner::terrain_ends_ahead() const {
     constexpr int kPlaces = 4;
     const flight::OwnShipEstimate& own = frame_->state.own_ship;
     if (frame_->conditions.terrain != policy::TerrainSource::ready || own.state != base::SignalState::valid) return false;
     policy::PredictedTrack track = track_of(own);
     if (track.ground_speed_mps() < policy::TerrainWatch::kSlowest_mps) return false;
-    track.turn_radps = turn_radps();
-    for (int n = 1; n <= kPlaces; ++n) {
-        const earth::Geodetic at = track.at(policy::TerrainWatch::kLookAhead_s * n / kPlaces);
-        if (!terrain_.database().lattice().point(at.latitude_rad, at.longitude_rad).inside) return true;
-    }
-    return false;
+    const auto leaves = [&](double turn_radps) {
+        track.turn_radps = turn_radps;
+        for (int n = 1; n <= kPlaces; ++n) {
+            const earth::Geodetic at = track.at(policy::TerrainWatch::kLookAhead_s * n / kPlaces);
+            if (!terrain_.database().lattice().point(at.latitude_rad, at.longitude_rad).inside) return true;
+        }
+        return false;
+    };
+    return leaves(0) || leaves(turn_radps());
 }
 
 void FramePlanner::decide() {

@@ -87,12 +87,21 @@ private:
         add_words(append_spacing(report.element->cues.line_spacing_m, words).view());
     }
 
-    /// "GRID 1 NM", "GRID VERT 500 FT".
+    /// "GRID 1 NM" or "GRID 1 MIN", "GRID VERT 500 FT".
     void add_grid(const ElementReport& report) {
-        if (!report.element->grid || !(grid_.spacing_m > 0)) return;
+        if (!report.element->grid || !grid_.is_shown()) return;
         Words level("GRID "), up("GRID VERT ");
-        add_words(append_spacing(grid_.spacing_m, level).view());
+        add_words(
+            (grid_.is_angular() ? append_minutes(grid_.spacing_rad, level) : append_spacing(grid_.spacing_m, level)).view());
         if (grid_.height_spacing_m > 0) add_words(append_length(grid_.height_spacing_m, up).view());
+    }
+
+    /// "1 MIN", of latitude and longitude.
+    static Words& append_minutes(double spacing_rad, Words& words) {
+        char text[24];
+        std::snprintf(text, sizeof text, "%.4g MIN", base::degrees(spacing_rad) * 60);
+        words.append(text);
+        return words;
     }
 
     /// "0.5 NM", "1000 M".
@@ -246,6 +255,7 @@ private:
 
     void add_traffic(const design::DataElement& element) {
         add_icon("TRAFFIC", SampleLook::icon, draw::Icon::traffic, element.color);
+        add_icon("TFC 6 NM 1200 FT", SampleLook::icon, draw::Icon::near_traffic, element.color);
         add_icon("STALE TFC", SampleLook::crossed_icon, draw::Icon::traffic, draw::kStaleTraffic);
     }
 

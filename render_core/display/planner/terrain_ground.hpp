@@ -1,5 +1,5 @@
-/// The terrain as the ground that spatial data stand on: heights of its true surface, or of the plane that it is drawn as. What
-/// is read for an answer is bounded.
+/// The terrain as the ground that spatial data stand on: heights of its true surface, or of the plane that it is drawn as, and of
+/// the surface that the frame draws. What is read for an answer is bounded.
 #pragma once
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/planner/terrain_planner.hpp"
 #include "render_core/draw/data/element_input.hpp"
+#include "render_core/earth/wgs84.hpp"
 #include "render_core/policy/ground_bound.hpp"
 
 namespace tedavis::display {
@@ -22,6 +23,12 @@ public:
         if (ground.status != terrain::HeightStatus::land && ground.status != terrain::HeightStatus::sea)
             return std::numeric_limits<double>::quiet_NaN();
         return (std::isnan(flat_msl_m_) ? ground.height.m : flat_msl_m_) + ground.undulation.m;
+    }
+    [[nodiscard]] double drawn_height_m(double latitude_rad, double longitude_rad) override {
+        const terrain::DrawnPoint drawn =
+            std::isnan(flat_msl_m_) ? terrain_.drawn_point(latitude_rad, longitude_rad) : terrain::DrawnPoint{};
+        const bool is_ground = drawn.found && drawn.post_class != terrain::PostClass::void_;
+        return is_ground ? earth::from_ecef(drawn.position).height.m : height_m(latitude_rad, longitude_rad);
     }
     [[nodiscard]] double undulation_m(double latitude_rad, double longitude_rad) override {
         return terrain_.database().undulation(latitude_rad, longitude_rad).m;

@@ -48,18 +48,21 @@ public:
         return add_sides() && add_cap(ceiling_, true) && add_cap(floor_, false);
     }
 
-    /// After build(): from the foremost place of the outline on, as high as the eye where the prism is as high.
+    /// After build(): the foremost place of the outline.
     [[nodiscard]] CellFront front(double toward_rad) {
         const glm::dvec2 way(std::sin(toward_rad), std::cos(toward_rad));
         glm::dvec2 middle(0);
         for (std::size_t n = 0; n < count_; ++n) middle += mesh_.corners()[n] / static_cast<double>(count_);
-        double ahead_m = 0;
-        for (std::size_t n = 0; n < count_; ++n) ahead_m = std::max(ahead_m, glm::dot(mesh_.corners()[n] - middle, way));
-        const Corner at = on_ellipsoid(middle + way * ahead_m);
-        const Placed low = over(at, floor_), high = over(at, ceiling_);
-        const double eye_m = earth::from_ecef(input_.eye).height.m;
-        const double height_m = std::clamp(eye_m, low.height_m, std::max(low.height_m, high.height_m));
-        return {earth::to_ecef({at.latitude_rad, at.longitude_rad, {height_m}}), toward_rad, low.is_known && high.is_known};
+        const Corner at = on_ellipsoid(middle + way * reach_m(middle, way));
+        const Placed low = over(at, floor_), seen = over(on_ellipsoid(middle), floor_);
+        CellFront front{at.latitude_rad, at.longitude_rad, low.height_m, toward_rad, 0, 0, low.is_known && seen.is_known};
+        const earth::Geodetic eye = earth::from_ecef(input_.eye);
+        const glm::dvec2 sight = middle - flat(Corner{eye.latitude_rad, eye.longitude_rad});
+        const double level_m = glm::length(sight);
+        const glm::dvec2 across = level_m > 0 ? glm::dvec2(sight.y, -sight.x) / level_m : glm::dvec2(way.y, -way.x);
+        front.width_m = reach_m(middle, across) + reach_m(middle, -across);
+        front.seen_rad = 2 * std::atan2(front.width_m / 2, glm::distance(seen.place, input_.eye));
+        return front;
     }
 
 private:
@@ -94,9 +97,18 @@ private:
         return true;
     }
 
+    [[nodiscard]] glm::dvec2 flat(const Corner& at) const {
+        const double east = std::remainder(at.longitude_rad - first_.longitude_rad, 2 * base::kPi);
+        return {east * metres_.x, (at.latitude_rad - first_.latitude_rad) * metres_.y};
+    }
     [[nodiscard]] glm::dvec2 flat(const scene::ScenePoint& point) const {
-        const double east = std::remainder(point.longitude_rad - first_.longitude_rad, 2 * base::kPi);
-        return {east * metres_.x, (point.latitude_rad - first_.latitude_rad) * metres_.y};
+        return flat(Corner{point.latitude_rad, point.longitude_rad});
+    }
+    /// How far the outline reaches from a place within it.
+    [[nodiscard]] double reach_m(const glm::dvec2& from, const glm::dvec2& way) const {
+        double farthest_m = 0;
+        for (std::size_t n = 0; n < count_; ++n) farthest_m = std::max(farthest_m, glm::dot(mesh_.corners()[n] - from, way));
+        return farthest_m;
     }
 
     [[nodiscard]] Corner on_ellipsoid(const glm::dvec2& at) const {
@@ -225,7 +237,7 @@ ElementCount add_area_prisms(SolidBatch& batch, SolidMesh& mesh, const ElementIn
         if (!is_drawn) continue;
         const double toward_rad = scene::value_or_nan(input.layer, "toward", feature);
         if (prisms_move(input.layer) && has_motion(input, feature))
-            add_motion_arrow(batch, mesh, input, feature, prism.front(toward_rad));
+            add_motion_line(batch, mesh, input, feature, prism.front(toward_rad));
         add_margin(batch, mesh, input, feature);
     }
     return count;

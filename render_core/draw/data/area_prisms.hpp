@@ -10,7 +10,7 @@
 /// `detail`: below 1 an area has fewer corners; the simplified area contains the true one and is larger by up to
 /// kMaxOutlineGrowth (at detail 0). Buildings with a small "height" are left out (feature_importance.hpp).
 ///
-/// Areas with "speed" and "toward" have an arrow (cell_motion.hpp) that begins at their front.
+/// Storm cells with "speed" and "toward" have a line with barbs (cell_motion.hpp) that begins at their front.
 ///
 /// Pure, apart from queries to the ground. Bounded: the square of an area's corners, kMaxPolygonCorners at most, eight times
 /// with simplification.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/data/ground_section.hpp"
 #include "render_core/scene/area_limits.hpp"
 
 namespace tedavis::draw {
@@ -20,6 +21,13 @@ scene::ScenePoint middle_of(const ElementInput& input, const scene::Run& run) {
     }
     middle.latitude_rad += north;
     middle.longitude_rad += east;
+    middle.height_m = std::numeric_limits<float>::quiet_NaN();
+    return middle;
+}
+
+/// Between the thresholds, on the ground.
+scene::ScenePoint middle_of_runway(const ElementInput& input, const scene::Run& run) {
+    scene::ScenePoint middle = between(input.layer.points[run.first], input.layer.points[run.first + run.count - 1], 0.5);
     middle.height_m = std::numeric_limits<float>::quiet_NaN();
     return middle;
 }
@@ -41,6 +49,10 @@ bool anchor_of(const ElementInput& input, std::uint32_t feature, scene::ScenePoi
     }
     const scene::Run run = input.layer.points_of(feature);
     if (run.count == 0) return false;
+    if (input.layer.entry->role == scene::LayerRole::runway && shape == scene::LayerShape::lines) {
+        anchor = middle_of_runway(input, run);
+        return true;
+    }
     anchor = shape == scene::LayerShape::areas
                  ? gone(middle_of(input, run), scene::drift_m(input.layer, feature, input.time_ns, input.has_date))
                  : input.layer.points[run.first + run.count / 2];

@@ -1,5 +1,5 @@
-/// The anchor of a feature's sign: above a point, a line's middle, the mean of an area's corners, or a storm's current
-/// position; for no-go areas and airspaces at their ceiling. Pure, apart from queries to the ground. Bounded.
+/// The anchor of a feature's sign: above a point, a line's middle, that of a runway, the mean of an area's corners, or a storm's
+/// current position; for no-go areas and airspaces at their ceiling. Pure, apart from queries to the ground. Bounded.
 #pragma once
 
 #include "render_core/draw/data/placement.hpp"

@@ -1,6 +1,7 @@
 #include "render_core/draw/data/billboard_shape.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
@@ -25,6 +26,14 @@ float icon_px(const ElementInput& input, std::uint32_t feature, const SignView& 
     const double size_m = element.size_m > 0 ? element.size_m : kIconSize_m;
     return std::clamp(static_cast<float>(size_m * view.view.focal_px / distance_m), least, greatest);
 }
+
+/// A runway's sign gives way to the runway itself.
+double sign_share(const ElementInput& input, double distance_m) {
+    if (input.layer.entry->role != scene::LayerRole::runway) return 1;
+    return std::clamp((distance_m - kRunwaySignFrom_m) / (kRunwaySignWhole_m - kRunwaySignFrom_m), 0.0, 1.0);
+}
+
+void fade_sign(design::Color& color, double share) { color.alpha = static_cast<std::uint8_t>(std::lround(color.alpha * share)); }
 
 SignText text_of(const ElementInput& input, std::uint32_t feature, const BillboardLook& look, bool with_name) {
     SignText text;
@@ -68,8 +77,12 @@ bool billboard_shape(const ElementInput& input, std::uint32_t feature, const Sig
     if (!shape.place.is_known) return false;
     shape.spot = view.spot(shape.place.place);
     if (!shape.spot.is_ahead) return false;
+    const double share = sign_share(input, shape.spot.distance_m);
+    if (share <= 0) return false;
     shape.text_px = view.text_px;
     shape.look = billboard_look(input, feature);
+    fade_sign(shape.look.color, share);
+    fade_sign(shape.look.text, share);
     shape.text = text_of(input, feature, shape.look, with_name);
     const auto size = static_cast<float>(look_of_feature(input, feature).size);
     shape.box.half_px = 0.5f * size * icon_px(input, feature, view, shape.spot.distance_m);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
+#include "render_core/base/units.hpp"
 #include "render_core/draw/data/billboard_look.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/sign_box.hpp"
@@ -11,6 +12,9 @@
 namespace tedavis::draw {
 
 inline constexpr double kIconSize_m = 80;
+/// Runways' signs fade in between these distances from the eye.
+inline constexpr double kRunwaySignFrom_m = 1.8 * base::kMetresPerNauticalMile,
+                        kRunwaySignWhole_m = 1.9 * base::kMetresPerNauticalMile;
 /// Size of icons, in text sizes.
 inline constexpr float kMinIcon = 1.0f, kGreatestIcon = 2.2f;
 
@@ -46,7 +50,7 @@ struct BillboardShape {
     void set_lines(const SignText& lines);
 };
 
-/// Makes the shape; returns false where the feature has no position ahead of the eye point.
+/// Makes the shape; returns false where the feature has no position ahead of the eye point, and for a runway that is near.
 [[nodiscard]] bool billboard_shape(const ElementInput& input, std::uint32_t feature, const SignView& view, bool with_name,
                                    BillboardShape& shape);
 

@@ -1,7 +1,10 @@
-/// The motion of a storm cell: an arrow from its front to where the front will be after kMotionAhead_s. The arrow is a solid in
-/// the cell's opaque colour with a dark rim, so that it is visible from all sides.
+/// The motion of a storm cell: a thin line from the foot of its front on, with a barb, open to the back, for every kBarbEvery_s
+/// of the way, kMotionAhead_s at most. It is as high as the cell's base, but never closer to the ground than kMotionOverGround_m.
 ///
-/// Pure. Bounded.
+/// The line is kMotionLine_px wide on the screen at any distance, in the cell's opaque colour over a dark rim. Seen from the eye
+/// it is never longer than the cell is wide: it ends where it would be, between two barbs if need be.
+///
+/// Pure, apart from queries to the ground. Bounded.
 #pragma once
 
 #include "render_core/draw/data/element_input.hpp"
@@ -9,20 +12,27 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kMotionAhead_s = 300;
-inline constexpr double kMinMotion_mps = 0.5;  ///< below this speed a cell has no arrow
+inline constexpr double kBarbEvery_s = 300, kMotionAhead_s = 1800;
+inline constexpr double kMinMotion_mps = 0.5;  ///< below this speed a cell has no line
+inline constexpr double kMotionOverGround_m = 60;
+inline constexpr double kBarbShare = 0.07;  ///< of the cell's width, from the line to a barb's end, to the side and back
+inline constexpr float kMotionLine_px = 2.4f, kMotionRim_px = 1.3f;  ///< the rim on either side
 
-/// The beginning of the arrow.
+/// The beginning of the line.
 struct CellFront {
-    glm::dvec3 place{0};    ///< ECEF, m
+    double latitude_rad = 0, longitude_rad = 0;
+    double base_m = 0;      ///< of the cell, above the ellipsoid
     double toward_rad = 0;  ///< clockwise from true north
+    double width_m = 0;     ///< of the cell, as the eye sees it
+    double seen_rad = 0;    ///< angle at which the eye sees this width
     bool is_known = false;
 };
 
 /// True where a feature's "speed" (m/s) and "toward" (rad) state a motion.
 [[nodiscard]] bool has_motion(const ElementInput& input, std::uint32_t feature);
-/// Adds the arrow; nothing where the front is unknown or the batch has no room.
-void add_motion_arrow(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature,
-                      const CellFront& from);
+/// Returns the length of the line, m, of a cell with this speed.
+[[nodiscard]] double motion_line_m(const ElementInput& input, const CellFront& from, double speed_mps);
+/// Adds the line; nothing where the front is unknown or the batch has no room.
+void add_motion_line(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature, const CellFront& from);
 
 }  // namespace tedavis::draw

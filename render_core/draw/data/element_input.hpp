@@ -13,10 +13,11 @@ namespace tedavis::draw {
 
 class LayerFoci;
 
-/// The own ship's place, for what is shown only ahead of it.
+/// The own ship's place, for what depends on where it is.
 struct OwnPlace {
-    earth::Geodetic place;  ///< its height is not used
-    bool is_valid = false;  ///< false: unknown, or not of now
+    earth::Geodetic place;
+    bool is_valid = false;    ///< false: unknown, or not of now
+    bool has_height = false;  ///< it is valid, and its height is one above the ellipsoid
 };
 
 struct ElementInput {
@@ -31,7 +32,7 @@ struct ElementInput {
     double metres_per_px_m = 0;       ///< width of a pixel at a distance of 1 m
     bool has_age = true;              ///< false: the frame's time is extrapolated, and ages are unknown
     const LayerFoci* foci = nullptr;  ///< of this layer; null: everything is in the focus
-    OwnPlace own{};
+    OwnPlace own_ship{};
 };
 
 inline constexpr double kFloating_m = 5;  ///< height above the ground below which no link is drawn

@@ -16,9 +16,6 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kSlab_m = 4;  // from a runway's surface down
-constexpr design::Color kPaint{245, 245, 245};
-
 SolidLook look_on_ground(const ElementInput& input) {
     SolidLook look = look_of(input);
     look.raised_px = kStripRaised_px;
@@ -29,113 +26,8 @@ double width_of(const ElementInput& input, std::uint32_t feature) {
     const double width = scene::value_or_nan(input.layer, "width", feature);
     if (width > 0) return width;
     if (input.element.size_m > 0) return input.element.size_m;
-    switch (input.layer.entry->role) {
-        case scene::LayerRole::runway: return kRunwayWidth_m;
-        case scene::LayerRole::river: return kRiverWidth_m;
-        default: return kRoadWidth_m;
-    }
+    return input.layer.entry->role == scene::LayerRole::river ? kRiverWidth_m : kRoadWidth_m;
 }
-
-/// A slab from threshold to threshold. Along: a margin, stripes, then dashes of the centre line and gaps in turn, to the middle
-/// and likewise back; across: cells between the edges of its stripes.
-class Runway {
-public:
-    Runway(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature)
-        : mesh_(mesh), input_(input), run_(input.layer.points_of(feature)), feature_(feature) {}
-
-    bool build() {
-        if (run_.count < 2) return false;
-        first_ = input_.layer.points[run_.first];
-        last_ = input_.layer.points[run_.first + run_.count - 1];
-        const glm::dvec2 way = flat_offset(first_, last_);
-        length_m_ = glm::length(way);
-        if (!(length_m_ > 4 * kStripes_m) || length_m_ > kLongest_m) return false;
-        half_ = right_of(way) * (0.5 * width_of(input_, feature_));
-        surface_ = encoded_color(input_, input_.element.by_color, feature_);
-        unsure_ = encoded_uncertainty(input_, feature_);
-        const GroundSection begin = at(0);
-        if (!begin.is_known) return false;
-        mesh_.begin(begin.at(0));
-        return add_parts(begin);
-    }
-
-private:
-    static constexpr double kMargin_m = 6, kStripes_m = 30, kLongest_m = 8000;
-    static constexpr double kDash_m = 30, kPeriod_m = 50, kMaxPeriods = 48;
-
-    [[nodiscard]] GroundSection at(double along_m) const {
-        return ground_section(input_, between(first_, last_, along_m / length_m_), half_);
-    }
-
-    bool add_parts(const GroundSection& begin) {
-        const double inner_m = length_m_ - 2 * (kMargin_m + kStripes_m);
-        const double periods = std::clamp(std::round(inner_m / kPeriod_m), 1.0, kMaxPeriods);
-        const double period_m = inner_m / periods, gap_m = period_m * (1 - kDash_m / kPeriod_m);
-        cap(begin, false);
-        GroundSection from = begin;
-        double along = 0;
-        const auto go = [&](double by_m, Paint paint) {
-            along += by_m;
-            const GroundSection to = at(along);
-            if (!to.is_known) return false;
-            part(from, to, paint);
-            from = to;
-            return true;
-        };
-        bool is_known = go(kMargin_m, Paint::none) && go(kStripes_m, Paint::stripes);
-        for (double n = 0; n < periods && is_known; ++n)
-            is_known = go(gap_m / 2, Paint::none) && go(period_m - gap_m, Paint::dash) && go(gap_m / 2, Paint::none);
-        is_known = is_known && go(kStripes_m, Paint::stripes) && go(kMargin_m, Paint::none);
-        cap(from, true);
-        return is_known;
-    }
-
-    enum class Paint : std::uint8_t { none, dash, stripes };
-
-    void part(const GroundSection& from, const GroundSection& to, Paint paint) {
-        constexpr int kCells = 15;  // a stripe, a gap, ...
-        if (paint == Paint::stripes)
-            for (int n = 0; n < kCells; ++n)
-                cell(from, to, 2.0 * n / kCells - 1, 2.0 * (n + 1) / kCells - 1, n % 2 == 1 && n != kCells / 2);
-        else {
-            const double line = std::min(0.2, 0.45 / glm::length(half_));
-            cell(from, to, -1, -line, false);
-            cell(from, to, -line, line, paint == Paint::dash);
-            cell(from, to, line, 1, false);
-        }
-        set_paint(false);
-        mesh_.quad(from.at(-1, kSlab_m), from.at(-1), to.at(-1), to.at(-1, kSlab_m));
-        mesh_.quad(from.at(1), from.at(1, kSlab_m), to.at(1, kSlab_m), to.at(1));
-        mesh_.quad(from.at(-1, kSlab_m), to.at(-1, kSlab_m), to.at(1, kSlab_m), from.at(1, kSlab_m));
-    }
-
-    void cell(const GroundSection& from, const GroundSection& to, double left, double right, bool painted) {
-        set_paint(painted);
-        mesh_.quad(from.at(left), from.at(right), to.at(right), to.at(left));
-    }
-
-    void cap(const GroundSection& end, bool faces_on) {
-        set_paint(false);
-        if (faces_on)
-            mesh_.quad(end.at(-1), end.at(1), end.at(1, kSlab_m), end.at(-1, kSlab_m));
-        else
-            mesh_.quad(end.at(-1, kSlab_m), end.at(1, kSlab_m), end.at(1), end.at(-1));
-    }
-
-    void set_paint(bool painted) {
-        mesh_.set_color(painted ? design::Color{kPaint.red, kPaint.green, kPaint.blue, surface_.alpha} : surface_, unsure_);
-    }
-
-    SolidMesh& mesh_;
-    const ElementInput& input_;
-    scene::Run run_;
-    std::uint32_t feature_;
-    scene::ScenePoint first_{}, last_{};
-    glm::dvec2 half_{0};
-    double length_m_ = 0;
-    design::Color surface_;
-    scene::Uncertainty unsure_;
-};
 
 /// A strip along a line, in as many meshes as it needs.
 class Ribbon {
@@ -250,16 +142,6 @@ private:
 };
 
 }  // namespace
-
-ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
-    ElementCount count;
-    batch.set_look(look_on_ground(input), input.layer.entry->data_time_ns);
-    for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
-        const bool is_drawn = Runway(mesh, input, feature).build() && mesh.add_to(batch);
-        ++(is_drawn ? count.drawn : count.hidden);
-    }
-    return count;
-}
 
 ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;

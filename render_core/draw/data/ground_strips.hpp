@@ -1,12 +1,10 @@
-/// Builds strips on the ground along lines: runways with their markings, roads and rivers.
+/// Builds strips on the ground along lines: roads and rivers. Runways: runway_strips.hpp.
 ///
 /// A strip follows the true ground: cross-sections at most kLongestStep_m apart, each kStripLift_m above the highest ground
 /// below it, because terrain is drawn with a tolerance; where the ground is unknown it has the heights of its points. Widths:
 /// attribute "width"; else the element's size_m; else the role's.
 ///
-/// A runway goes from its first point to its last one, its thresholds, and is a closed slab that reaches into the ground, with
-/// threshold stripes and a broken centre line of white. Roads and rivers (any other line) face upwards only, and look a few
-/// pixels wide where they are narrower.
+/// Strips (of any line) face upwards only, and look a few pixels wide where they are narrower.
 ///
 /// `detail`: below 1 roads and rivers leave out points of their way, from which it is nowhere farther than
 /// kMaxStraightened_m * (1 - detail), and those with a small "width" are left out (feature_importance.hpp).
@@ -21,10 +19,9 @@
 namespace tedavis::draw {
 
 inline constexpr double kMaxStraightened_m = 300;
-inline constexpr double kRunwayWidth_m = 30, kRiverWidth_m = 20, kRoadWidth_m = 8;
+inline constexpr double kRiverWidth_m = 20, kRoadWidth_m = 8;
 
 /// A line is drawn or hidden as a whole, except where a ribbon exceeds the room.
-[[nodiscard]] ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 [[nodiscard]] ElementCount add_ribbons(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input);
 
 }  // namespace tedavis::draw

@@ -20,7 +20,8 @@ struct Stroke {
 };
 struct Shape {
     base::Span<const Stroke> strokes;
-    float circle = 0;  ///< radius round the middle; 0 for none
+    float circle = 0;        ///< radius round the middle; 0 for none
+    bool is_filled = false;  ///< between its strokes, four of which go round the middle
 };
 
 constexpr Stroke kObstacle[] = {{-0.6f, 0.8f, 0, -0.9f}, {0.6f, 0.8f, 0, -0.9f}, {0, 0.8f, 0, 0.8f}};
@@ -49,7 +50,7 @@ constexpr Stroke kModel[] = {{-0.7f, 0.9f, 0.7f, 0.9f},
 constexpr std::size_t kIcons = static_cast<std::size_t>(Icon::count);
 constexpr std::array<std::string_view, kIcons> kNames = {"generic", "obstacle", "mast",  "turbine", "chimney", "crane",
                                                          "pole",    "cable",    "place", "village", "town",    "runway",
-                                                         "traffic", "sample",   "storm", "no_go",   "model"};
+                                                         "traffic", "sample",   "storm", "no_go",   "model",   "near_traffic"};
 
 Shape shape_of(Icon icon) {
     constexpr float kWhole = 0.9f, kPlace = 0.7f, kVillage = 0.5f, kBalloon = 0.5f;
@@ -69,6 +70,7 @@ Shape shape_of(Icon icon) {
         case Icon::storm: return {kStorm};
         case Icon::no_go: return {kNoGo, kWhole};
         case Icon::model: return {kModel};
+        case Icon::near_traffic: return {kDiamond, 0, true};
         default: return {kDiamond};
     }
 }
@@ -102,6 +104,10 @@ bool draw_shape(QuadBatch& batch, const Shape& shape, Point middle, float half_p
                           past > 0 ? 2 * width_px : width_px, color) &&
                fits;
     }
+    for (const Stroke& stroke : shape.is_filled ? shape.strokes : base::Span<const Stroke>())
+        fits = batch.triangle(middle, {middle.x + half_px * stroke.x0, middle.y + half_px * stroke.y0},
+                              {middle.x + half_px * stroke.x1, middle.y + half_px * stroke.y1}, color) &&
+               fits;
     if (shape.circle <= 0) return fits;
     Point corners[kCircleSides];
     for (int n = 0; n < kCircleSides; ++n)

@@ -27,6 +27,7 @@ enum class Icon : std::uint8_t {
     storm,
     no_go,
     model,
+    near_traffic,
     count
 };
 

@@ -61,8 +61,8 @@ bool make_frame(const ElementInput& input, const Pathway& pathway, const Pathway
 
 Pathway planned_pathway(const ElementInput& input) {
     Pathway pathway;
-    if (!input.own.is_valid) return pathway;
-    const PlannedTrack way = track_beside(input.layer, input.own.place, input.time_ns, input.has_date, kFarthestTrack_m);
+    if (!input.own_ship.is_valid) return pathway;
+    const PlannedTrack way = track_beside(input.layer, input.own_ship.place, input.time_ns, input.has_date, kFarthestTrack_m);
     if (way.layer == nullptr) return pathway;
     bool is_first = true;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature)

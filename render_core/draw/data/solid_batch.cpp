@@ -35,7 +35,8 @@ bool operator==(const SolidLook& a, const SolidLook& b) noexcept {
     return a.opacity == b.opacity && a.ghost == b.ghost && a.halo_px == b.halo_px && a.raised_px == b.raised_px &&
            a.fading == b.fading && a.has_grid == b.has_grid && a.fading_strength == b.fading_strength &&
            a.fading_levels == b.fading_levels && a.growth_per_hour == b.growth_per_hour && a.near_m == b.near_m &&
-           a.group == b.group && a.is_mixed == b.is_mixed && a.is_hollow == b.is_hollow && a.is_thing == b.is_thing;
+           a.group == b.group && a.is_mixed == b.is_mixed && a.is_hollow == b.is_hollow && a.is_thing == b.is_thing &&
+           a.nearer_m == b.nearer_m && a.is_last == b.is_last;
 }
 
 SolidBatch::SolidBatch(base::Span<SolidVertex> vertices, base::Span<std::uint16_t> indices, base::Span<SolidPiece> pieces)

@@ -41,6 +41,7 @@ static_assert(sizeof(SolidVertex) == 20);
 enum class SolidFading : std::uint8_t { none, transparency, saturation };
 
 struct SolidLook {
+    static constexpr float kNearestShare = 0.06f;
     /// Multiples of near_m; opaque pieces are cut at kOpaqueFrom.
     static constexpr float kWholeFrom = 4, kOpaqueFrom = 2;
     float opacity = 1;    ///< below 1, or with a vertex alpha below 255: blended
@@ -56,6 +57,8 @@ struct SolidLook {
     std::uint8_t group = 0;     ///< below 32: pieces of a group are shown and hidden together
     bool is_mixed = false;      ///< has colours that are not opaque
     bool is_hollow = false;     ///< far sides do not show through near ones
+    float nearer_m = 0;         ///< depth is that of places so much nearer to the eye, at most kNearestShare of the distance
+    bool is_last = false;       ///< on the ground and drawn over all other solids, from its first triangle to its last
     bool is_thing = true;       ///< casts a shadow; false for margins, hulls of what is unsure, and cues
 };
 [[nodiscard]] bool operator==(const SolidLook& a, const SolidLook& b) noexcept;

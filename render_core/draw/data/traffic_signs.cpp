@@ -22,14 +22,15 @@ constexpr float kHalf = 0.7f, kGap = 0.3f, kSize = 0.85f;  // of the text's size
 constexpr float kLine_px = 2, kHalo_px = 1.5f;
 constexpr float kTouch_px = 0.25f;  // texts touch the diamond's box; rounding must not make that an overlap
 constexpr int kCircleSides = 24;
-/// Diamond, dashes, cross; a text with its halo; two lines and the circle with their rims: four vertices each.
-constexpr std::size_t kMaxTrafficVertices = 4 * (8 + 16 + 2), kMaxTrafficTextVertices = 4 * 2 * 31,
+/// Diamond and its filling, dashes, cross; a text with its halo; two lines and the circle with their rims: four vertices each.
+constexpr std::size_t kMaxTrafficVertices = 4 * (8 + 8 + 16 + 2), kMaxTrafficTextVertices = 4 * 2 * 31,
                       kMaxTrafficLinkVertices = 4 * 2 * (2 + kCircleSides);
 
 /// Of a text, round the diamond.
 enum class Side : std::uint8_t { right, left, below, above };
 using Sides = std::array<Side, 4>;  ///< the best first
-constexpr Sides kHeightSides{Side::below, Side::above, Side::right, Side::left};
+constexpr Sides kLowerSides{Side::below, Side::above, Side::right, Side::left};
+constexpr Sides kHigherSides{Side::above, Side::below, Side::right, Side::left};
 constexpr Sides kAgeSides{Side::above, Side::below, Side::right, Side::left};
 constexpr Sides kNameSides{Side::right, Side::left, Side::above, Side::below};
 
@@ -75,8 +76,9 @@ public:
     /// Of one that was added: what says most first.
     void add_texts() {
         if (!look()) return;
-        const double eye_m = earth::from_ecef(input_.eye).height.m;
-        add_text(height_text(place_.height_m - eye_m, state_.up), kHeightSides);
+        const OwnPlace& own = input_.own_ship;
+        const double over_m = place_.height_m - (own.has_height ? own.place.height.m : earth::from_ecef(input_.eye).height.m);
+        add_text(height_text(over_m, state_.up), over_m < 0 ? kLowerSides : kHigherSides);
         add_text(age_text(state_), kAgeSides);
         add_text(billboard_name(input_, feature_, look_), kNameSides);
     }
@@ -163,7 +165,8 @@ private:
     void draw_sign() const {
         QuadBatch& batch = sheet_.signs();
         const float half = kHalf * sheet_.text_px();
-        static_cast<void>(draw_icon(batch, Icon::traffic, spot_.at, half, look_.color));
+        const bool is_near = is_proximate(input_, state_, place_.height_m);
+        static_cast<void>(draw_icon(batch, is_near ? Icon::near_traffic : Icon::traffic, spot_.at, half, look_.color));
         if (state_.is_stale) {
             const Point &at = spot_.at, low{at.x - half, at.y + half}, high{at.x + half, at.y - half};
             static_cast<void>(batch.line(low, high, kLine_px + 2, {0, 0, 0, look_.color.alpha}));

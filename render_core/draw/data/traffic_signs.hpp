@@ -1,7 +1,8 @@
-/// Draws other aircraft as signs that face the viewer: a diamond at the position, a line to the position in kVelocityLine_s,
-/// the name, its height over or under the own ship in hundreds of feet with an arrow when it climbs or sinks, the age of the
-/// last report when that is kShownAge_s old or unknown, and with the uncertainty technique "ellipsoid" a circle of possible
-/// positions (95 %, traffic_state.hpp), or a dashed rim and a question mark where that is unknown. Stale aircraft
+/// Draws other aircraft as signs that face the viewer: a diamond at the position, filled where it is proximate
+/// (traffic_state.hpp) and hollow else, a line to the position in kVelocityLine_s, the name, its height over or under the own
+/// ship in hundreds of feet, above the diamond or below it, with an arrow when it climbs or sinks by kShownClimb_mps or more, the
+/// age of the last report when that is kShownAge_s old or unknown, and with the uncertainty technique "ellipsoid" a circle of
+/// possible positions (95 %, traffic_state.hpp), or a dashed rim and a question mark where that is unknown. Stale aircraft
 /// (traffic_state.hpp) are grey, crossed out, and show their age. `link` draws a line down to the ground.
 ///
 /// Pure, apart from queries to the ground. Bounded.

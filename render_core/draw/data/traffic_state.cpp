@@ -100,4 +100,13 @@ TrafficState traffic_state(const ElementInput& input, std::uint32_t feature) {
     return state;
 }
 
+bool is_proximate(const ElementInput& input, const TrafficState& state, double height_m) {
+    if (!input.own_ship.has_height || state.is_stale || !std::isfinite(state.point.height_m)) return false;
+    const earth::Geodetic& own = input.own_ship.place;
+    const glm::dvec2 metres = metres_per_rad(state.point);
+    const double east_m = std::remainder(state.point.longitude_rad - own.longitude_rad, 2 * base::kPi) * metres.x;
+    const double north_m = (state.point.latitude_rad - own.latitude_rad) * metres.y;
+    return std::hypot(east_m, north_m) <= kProximate_m && std::abs(height_m - own.height.m) <= kProximateHeight_m;
+}
+
 }  // namespace tedavis::draw

@@ -28,6 +28,13 @@ struct TrafficState {
     bool has_velocity = false;           ///< two reports give one
 };
 
+/// Other aircraft are proximate within these of the own ship: the first step of a TCAS II display (FAA, Introduction to TCAS II
+/// Version 7.1, 2011). There is no second one: advisories are a TCAS's, and none are made here.
+inline constexpr double kProximate_m = 6 * 1852.0, kProximateHeight_m = 1200 * 0.3048;
+/// True for a proximate aircraft. False where its report is stale, its height unknown, or the own ship's position not valid.
+/// `height_m` above the ellipsoid.
+[[nodiscard]] bool is_proximate(const ElementInput& input, const TrafficState& state, double height_m);
+
 /// Returns the state at the frame's time; without a date, at its last report. Reports without times have neither age nor
 /// velocity.
 [[nodiscard]] TrafficState traffic_state(const ElementInput& input, std::uint32_t feature);

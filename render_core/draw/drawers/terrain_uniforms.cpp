@@ -108,7 +108,11 @@ void set_grid(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, c
     gl->Uniform4f(program.uniform(kGridWindow), static_cast<float>(step.lines_east), static_cast<float>(step.lines_south),
                   static_cast<float>(first_east - std::floor(first_east)),
                   static_cast<float>(first_south - std::floor(first_south)));
-    gl->Uniform2f(program.uniform(kGridSpacing), static_cast<float>(step.east_m), static_cast<float>(step.south_m));
+    const std::uint32_t rows = of.lattice.rows();
+    const double here = std::cos(of.lattice.latitude_rad((posts.j0 + posts.j1) / 2)),
+                 middle = std::cos(of.lattice.latitude_rad(rows / 2));
+    const double east_m = grid.is_angular() ? step.east_m * here / middle : step.east_m;
+    gl->Uniform2f(program.uniform(kGridSpacing), static_cast<float>(east_m), static_cast<float>(step.south_m));
 }
 
 }  // namespace
@@ -223,10 +227,11 @@ GridStep grid_step(const terrain::Lattice& lattice, const design::GridSettings& 
                 grid.spacing_m,
                 grid.spacing_m};
     const double lines_east = step.east_rad / grid.spacing_rad, lines_south = step.south_rad / grid.spacing_rad;
+    const std::uint32_t middle = lattice.rows() / 2;  // the first row may be a pole's, which is nearer
     return {lines_east,
             lines_south,
             lattice.longitude_rad(0) / grid.spacing_rad,
-            -lattice.latitude_rad(0) / grid.spacing_rad,
+            -lattice.latitude_rad(middle) / grid.spacing_rad - middle * lines_south,
             step.east_rad,
             step.south_rad,
             cell.east_m / lines_east,

@@ -7,12 +7,12 @@
 uniform vec4 natural_rock;       // color of rock; strength of the grain
 uniform vec3 natural_woods;      // shares that they leave of the tint
 
-const float kLargestGrain_m = 512.0;  // of the coordinates' period 256 cells fit
-
-// A permutation of the numbers below 289 (McEwan et al. 2012); every step is exact in float.
+// A permutation of the numbers below 289 (McEwan et al. 2012) for whole numbers below 578: all products stay below 2^22, and every
+// step is exact in float.
 vec2 permuted(vec2 x) {
+    x -= 289.0 * step(289.0, x);
     x *= x * 34.0 + 1.0;
-    return x - 289.0 * floor((x + 0.5) * (1.0 / 289.0));  // x is whole
+    return x - 289.0 * floor((x + 0.5) * (1.0 / 289.0));
 }
 
 // -0.5..0.5; `place`: in cells.
@@ -26,12 +26,14 @@ float grain_at(vec2 place) {
 }
 
 // Grain of three sizes, each twice the one before, the finest with cells of four to eight pixels. It goes while the next larger
-// one comes; none has cells larger than the largest.
+// one comes. No cell is larger than 512 m, of which 256 fit into the period of the coordinates: where cells would have to be,
+// the grain has faded out.
 float grain_of(vec2 ground, float footprint_m) {
-    float octave = log2(max(footprint_m * 4.0, 0.25)), size_m = exp2(floor(octave)), fade = fract(octave);
-    float grain = (1.0 - fade) * grain_at(ground / size_m) + grain_at(ground.yx / (2.0 * size_m)) +
+    float octave = log2(max(footprint_m * 4.0, 0.25)), fade = fract(octave);
+    float size_m = floor(exp2(floor(octave) + 2.0) + 0.5) * 0.25;  // a whole power of two, whatever exp2 rounds
+    float grain = (1.0 - fade) * grain_at(ground / size_m) + grain_at(ground / (2.0 * size_m)) +
                   fade * grain_at(ground / (4.0 * size_m));
-    return grain * clamp(2.0 - 8.0 * size_m / kLargestGrain_m, 0.0, 1.0);
+    return grain * clamp(7.0 - octave, 0.0, 1.0);
 }
 
 // `tint`: by height alone. `footprint_m`: of a pixel on the ground.

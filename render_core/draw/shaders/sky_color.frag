@@ -15,10 +15,10 @@ uniform vec2 half_tangent;      // as in screen.vert: rays go forward, right, do
 // Towards the zenith, towards the ground's own colour, over the edge of a pixel at the horizon.
 vec3 sky_shares() { return clamp(vec3(v_above.x * 1.6, v_above.x * -4.0, v_above.y * pixels_per_down + 0.5), 0.0, 1.0); }
 
-// What the ground keeps of its color; towards the horizon, where haze hides it, all.
+// What the ground keeps of its color; within a degree of the horizon, where haze hides it, all.
 float ground_hatch_here() {
     vec3 shares = sky_shares();
-    return 1.0 - ground_hatch * shares.y * (1.0 - shares.z) * (1.0 - hatch_at(gl_FragCoord.xy));
+    return 1.0 - ground_hatch * min(16.0 * shares.y, 1.0) * (1.0 - shares.z) * (1.0 - hatch_at(gl_FragCoord.xy));
 }
 
 vec3 sky_color() {

@@ -5,7 +5,7 @@ VERTEX_IN vec4 color;
 
 uniform vec3 anchor;             // from the eye, ECEF, m
 uniform vec4 fading;             // lost transparency and saturation of the least sure; levels, 0 for continuous; grown since
-uniform vec3 cover;              // opacity; metres to swell, and to raise, a metre of distance
+uniform vec4 cover;              // opacity; metres to swell, and to raise, a metre of distance; metres nearer, in depth
 
 VARYING float v_unknown;
 #ifdef GRID
@@ -24,6 +24,7 @@ void main() {
     v_normal = normal;
 #endif
     eye_relative += normal * (cover.y + cover.z) * length(eye_relative);
+    eye_relative *= 1.0 - min(cover.w / max(length(eye_relative), 1.0), 0.06);  // along the line of sight
     bool is_unknown = normal_unsure.w > 254.5 / 255.0;
     float unsure = is_unknown ? 0.0 : min(normal_unsure.w * (255.0 / 254.0) + fading.w, 1.0);
     v_unknown = is_unknown && fading.x + fading.y > 0.0 ? 1.0 : 0.0;

@@ -230,11 +230,12 @@ void main() {
     shine = light.z * pow(mirrored, light.w) * step(0.0001, direct) * first_color;
 #endif
 #endif
+    float is_plain = step(band.a, 0.0);  // neither sky light nor lines make a warning darker
 #if defined(OCCLUSION) && defined(MAP_FORM)
-    lit *= mix(1.0, form.z * form.z * form.z * form.z, occlusion.x);
+    lit *= mix(1.0, form.z * form.z * form.z * form.z, occlusion.x * is_plain);
 #endif
 #if defined(OCCLUSION) && defined(MAP_LIGHT)
-    lit *= mix(1.0, smoothstep(0.65, 1.0, 1.0 + signed_root(baked.g)), occlusion.y);
+    lit *= mix(1.0, smoothstep(0.65, 1.0, 1.0 + signed_root(baked.g)), occlusion.y * is_plain);
 #endif
 #if defined(SHADOWS) && !defined(LIGHTS)
     lit *= 1.0 - 0.6 * hidden;  // a style without a light: as under a sky that keeps two fifths
@@ -355,7 +356,7 @@ void main() {
     vec2 from_line = (fract(v_grid + 0.5) - 0.5) * grid_spacing;
     float meridian = grid_line(from_line.x, grid_spacing.x, reach_of(vec3(1.0, 0.0, 0.0), n, ray, facing, pixel_m));
     float parallel = grid_line(from_line.y, grid_spacing.y, reach_of(vec3(0.0, 1.0, 0.0), n, ray, facing, pixel_m));
-    color = mix(color, grid_look.rgb, grid_look.a * max(meridian, parallel));
+    color = mix(color, grid_look.rgb, grid_look.a * is_plain * max(meridian, parallel));
 #endif
 
     // -- where the scale changes

@@ -4,5 +4,5 @@
 // What a pixel keeps of its color.
 float hatch_at(vec2 pixel) {
     float from_middle = abs(fract((pixel.x + pixel.y) * 0.125) - 0.5);  // of a stripe of eight pixels
-    return mix(0.62, 1.0, smoothstep(0.15, 0.35, from_middle));
+    return mix(0.5, 1.0, smoothstep(0.15, 0.35, from_middle));
 }

@@ -27,9 +27,9 @@ constexpr float kInset = 0.3f;
 constexpr float kNumberSize = 0.75f;
 constexpr float kNumberPitch = 1.0f;  // numbers on the bar stand at least so far apart
 
-// Missing data as terrain.frag hatches it: bright and dark stripes of equal width, this many pixels apart along a row.
-constexpr float kHatchPitch_px = 12;
-constexpr double kHatchDark = 0.4;
+// Unknown ground as unknown_ground.frag hatches it: bright and dark stripes of equal width, this many pixels apart along a row.
+constexpr float kHatchPitch_px = 8;
+constexpr double kHatchDark = 0.5;
 
 constexpr int kBandSlices = 5;
 
@@ -107,7 +107,7 @@ private:
         y_ += kInset * t_;
         build_sample("SEA", legend_.sea);
         hatch(build_sample("NO DATA", legend_.unknown));
-        build_sample("OUTSIDE", legend_.unknown);
+        hatch(build_sample("OUTSIDE", legend_.unknown));
         y_ += kInset * t_;
     }
 

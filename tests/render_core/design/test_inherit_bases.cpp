@@ -58,6 +58,20 @@ TEST(InheritBases, WhatADesignDoesNotSayIsItsBases) {
     EXPECT_NE(alone.design.view.dpi, 120) << "the control";
 }
 
+TEST(InheritBases, ASpacingTakesThePlaceOfAnInheritedOneInAnotherUnit) {
+    const std::map<std::string, std::string> bases = {
+        {"b", "name = 'b'\n[terrain.grid]\nspacing_arcmin = 1\ncolor = '#102030'\n"}};
+    const Outcome miles = read("name = 'd'\nbased_on = 'b'\n[terrain.grid]\nspacing_nm = 1\n", bases);
+    ASSERT_EQ(miles.fault, "");
+    EXPECT_EQ(miles.design.terrain.style.grid.spacing_m, 1852);
+    EXPECT_FALSE(miles.design.terrain.style.grid.is_angular());
+    EXPECT_EQ(miles.design.terrain.style.grid.line, (Color{0x10, 0x20, 0x30})) << "what it does not state stays";
+    const Outcome none = read("name = 'd'\nbased_on = 'b'\n[terrain.grid]\nstrength = 0\n", bases);
+    EXPECT_EQ(none.fault, "");
+    EXPECT_FALSE(none.design.terrain.style.grid.is_shown());
+    EXPECT_TRUE(read("name = 'd'\nbased_on = 'b'\n", bases).design.terrain.style.grid.is_angular()) << "the control";
+}
+
 TEST(InheritBases, ABaseMayBeBasedOnAnother) {
     const Outcome all = read("name = 'd'\nbased_on = 'b'\n", {{"b", "name = 'b'\nbased_on = 'c'\n[view]\ndpi = 120\n"},
                                                               {"c", "name = 'c'\n[view]\ndpi = 200\nmode = 'map'\n"}});

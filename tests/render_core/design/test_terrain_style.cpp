@@ -91,6 +91,12 @@ TEST(TerrainStyle, TheGridsSpacingIsALengthOrAnAngle) {
     EXPECT_NE(read("[terrain.grid]\nspacing_arcmin = 1\nspacing_m = 100\n").error.find("state one of them"), std::string::npos);
 }
 
+TEST(TerrainStyle, AGridOfNoStrengthIsNone) {
+    const ReadStyle got = read("[terrain.grid]\nspacing_nm = 1\nstrength = 0\n");
+    EXPECT_EQ(got.error, "");
+    EXPECT_FALSE(got.style.grid.is_shown());
+}
+
 TEST(TerrainStyle, NaturalGroundHasItsRockAndItsGrain) {
     const ReadStyle got =
         read("[terrain.texture]\ntechnique = 'material'\nrock_color = '#102030'\nwoods_filter = '#80ff40'\ngrain = 0.5\n");

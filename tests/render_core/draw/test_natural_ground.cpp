@@ -119,7 +119,7 @@ TEST(NaturalGround, P38TheGrainIsAsFineFarAwayAsNear) {
             EXPECT_LT(alike, 0.5) << device << " " << above_m << " m above";
         });
         seen(device, without_grain(), [&](double above_m, const ChunkPicture& picture) {
-            EXPECT_LT(roughness(row_of(picture, 90, 20, 300)), 0.1) << device << " " << above_m << " m above";
+            EXPECT_LT(roughness(row_of(picture, 90, 20, 300)), 0.25) << device << " " << above_m << " m above";
         });
     }
 }

@@ -280,7 +280,7 @@ TEST(TerrainDrawer, VoidsAreHatchedInTheirColorInEveryStyleAndNeverLookLikeSea) 
                 const double share = 1.0 * seen.red / unknown.red;
                 EXPECT_LE(color_difference(seen, color_blend({0, 0, 0}, unknown, share)), 2) << texture << ": " << x << ", " << y;
                 strong += share > 0.98 ? 1 : 0;
-                weak += share < 0.66 ? 1 : 0;
+                weak += share < 0.55 ? 1 : 0;
             }
         EXPECT_GT(strong, 100) << "stripes, texture " << texture;
         EXPECT_GT(weak, 100) << "and what is between them";

@@ -58,7 +58,7 @@ std::uint32_t SolidCasters::draw(gl::Gl& gl, base::Span<const SolidBuffers* cons
 std::uint32_t SolidCasters::draw_piece(gl::Gl& gl, const SolidPiece& piece, bool is_thin, const CasterView& view) const {
     set_solid_place(gl, program_.uniform(kCastAnchor), piece, view.eye);
     set_solid_fading(gl, program_.uniform(kCastFading), piece, 0);
-    gl->Uniform3f(program_.uniform(kCastCover), piece.look.opacity, 0, 0);
+    gl->Uniform4f(program_.uniform(kCastCover), piece.look.opacity, 0, 0, 0);
     point_solid_attributes(gl, piece);
     const std::uint32_t times = is_thin ? 2 : 1;
     for (std::uint32_t n = 0; n < times; ++n) {

@@ -213,14 +213,26 @@ std::uint32_t SolidDrawer::draw(gl::Gl& gl, base::Span<const SolidBuffers* const
     draw_pass(gl, solids, frame, Pass::ghosts);
     draw_pass(gl, solids, frame, Pass::opaque);
     draw_pass(gl, solids, frame, Pass::mixed);
+    draw_pass(gl, solids, frame, Pass::last);
     if (frame.frame.left.is_left()) draw_pass(gl, solids, frame, Pass::distances);
     gl->Disable(GL_CULL_FACE);
     for (GLuint attribute = 0; attribute < kSolidAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
     return draws_;
 }
 
+bool SolidDrawer::takes_part(const SolidPiece& piece, Pass pass) {
+    switch (pass) {
+        case Pass::ghosts: return piece.look.ghost > 0 && piece.look.halo_px <= 0;
+        case Pass::opaque: return !is_mixed(piece) && !piece.look.is_last;
+        case Pass::mixed: return is_mixed(piece) && !piece.look.is_last;
+        case Pass::distances: return is_mixed(piece) || piece.look.is_last;
+        case Pass::last: return piece.look.is_last;
+    }
+    return false;
+}
+
 void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass) {
-    const bool blends = pass == Pass::ghosts || pass == Pass::mixed;
+    const bool blends = pass == Pass::ghosts || pass == Pass::mixed || pass == Pass::last;
     if (blends) gl->Enable(GL_BLEND);
     if (pass != Pass::opaque) gl->DepthMask(GL_FALSE);
     if (pass == Pass::distances) gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -235,9 +247,7 @@ void SolidDrawer::draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> so
     for (std::uint32_t n = 0; n < chosen_; ++n) {
         const SolidBuffers& buffers = *solids[order_[n].buffer];
         const SolidPiece& piece = buffers.batch().pieces()[order_[n].piece];
-        const bool takes_part =
-            pass == Pass::ghosts ? piece.look.ghost > 0 && piece.look.halo_px <= 0 : is_mixed(piece) == (pass != Pass::opaque);
-        if (!takes_part) continue;
+        if (!takes_part(piece, pass)) continue;
         if (bound != order_[n].buffer) buffers.bind(gl);
         bound = order_[n].buffer;
         draw_piece(gl, piece, frame, pass);
@@ -262,8 +272,8 @@ void SolidDrawer::set_piece(gl::Gl& gl, const gl::Program& program, const SolidP
     set_solid_place(gl, program.uniform(kAnchor), piece, frame.frame.view.eye);
     set_solid_fading(gl, program.uniform(kFading), piece, grown_since(piece, frame));
     const auto focal_px = static_cast<float>(frame.frame.view.focal_px);
-    gl->Uniform3f(program.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
-                  look.raised_px / focal_px);
+    gl->Uniform4f(program.uniform(kCover), look.opacity * (pass == Pass::ghosts ? look.ghost : 1.0f), look.halo_px / focal_px,
+                  look.raised_px / focal_px, look.nearer_m);
     const NearFade fade = near_fade(look, pass == Pass::opaque);
     gl->Uniform2f(program.uniform(kNearFade), fade.from_m, fade.per_m);
     if (has_grid_) set_grid_place(gl, program, kGrid, grid_of(piece, frame.frame.grid), frame.frame.view.focal_px);

@@ -1,7 +1,8 @@
 /// Draws solids: static ones, uploaded when they change, and moving ones, uploaded every frame.
 ///
 /// Within a range of depths, where only the terrain may have written depths: first, faintly, what terrain hides, then opaque
-/// pieces with their rims, then blended pieces, the farthest first, each with its far sides before the near ones.
+/// pieces with their rims, then blended pieces, the farthest first, each with its far sides before the near ones; at last what is
+/// on the ground and hidden by none of them.
 ///
 /// Memory    GPU bytes of the budget line scene_solid_vertices; order from the arena. Thread  the GL thread. Failure  one
 /// sentence.
@@ -66,7 +67,8 @@ private:
         double depth_m;
         std::uint32_t buffer, piece;
     };
-    enum class Pass : std::uint8_t { ghosts, opaque, mixed, distances };
+    enum class Pass : std::uint8_t { ghosts, opaque, mixed, last, distances };
+    [[nodiscard]] static bool takes_part(const SolidPiece& piece, Pass pass);
     void choose(base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, const DepthRange& range);
     void order_by_depth();
     void draw_pass(gl::Gl& gl, base::Span<const SolidBuffers* const> solids, const SolidFrame& frame, Pass pass);

@@ -166,7 +166,7 @@ TEST(SignLegend, SignsOfObstaclesAndTraffic) {
     EXPECT_EQ(said(masts, element_of(DataTechnique::billboard, ElementUncertainty::dashed_rim)),
               "UNCERTAIN;? UNKNOWN;MAST;CRANE;");
     EXPECT_EQ(said(layer_of(LayerRole::traffic, scene::LayerShape::lines), element_of(DataTechnique::billboard)),
-              "TRAFFIC;STALE TFC;");
+              "TRAFFIC;TFC 6 NM 1200 FT;STALE TFC;");
     EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points), element_of(DataTechnique::billboard)), "");
     for (const DataTechnique technique : {DataTechnique::billboard, DataTechnique::solid})
         EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points, 500),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render_core/draw/data/cell_motion.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/support/draw/built_element.hpp"
@@ -253,7 +254,7 @@ TEST(AreaPrisms, WithLittleDetailLowBuildingsAreLeftOutAndNothingElse) {
     }
 }
 
-TEST(AreaPrisms, TheArrowOfACellBeginsAtItsFront) {
+TEST(AreaPrisms, TheLineOfACellsMotionBeginsAtItsFront) {
     host_sim::LayerDraft layer = square();
     layer.role = scene::LayerRole::storm_cell;
     bind(layer, "floor", 1000);
@@ -262,8 +263,10 @@ TEST(AreaPrisms, TheArrowOfACellBeginsAtItsFront) {
     bind(layer, "toward", static_cast<float>(base::radians(90)));
     ElementOfTest test(layer);
     SolidRoomOfTest room;
-    static_cast<void>(add_area_prisms(room.batch, room.mesh, test.input()));
-    ASSERT_EQ(room.batch.pieces().size(), 3u) << "the cell, the arrow and its rim";
+    ElementInput input = test.input();
+    input.eye = earth::to_ecef({base::radians(kLatitude_deg), base::radians(kLongitude_deg - 0.5), {1500}});
+    static_cast<void>(add_area_prisms(room.batch, room.mesh, input));
+    ASSERT_EQ(room.batch.pieces().size(), 3u) << "the cell, the line and its rim";
     const LocalAxes axes = local_axes(base::radians(kLatitude_deg), base::radians(kLongitude_deg));
     const auto reach = [&](const SolidPiece& piece, double sign) {
         double farthest = -1e9;
@@ -275,7 +278,8 @@ TEST(AreaPrisms, TheArrowOfACellBeginsAtItsFront) {
     };
     const double front = reach(room.batch.pieces()[0], 1);
     EXPECT_NEAR(reach(room.batch.pieces()[1], -1), front, 2);
-    EXPECT_NEAR(reach(room.batch.pieces()[1], 1), front + 12 * 300, 5);
+    // Far away, and straight away from the eye: nothing cuts it.
+    EXPECT_NEAR(reach(room.batch.pieces()[1], 1), front + 12 * kMotionAhead_s, 60);
     layer.role = scene::LayerRole::airspace;
     ElementOfTest airspace(layer);
     room.batch.clear();

@@ -161,15 +161,31 @@ TEST(Billboards, ALinkLeadsDownToTheGround) {
     EXPECT_NEAR(room.bounds().bottom(), free, 0.1);
 }
 
+/// Control: another line has its sign there.
+TEST(Billboards, P32OfARunwayThatIsNearThereIsNone) {
+    const auto drawn = [](double ahead_m, scene::LayerRole role) {
+        host_sim::LayerDraft line = layer_of({BillboardRoom::point(ahead_m, 0, 900), BillboardRoom::point(ahead_m + 1, 0, 900)});
+        line.shape = scene::LayerShape::lines;
+        line.role = role;
+        line.starts = {0, 2};
+        ElementOfTest test(line);
+        BillboardRoom room;
+        return built(room, test).drawn;
+    };
+    EXPECT_EQ(drawn(3000, scene::LayerRole::runway), 0u);
+    EXPECT_EQ(drawn(4000, scene::LayerRole::runway), 1u);
+    EXPECT_EQ(drawn(3000, scene::LayerRole::road), 1u);
+}
+
 TEST(Billboards, LinesAndAreasHaveOneInTheirMiddle) {
-    host_sim::LayerDraft runway = layer_of({BillboardRoom::point(3000, 0, 900), BillboardRoom::point(4000, 0, 900)});
+    host_sim::LayerDraft runway = layer_of({BillboardRoom::point(6000, 0, 900), BillboardRoom::point(7000, 0, 900)});
     runway.shape = scene::LayerShape::lines;
     runway.role = scene::LayerRole::runway;
     runway.starts = {0, 2};
     ElementOfTest line(runway);
     BillboardRoom room;
     EXPECT_EQ(built(room, line).drawn, 1u);
-    EXPECT_NEAR(room.drawn()[0].distance_m, 4000 * (1 - terrain::LineOfSight::kTail), 5);
+    EXPECT_NEAR(room.drawn()[0].distance_m, 6500 * (1 - terrain::LineOfSight::kTail), 25);
 
     host_sim::LayerDraft storm = layer_of({BillboardRoom::point(3000, -500, 0), BillboardRoom::point(3000, 500, 0),
                                            BillboardRoom::point(4000, 500, 0), BillboardRoom::point(4000, -500, 0)});

@@ -34,74 +34,19 @@ host_sim::LayerDraft line_of(scene::LayerRole role, double length_m) {
 }
 
 /// Sum of a piece's triangles that face up.
-double upward_m2(const SolidBatch& batch, const SolidPiece& piece, int least_red = 0) {
+double upward_m2(const SolidBatch& batch, const SolidPiece& piece) {
     const glm::dvec3 up = piece.anchor / glm::length(piece.anchor);
     double area = 0;
     for (std::uint32_t n = 0; n < piece.indices; n += 3) {
         glm::dvec3 at[3];
-        int red = 255;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const SolidVertex& vertex = batch.vertices()[piece.first_vertex + batch.indices()[piece.first_index + n + k]];
             at[k] = glm::dvec3(vertex.place_m);
-            red = std::min<int>(red, vertex.rgba[0]);
         }
         const double facing = 0.5 * glm::dot(glm::cross(at[1] - at[0], at[2] - at[0]), up);
-        if (facing > 0 && red >= least_red) area += facing;
+        if (facing > 0) area += facing;
     }
     return area;
-}
-
-TEST(Runways, AreClosedSlabsOfTheirLengthAndWidth) {
-    host_sim::LayerDraft layer = line_of(scene::LayerRole::runway, 1200);
-    host_sim::AttributeDraft width;
-    width.name = "width";
-    width.of = scene::AttributeOf::feature;
-    width.values = {45};
-    layer.attributes.push_back(width);
-    ElementOfTest test(layer);
-    SolidRoomOfTest room;
-    EXPECT_EQ(add_runways(room.batch, room.mesh, test.input()).drawn, 1u);
-    const SolidPiece& piece = room.batch.pieces()[0];
-    EXPECT_NEAR(upward_m2(room.batch, piece), 1200 * 45, 1200 * 45 * 0.002);
-    EXPECT_NEAR(test_support::volume_m3(room.batch, piece), 1200 * 45 * 4, 1200 * 45 * 4 * 0.002);
-    const double painted = upward_m2(room.batch, piece, 245);
-    EXPECT_NEAR(painted, 2 * 30 * 45 * 6 / 15.0 + 0.6 * 1128 * 0.9, 60) << "stripes at both ends, dashes between";
-    double low = 1e9, high = -1e9;
-    for (const SolidVertex& vertex : room.batch.vertices()) {
-        const double height = earth::from_ecef(piece.anchor + glm::dvec3(vertex.place_m)).height.m;
-        low = std::min(low, height);
-        high = std::max(high, height);
-    }
-    EXPECT_NEAR(high, 600 + kStripLift_m, 0.05);
-    EXPECT_LT(low, 600) << "it reaches into the ground";
-}
-
-TEST(Runways, WithoutAWidthTheyHaveTheUsualOne) {
-    ElementOfTest test(line_of(scene::LayerRole::runway, 800));
-    SolidRoomOfTest room;
-    EXPECT_EQ(add_runways(room.batch, room.mesh, test.input()).drawn, 1u);
-    EXPECT_NEAR(upward_m2(room.batch, room.batch.pieces()[0]), 800 * kRunwayWidth_m, 100);
-    test.element.size_m = 50;
-    room.batch.clear();
-    EXPECT_EQ(add_runways(room.batch, room.mesh, test.input()).drawn, 1u);
-    EXPECT_NEAR(upward_m2(room.batch, room.batch.pieces()[0]), 800 * 50, 100);
-}
-
-TEST(Runways, LongOnesFitAndWhatIsNoneIsHidden) {
-    SolidRoomOfTest room;
-    const auto drawn = [&](double length_m, bool is_known = true) {
-        ElementOfTest test(line_of(scene::LayerRole::runway, length_m));
-        test.ground.is_known = is_known;
-        const ElementCount count = add_runways(room.batch, room.mesh, test.input());
-        EXPECT_EQ(count.all(), 1u);
-        return count.drawn;
-    };
-    EXPECT_EQ(drawn(5500), 1u);
-    EXPECT_EQ(drawn(8000 - 1), 1u);
-    EXPECT_EQ(drawn(9000), 0u) << "longer than any";
-    EXPECT_EQ(drawn(20), 0u);
-    EXPECT_EQ(drawn(0), 0u);
-    EXPECT_EQ(drawn(1200, false), 0u);
 }
 
 TEST(Ribbons, FollowTheGroundInShortSteps) {

@@ -60,7 +60,7 @@ public:
 
     [[nodiscard]] ElementInput input(double latitude_deg, double longitude_deg, bool is_valid = true) {
         ElementInput made = test_.input();
-        made.own = {{base::radians(latitude_deg), base::radians(longitude_deg), {0}}, is_valid};
+        made.own_ship = {{base::radians(latitude_deg), base::radians(longitude_deg), {0}}, is_valid};
         return made;
     }
     [[nodiscard]] PathwayFrames frames(double latitude_deg, double longitude_deg = 9.6) {

@@ -69,7 +69,7 @@ Built built(ElementOfTest& test, bool is_valid = true, std::size_t vertices = 65
     test.element.technique = design::DataTechnique::pathway;
     Built made(vertices);
     ElementInput input = test.input();
-    input.own = {{base::radians(46.55), base::radians(9.6), {0}}, is_valid};
+    input.own_ship = {{base::radians(46.55), base::radians(9.6), {0}}, is_valid};
     input.eye = earth::to_ecef({base::radians(46.55), base::radians(9.6), {2010}});
     made.count = add_pathway(made.room.batch, made.room.mesh, input);
     made.frames = pathway_frames(input, planned_pathway(input));

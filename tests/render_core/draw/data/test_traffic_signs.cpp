@@ -7,6 +7,7 @@
 
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/traffic_state.hpp"
+#include "tests/support/draw/batch_rasterizer.hpp"
 #include "tests/support/draw/billboard_room.hpp"
 
 namespace tedavis::draw::test_traffic_signs {
@@ -25,8 +26,8 @@ host_sim::LayerDraft traffic() {
     layer.role = scene::LayerRole::traffic;
     layer.height_datum = scene::HeightDatum::ellipsoid;
     layer.names = {"N1", "N2"};
-    layer.points = {BillboardRoom::point(3000, 0, 1200), BillboardRoom::point(3000, 250, 1215),
-                    BillboardRoom::point(3000, -90'000, 1200), BillboardRoom::point(3000, -90'000, 1200)};
+    layer.points = {BillboardRoom::point(3000, 0, 800), BillboardRoom::point(3000, 250, 815),
+                    BillboardRoom::point(3000, -90'000, 800), BillboardRoom::point(3000, -90'000, 800)};
     for (std::size_t n = 0; n < 4; ++n) layer.points[n].time_ns = kStart_ns + static_cast<std::int64_t>(n % 2) * 5'000'000'000;
     layer.starts = {0, 2, 4};
     layer.position_accuracy_m = 90;
@@ -64,7 +65,7 @@ host_sim::LayerDraft nameless() {
 /// Where the first one is at second 5.
 Point spot_of(const Signs& signs) {
     const scene::ScenePoint at = BillboardRoom::point(3000, 250, 0);
-    return signs.room.sheet.spot(earth::to_ecef({at.latitude_rad, at.longitude_rad, {1215}})).at;
+    return signs.room.sheet.spot(earth::to_ecef({at.latitude_rad, at.longitude_rad, {815}})).at;
 }
 
 TEST(TrafficSigns, StandAtTheirPlacesWithALineToWhereTheyWillBe) {
@@ -72,9 +73,9 @@ TEST(TrafficSigns, StandAtTheirPlacesWithALineToWhereTheyWillBe) {
     EXPECT_EQ(signs.count.drawn, 1u);
     EXPECT_EQ(signs.count.hidden, 1u) << "beyond the farthest";
     const BillboardSheet::Spot now = signs.room.sheet.spot(earth::to_ecef(
-        {BillboardRoom::point(3000, 250, 0).latitude_rad, BillboardRoom::point(3000, 250, 0).longitude_rad, {1215}}));
+        {BillboardRoom::point(3000, 250, 0).latitude_rad, BillboardRoom::point(3000, 250, 0).longitude_rad, {815}}));
     const BillboardSheet::Spot then = signs.room.sheet.spot(earth::to_ecef(
-        {BillboardRoom::point(3000, 1750, 0).latitude_rad, BillboardRoom::point(3000, 1750, 0).longitude_rad, {1305}}));
+        {BillboardRoom::point(3000, 1750, 0).latitude_rad, BillboardRoom::point(3000, 1750, 0).longitude_rad, {905}}));
     const Rect bounds = signs.room.bounds();
     EXPECT_NEAR(bounds.right(), then.at.x, 4);
     EXPECT_NEAR(bounds.y, then.at.y, 4);
@@ -83,7 +84,7 @@ TEST(TrafficSigns, StandAtTheirPlacesWithALineToWhereTheyWillBe) {
 }
 
 TEST(TrafficSigns, SayHeightClimbAgeAndStaleness) {
-    // Name of two letters, height of three and an arrow: "+07^".
+    // Name of two letters, height of three and an arrow: "-06^".
     const std::size_t fresh = Signs(5).room.glyph_vertices();
     EXPECT_EQ(fresh, (2 + 3 + 1) * 8u);
     const std::size_t old = Signs(12).room.glyph_vertices();
@@ -174,7 +175,7 @@ TEST(TrafficSigns, AtTheEdgeOfThePictureADiamondStaysWithoutWhatWouldBeCut) {
 
 TEST(TrafficSigns, NoTextHidesAnotherDiamond) {
     host_sim::LayerDraft layer = traffic();
-    layer.points[2] = BillboardRoom::point(3100, 250 + 200, 1222);
+    layer.points[2] = BillboardRoom::point(3100, 250 + 200, 822);
     layer.points[3] = layer.points[2];
     for (std::size_t n : {2, 3}) layer.points[n].time_ns = kStart_ns + static_cast<std::int64_t>(n % 2) * 5'000'000'000;
     const Signs signs(5, layer);
@@ -186,8 +187,65 @@ TEST(TrafficSigns, NoTextHidesAnotherDiamond) {
     EXPECT_EQ(Signs(5, layer).count.drawn, 1u) << "but one right before it does";
 }
 
+/// The sign in the middle of the first aircraft, which is `over_m` over the own ship and `away_m` ahead of it.
+bool is_filled(double over_m, double away_m, bool is_own_known = true) {
+    Signs signs(5, nameless());
+    signs.room.begin();
+    ElementInput input = signs.test.input();
+    input.eye = signs.room.view.eye;
+    const scene::ScenePoint own = BillboardRoom::point(3000 - away_m, 250, 0);
+    input.own_ship = {{own.latitude_rad, own.longitude_rad, {815 - over_m}}, is_own_known, is_own_known};
+    EXPECT_EQ(add_traffic_signs(signs.room.sheet, input).drawn, 1u);
+    test_support::Picture picture(800, 600, {90, 120, 90});
+    rasterize(signs.room.batch, picture);
+    const Point at = spot_of(signs);
+    const design::Color middle = picture.at(static_cast<int>(at.x), static_cast<int>(at.y) + 3);
+    return middle.red != 90 || middle.green != 120;
+}
+
+/// FAA, Introduction to TCAS II: other traffic, and proximate traffic within 6 NM and 1200 ft.
+TEST(TrafficSigns, P34TheDiamondIsFilledWithinSixMilesAndTwelveHundredFeet) {
+    const double mile = 1852, foot = 0.3048;
+    EXPECT_TRUE(is_filled(0, 3 * mile));
+    EXPECT_TRUE(is_filled(1190 * foot, 5.9 * mile));
+    EXPECT_TRUE(is_filled(-1190 * foot, -5.9 * mile)) << "below and behind";
+    EXPECT_FALSE(is_filled(1210 * foot, 3 * mile)) << "too high";
+    EXPECT_FALSE(is_filled(-1210 * foot, 3 * mile)) << "too low";
+    EXPECT_FALSE(is_filled(0, 6.1 * mile)) << "too far away";
+    EXPECT_FALSE(is_filled(0, 3 * mile, false)) << "nobody knows where the own ship is";
+}
+
+/// By where its letters are.
+TEST(TrafficSigns, P34TheRelativeHeightStandsOnItsSideAndHasAnArrowFrom500FeetAMinute) {
+    struct Built {
+        Rect texts;
+        std::size_t letters;
+        float y;
+    };
+    const auto built = [](double over_m, float climb_m) {
+        host_sim::LayerDraft layer = nameless();
+        layer.points[0].height_m = 815 - climb_m;
+        Signs signs(5, layer);
+        signs.room.begin();
+        ElementInput input = signs.test.input();
+        input.eye = signs.room.view.eye;
+        const scene::ScenePoint own = BillboardRoom::point(0, 0, 0);
+        input.own_ship = {{own.latitude_rad, own.longitude_rad, {815 - over_m}}, true, true};
+        static_cast<void>(add_traffic_signs(signs.room.sheet, input));
+        return Built{signs.texts(), signs.room.glyph_vertices(), spot_of(signs).y};
+    };
+    EXPECT_LT(built(300, 0).texts.bottom(), built(300, 0).y) << "+10, though the eye is higher";
+    EXPECT_GT(built(-300, 0).texts.y, built(-300, 0).y) << "-10";
+    const std::size_t level = built(300, 0).letters;
+    EXPECT_EQ(built(300, 12.5f).letters, level) << "492 ft/min";
+    EXPECT_EQ(built(300, 13).letters, level + 8) << "512 ft/min up";
+    EXPECT_EQ(built(300, -13).letters, level + 8) << "and down";
+}
+
 TEST(TrafficSigns, ALinkLeadsDown) {
-    Signs signs(0);
+    host_sim::LayerDraft layer = traffic();
+    for (scene::ScenePoint& point : layer.points) point.height_m += 400;  // over the eye: its text is above it
+    Signs signs(0, layer);
     const float bottom = signs.room.bounds().bottom();
     signs.test.element.link = true;
     signs.build();

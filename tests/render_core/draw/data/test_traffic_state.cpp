@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -132,6 +133,35 @@ TEST(TrafficState, ReportsWithoutTimesOrHeightsOrTwiceDoNoHarm) {
     ElementOfTest doubtful(layer);
     EXPECT_TRUE(std::isfinite(at(doubtful, 0).point.latitude_rad));
     EXPECT_EQ(at(doubtful, 7).up, 0) << "no height, no climb";
+}
+
+/// 2015 m high and 450 m north of 46.8 at second 7.5. Control: what is as near and old, or of unknown height, is not proximate.
+TEST(TrafficState, P34IsProximateWithinSixMilesAndTwelveHundredFeetOfTheOwnShip) {
+    ElementOfTest test(reports());
+    const double mile = base::degrees(1852 / earth::meridian_radius_m(base::radians(46.8)));
+    const auto is_near = [&](double second, double miles_south, double own_m, bool is_known = true) {
+        const TrafficState state = at(test, second);
+        ElementInput input = test.input();
+        const double latitude = 46.8 - miles_south * mile;
+        input.own_ship = {{base::radians(latitude), base::radians(9.8), {own_m}}, is_known, is_known};
+        return is_proximate(input, state, static_cast<double>(state.point.height_m));
+    };
+    EXPECT_TRUE(is_near(7.5, 0, 2000));
+    EXPECT_TRUE(is_near(7.5, 5.7, 2000)) << "with the 450 m";
+    EXPECT_FALSE(is_near(7.5, 5.8, 2000));
+    EXPECT_TRUE(is_near(7.5, 0, 2015 - 365));
+    EXPECT_FALSE(is_near(7.5, 0, 2015 - 367));
+    EXPECT_FALSE(is_near(7.5, 0, 2015 + 367));
+    EXPECT_FALSE(is_near(7.5, 0, 2000, false)) << "nobody knows where the own ship is";
+    EXPECT_TRUE(is_near(18, 0, 2000));
+    EXPECT_FALSE(is_near(25, 0, 2000)) << "stale";
+    host_sim::LayerDraft flat = reports();
+    for (scene::ScenePoint& point : flat.points) point.height_m = std::numeric_limits<float>::quiet_NaN();
+    ElementOfTest unknown(flat);
+    const TrafficState state = at(unknown, 7.5);
+    ElementInput input = unknown.input();
+    input.own_ship = {{base::radians(46.8), base::radians(9.8), {600}}, true, true};
+    EXPECT_FALSE(is_proximate(input, state, 600)) << "its height is not known";
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ constexpr float kAny_m = 1e9f;
 class Table {
 public:
     Table() : session_("egl", "es3-mid", ColorTable::kSide, ColorTable::kSide), design_(test_support::shipped_design("default")) {
+        design_.terrain.style.texture = design::TerrainTexture::hypsometric;  // natural ground has no table
         EXPECT_EQ(table_.start(session_.gl, *session_.device.budget.find("render_targets")).message.view(), "");
         session_.gl.seal();
     }

@@ -91,7 +91,7 @@ TEST_P(GroundMapOf, KindsHaveTheColorsOfTheirNamesAndNeverMix) {
     design.data.ground.scale.palette = test_support::kinds_palette();
     const LoadedScene loaded(draft);
     const Drawn drawn(ground, loaded, design, GetParam());
-    const Color colors[] = {{210, 210, 210}, kBareGround, {40, 40, 40}}, missing = test_support::clear_design().terrain.unknown;
+    const Color colors[] = {{210, 210, 210}, kBareGround, {40, 40, 40}}, missing = test_support::clear_design().data.missing;
     std::array<int, 3> compared{};
     int wrong = 0;
     for (int row = 2; row < 238; ++row)
@@ -195,7 +195,7 @@ TEST_P(GroundMapOf, WhatIsMissingUnknownOrInterpolatedHasASignOfItsOwn) {
         for (int row = 60; row < 180; ++row)
             for (int column = 100; column < 220; ++column, ++all) {
                 bare += color_difference(drawn.pixel(column, row), kBareGround) == 0 ? 1 : 0;
-                magenta += color_difference(drawn.pixel(column, row), test_support::clear_design().terrain.unknown) == 0 ? 1 : 0;
+                magenta += color_difference(drawn.pixel(column, row), test_support::clear_design().data.missing) == 0 ? 1 : 0;
             }
         return std::pair{static_cast<double>(bare) / all, static_cast<double>(magenta) / all};
     };
