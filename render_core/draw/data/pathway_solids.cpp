@@ -130,7 +130,9 @@ private:
     [[nodiscard]] Station station(const scene::PointOfFeature& point, const glm::dvec3& place, double ahead_m) const {
         const earth::Geodetic at = earth::from_ecef(place);
         const double over_m = at.height.m - input_.ground.height_m(at.latitude_rad, at.longitude_rad);
-        return {place, over_m < kFloating_m ? 0 : kLineShare * shown_ahead(ahead_m), point};
+        // A part that leads back close to the eye, as the landing after a circuit, would be a wedge over the picture.
+        const double near_share = std::clamp((glm::distance(place, input_.eye) - kGone_m) / (kWhole_m - kGone_m), 0.0, 1.0);
+        return {place, over_m < kFloating_m ? 0 : kLineShare * near_share * shown_ahead(ahead_m), point};
     }
 
     void begin_at(std::uint32_t feature, const PathwayLeg& leg, double along_m, double own_m) {

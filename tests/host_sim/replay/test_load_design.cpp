@@ -61,7 +61,7 @@ TEST(LoadDesigns, PhasesHaveTheDesignsThatTheFileNames) {
             return file.path.size() >= end.size() && file.path.substr(file.path.size() - end.size()) == end;
         });
     };
-    EXPECT_TRUE(was_read("own.toml") && was_read("low.toml") && was_read("cruise.toml") && was_read("muted_relief.toml"));
+    EXPECT_TRUE(was_read("own.toml") && was_read("low.toml") && was_read("cruise.toml") && was_read("natural.toml"));
 }
 
 TEST(LoadDesigns, FaultsNameTheFileThatHasThem) {
