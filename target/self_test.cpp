@@ -148,9 +148,7 @@ SelfTestInputs embedded_inputs() noexcept {
             text_of(embedded::k_canaerospace_toml),
             text_of(embedded::k_es2_small_toml),
             text_of(embedded::k_default_toml),
-            {{"natural", text_of(embedded::k_natural_toml)},
-             {"data_radar", text_of(embedded::k_data_radar_toml)},
-             {"data_wind", text_of(embedded::k_data_wind_toml)}}};
+            {{"natural", text_of(embedded::k_natural_toml)}, {"data_radar", text_of(embedded::k_data_radar_toml)}}};
 }
 
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) { SelfTest(inputs, report).run(); }

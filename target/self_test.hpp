@@ -20,7 +20,7 @@ namespace tedavis::target {
 struct NamedPalette {
     std::string_view name, text;
 };
-inline constexpr std::size_t kSelfTestPalettes = 3;
+inline constexpr std::size_t kSelfTestPalettes = 2;
 
 struct SelfTestInputs {
     base::Span<const char> log;
