@@ -69,7 +69,7 @@ struct Tally {
     int beside = 0, valued = 0, missing_bare = 0, missing_dots = 0, wrong = 0;
 };
 Tally compared(const DataPicture& drawn, const RasterFile& raster) {
-    const Color unknown = design::default_design_settings().terrain.unknown;
+    const Color missing = design::default_design_settings().data.missing;
     Tally tally;
     for (std::uint32_t y = 1; y + 1 < drawn.picture.height; ++y)
         for (std::uint32_t x = 1; x + 1 < drawn.picture.width; ++x) {
@@ -80,7 +80,7 @@ Tally compared(const DataPicture& drawn, const RasterFile& raster) {
                 case Expected::undecided: break;
                 case Expected::beside: ++(is_bare ? tally.beside : tally.wrong); break;
                 case Expected::missing:
-                    ++(is_bare ? tally.missing_bare : color == unknown ? tally.missing_dots : tally.wrong);
+                    ++(is_bare ? tally.missing_bare : color == missing ? tally.missing_dots : tally.wrong);
                     break;
                 case Expected::valued:
                     ++(color_difference(color, scale_color(expected.value)) <= 1 ? tally.valued : tally.wrong);

@@ -110,9 +110,9 @@ TEST(EmptyGrid, IsMissingAllOver) {
     files.write(raster);
     const DataPicture empty = files.drawn(layer, design);
     EXPECT_THAT(files.notes(), HasSubstr("note: set: 'band 1' has no values"));
-    const design::Color unknown = design::default_design_settings().terrain.unknown;
-    EXPECT_EQ(empty.count(kBareGround) + empty.count(unknown), std::size_t{320} * 240);
-    EXPECT_GT(empty.count(unknown), 1000u);
+    const design::Color missing = design::default_design_settings().data.missing;
+    EXPECT_EQ(empty.count(kBareGround) + empty.count(missing), std::size_t{320} * 240);
+    EXPECT_GT(empty.count(missing), 1000u);
     for (const char* const technique : {"spheres", "bars", "isosurface"}) {
         const DataPicture drawn = files.draw(plain_ground_design(
             "[[data.element]]\nlayer = 'set'\nattribute = 'value'\npalette = 'scale.toml'\ntechnique = '" +
@@ -121,7 +121,7 @@ TEST(EmptyGrid, IsMissingAllOver) {
     }
     raster.value = [](int, int) { return 42.0; };
     files.write(raster);
-    EXPECT_EQ(files.drawn(layer, design).count(unknown), 0u) << "control";
+    EXPECT_EQ(files.drawn(layer, design).count(missing), 0u) << "control";
     EXPECT_EQ(files.notes(), "");
 }
 

@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, LandCoverOf, ::testing::Values("es2-small", "es3
 TEST_P(LandCoverOf, EveryPixelHasTheColorOfTheNearestPost) {
     files_.write(cover_raster());
     const DataPicture drawn = files_.drawn(cover_layer(), cover_design());
-    const Color unknown = design::default_design_settings().terrain.unknown;
+    const Color missing = design::default_design_settings().data.missing;
     const std::map<int, Color> colors = {{kForest, kForestColor}, {kGrass, kGrassColor}, {kWater, kWaterColor}};
     const RasterFile raster = cover_raster();
     std::map<int, int> compared;
@@ -82,7 +82,7 @@ TEST_P(LandCoverOf, EveryPixelHasTheColorOfTheNearestPost) {
         for (std::uint32_t x = 0; x < drawn.picture.width; ++x) {
             const Color color = drawn.at(x, y);
             const bool is_pure =
-                color == kForestColor || color == kGrassColor || color == kWaterColor || color == kBareGround || color == unknown;
+                color == kForestColor || color == kGrassColor || color == kWaterColor || color == kBareGround || color == missing;
             mixed += is_pure ? 0 : 1;
             const earth::Geodetic place = DataSite::places_from_above()[y * drawn.picture.width + x];
             const double u = (base::degrees(place.longitude_rad) - raster.x(0, 0)) / raster.transform[1],
@@ -92,8 +92,8 @@ TEST_P(LandCoverOf, EveryPixelHasTheColorOfTheNearestPost) {
             const int code = code_at(static_cast<int>(std::lround(u)), static_cast<int>(std::lround(v)));
             ++compared[code];
             if (is_missing(code)) {
-                wrong += color == kBareGround || color == unknown ? 0 : 1;
-                dots += color == unknown ? 1 : 0;
+                wrong += color == kBareGround || color == missing ? 0 : 1;
+                dots += color == missing ? 1 : 0;
             } else {
                 wrong += color == colors.at(code) ? 0 : 1;
             }
@@ -121,9 +121,9 @@ TEST_P(LandCoverOf, WarpedFromAnotherSystemItStaysPure) {
     raster.value = [](int i, int j) { return (i + j) % 3 == 0 ? kForest : (i + j) % 3 == 1 ? kGrass : kWater; };
     files_.write(raster);
     const DataPicture drawn = files_.drawn(cover_layer(), cover_design());
-    const Color unknown = design::default_design_settings().terrain.unknown;
+    const Color missing = design::default_design_settings().data.missing;
     const std::size_t pure = drawn.count(kForestColor) + drawn.count(kGrassColor) + drawn.count(kWaterColor);
-    EXPECT_EQ(pure + drawn.count(kBareGround) + drawn.count(unknown), std::size_t{320} * 240);
+    EXPECT_EQ(pure + drawn.count(kBareGround) + drawn.count(missing), std::size_t{320} * 240);
     EXPECT_GT(std::min({drawn.count(kForestColor), drawn.count(kGrassColor), drawn.count(kWaterColor)}), 10'000u);
 }
 
@@ -152,7 +152,7 @@ TEST_P(LandCoverOf, PolygonsBecomeColorsOfTheGround) {
         "value = 0\n";
     const DataPicture drawn = files_.drawn(layer, cover_design());
     EXPECT_EQ(files_.notes(), "");
-    const Color unknown = design::default_design_settings().terrain.unknown;
+    const Color missing = design::default_design_settings().data.missing;
     constexpr double kEdge_deg = 0.0005;  // a post and a pixel
     int wrong = 0;
     std::array<int, 3> compared{};
@@ -169,7 +169,7 @@ TEST_P(LandCoverOf, PolygonsBecomeColorsOfTheGround) {
         const std::size_t expected = lake > 0 ? 0 : clearing > 0 ? 1 : 2;
         ++compared[expected];
         const bool is_right = expected == 0   ? color == kWaterColor
-                              : expected == 1 ? color == kBareGround || color == unknown
+                              : expected == 1 ? color == kBareGround || color == missing
                                               : color == kForestColor;
         wrong += is_right ? 0 : 1;
     }

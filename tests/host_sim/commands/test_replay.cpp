@@ -131,6 +131,7 @@ TEST(Replay, TheLegendIsThatOfTheOptionUntilTheBusAsksForAnother) {
     ReplayOptions options = files().options("requests");
     options.log = log_with_requests();
     options.picture.legend = flight::LegendShow::none;
+    options.picture.design = "map_north_up";  // its ground has a legend; the natural look has none
     const auto all = replayed(options);
     const auto shown = legends_of(options.output);
     EXPECT_EQ(shown.at(2.0), "none");
@@ -146,6 +147,7 @@ TEST(Replay, TheLegendIsThatOfTheOptionUntilTheBusAsksForAnother) {
     // The control: without the messages the pictures between them are others.
     ReplayOptions without = files().options("no_requests");
     without.picture.legend = flight::LegendShow::none;
+    without.picture.design = options.picture.design;
     const auto plain = replayed(without);
     EXPECT_NE(plain.at(3.0), all.at(3.0));
     EXPECT_EQ(plain.at(6.0), all.at(6.0));
