@@ -3,7 +3,6 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "host_sim/atomic_file.hpp"
@@ -93,7 +92,15 @@ bool is_grey(const RgbaView& view) {
 struct PngFormat {
     int color_type, compression;
     bool is_filtered_alike;  ///< every row by the pixel before; else each as libpng finds best
+    const std::vector<PaletteColor>* palette = nullptr;
 };
+
+void set_palette(const Writer& writer, const std::vector<PaletteColor>& palette) {
+    std::vector<png_color> colors;
+    colors.reserve(palette.size());
+    for (const PaletteColor& color : palette) colors.push_back({color[0], color[1], color[2]});
+    png_set_PLTE(writer.png, writer.info, colors.data(), static_cast<int>(colors.size()));
+}
 
 /// `row`: its bytes, by its number from the top.
 template <class Row>
@@ -105,6 +112,7 @@ std::string encoded(std::uint32_t width, std::uint32_t height, const PngFormat& 
     if (format.is_filtered_alike) png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_IHDR(writer.png, writer.info, width, height, 8, format.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
+    if (format.palette != nullptr) set_palette(writer, *format.palette);
     png_write_info(writer.png, writer.info);
     for (std::uint32_t y = 0; y < height; ++y) png_write_row(writer.png, row(y));
     png_write_end(writer.png, writer.info);
@@ -132,6 +140,11 @@ std::string encode_small_png(const RgbaView& view) {
                            std::copy_n(view.row(y) + std::size_t{x} * 4, channels, &line[std::size_t{x} * channels]);
                        return line.data();
                    });
+}
+
+std::string encode_palette_png(const PalettePicture& picture) {
+    return encoded(picture.width, picture.height, {PNG_COLOR_TYPE_PALETTE, kMaxCompression, false, &picture.colors},
+                   [&](std::uint32_t y) { return &picture.pixels[std::size_t{y} * picture.width]; });
 }
 
 void write_png(const std::string& path, const RgbaView& view) { write_file_atomically(path, encode_png(view)); }

@@ -3,6 +3,7 @@
 /// The same pixels always give the same bytes (fixed compression and filter settings).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,12 +40,23 @@ struct GreyView {
     [[nodiscard]] const std::uint8_t* row(std::uint32_t y_from_top) const { return pixels + std::size_t{y_from_top} * width; }
 };
 
+using PaletteColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
+
+/// A picture of 256 colors at most, without alpha.
+struct PalettePicture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<PaletteColor> colors;
+    std::vector<std::uint8_t> pixels;  ///< width * height places in `colors`, top row first
+};
+
 /// The file's bytes.
 [[nodiscard]] std::string encode_png(const RgbaView& view);
 [[nodiscard]] std::string encode_grey_png(const GreyView& view);
 /// The same without alpha, in as few bytes as it takes: for pages that hold their pictures. A picture of greys alone has one
 /// channel.
 [[nodiscard]] std::string encode_small_png(const RgbaView& view);
+/// In as few bytes as it takes.
+[[nodiscard]] std::string encode_palette_png(const PalettePicture& picture);
 /// Appears whole or not at all; throws UserError.
 void write_png(const std::string& path, const RgbaView& view);
 /// Any PNG, as RGBA8. Throws UserError when it is missing, damaged or no PNG.

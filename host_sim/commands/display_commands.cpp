@@ -1,7 +1,9 @@
 #include "host_sim/commands/command_groups.hpp"
 #include "host_sim/commands/display_sheet.hpp"
+#include "host_sim/commands/gallery_sheet.hpp"
 #include "host_sim/commands/option_checks.hpp"
 #include "host_sim/commands/option_texts.hpp"
+#include "host_sim/commands/readme_sheet.hpp"
 #include "host_sim/commands/trace_sheet.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/window/window_keys.hpp"
@@ -230,13 +232,15 @@ void add_sheet(CLI::App& app, CommandLine& line) {
     CLI::App* command =
         add_command(app, line, "sheet", "contact sheet: one labelled picture a technique", [&o](Console& console) {
             if (o.sheet == kDisplaySheetName) return run_display_sheet(o, console);
+            if (o.sheet == kGallerySheetName) return run_gallery_sheet(o, console);
+            if (o.sheet == kReadmeSheetName) return run_readme_sheet(o, console);
             return o.sheet == kTraceSheetName ? run_trace_sheet(o, console) : run_sheet(o, console);
         });
     command
         ->add_option("SHEET", o.sheet,
                      "sheet file or shipped name, such as terrain-styles; trace: the ray tracer's presets and operators; "
-                     "display: the parts of the display by their "
-                     "names")
+                     "display: the parts of the display by their names; gallery: the story of the default flight; readme: "
+                     "README.md's pictures")
         ->required();
     command->add_option("-o", o.output, "folder to write to")->required();
     command->add_option_function<std::string>(
@@ -298,6 +302,7 @@ void use_replay_config(CommandLine& line) {
     line.replay.window = given.window;
     line.replay.strict = given.strict;
     line.replay.tour = given.tour;
+    line.replay.video = given.video;
     line.replay.save_config = given.save_config;
 }
 
@@ -341,12 +346,17 @@ void add_replay(CLI::App& app, CommandLine& line) {
     add_strict(command, o.strict);
     command->add_option("--save-config", o.save_config,
                         "writes data, design and parameters of this replay to a file, after --window with its switches");
+    CLI::Option* video = command->add_option(
+        "--video", o.video,
+        "film of the pictures (.mp4), also with --frames none: one a step, so that it runs as the flight did");
     CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below")
                               ->excludes(ledger)
-                              ->excludes(layers);
+                              ->excludes(layers)
+                              ->excludes(video);
     command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
-    command->add_option("--config", line.replay_config,
-                        "a file that --save-config wrote; beside it only -o, --strict, --save-config, --window and --tour");
+    command->add_option(
+        "--config", line.replay_config,
+        "a file that --save-config wrote; beside it only -o, --strict, --save-config, --video, --window and --tour");
     command->footer(window_keys_help());
 }
 

@@ -13,6 +13,7 @@ namespace tedavis::host_sim {
 std::string build_own_terrain(const OwnTerrain& terrain, const std::string& folder, Console& console) {
     TerrainBuildOptions build;
     build.rasters = {terrain.raster};
+    build.accuracy_m = terrain.accuracy_m;
     build.output = folder + "/" + std::filesystem::path(terrain.raster).stem().string() + ".tdb";
     if (terrain.generated_image) {
         build.drape = folder + "/generated_image.tif";

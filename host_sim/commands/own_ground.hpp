@@ -2,6 +2,7 @@
 /// build`, into a folder that must outlive their use.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host_sim/console.hpp"
@@ -14,7 +15,8 @@ inline constexpr const char* kOwnRaster = "/configs/data/jacksboro_srtm3.tif";
 
 struct OwnTerrain {
     std::string raster;
-    bool generated_image = false;  ///< with a generated drape
+    bool generated_image = false;        ///< with a generated drape
+    std::optional<double> accuracy_m{};  ///< LE90 of the raster; nothing: unknown
 };
 
 /// Each returns the database's path; throws UserError and Interrupted.

@@ -1,7 +1,12 @@
 #include "host_sim/commands/replay.hpp"
 
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
 #include "host_sim/accuracy/accuracy_overlay.hpp"
 #include "host_sim/interrupt.hpp"
+#include "host_sim/new_folder.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/effect_ledger.hpp"
@@ -38,13 +43,33 @@ void price_effects(const EffectLedger& ledger, const ReplayOptions& options, Dis
     console.note(options.output + "/" + kLedgerName + ":\n" + ledger_text(prices));
 }
 
+/// Opened before the run's folder changes, and may lie in it. Null where none is asked for.
+std::unique_ptr<VideoFile> opened_video(const ReplayOptions& options, const DisplaySession& session, const FrameInstants& times) {
+    if (options.video.empty()) return nullptr;
+    namespace fs = std::filesystem;
+    NewFolder folder(options.output);
+    VideoSettings settings;
+    settings.path = options.video;
+    settings.width = session.width();
+    settings.height = session.height();
+    settings.step_s = std::abs(times.step().to_seconds());
+    settings.title = "TEDAVIS, design " + fs::path(options.picture.design).stem().string() + ", " +
+                     fs::path(options.log).filename().string() + ", not for navigation";
+    settings.begin = times.at(0);
+    auto video = std::make_unique<VideoFile>(settings);
+    folder.keep();
+    return video;
+}
+
 int run_batch(const ReplayOptions& options, Console& console) {
     const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
     DisplaySession session(options.picture, is_generated_flight(options.log));
     FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
     const FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
     const InterruptGuard interrupt;  // before anything is written
+    const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
     RunRecorder recorder(options, session, player);
+    if (video) recorder.set_video(*video);
     if (options.accuracy.any())
         recorder.set_overlay([&overlay](DisplaySession& drawn, FrameResult& result) { return overlay.over(drawn, result); });
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);

@@ -150,6 +150,8 @@ DrawnSheet draw_sheet(const SheetJob& job, const SheetOptions& options, Console&
     return sheet;
 }
 
+}  // namespace
+
 void write_sheet(const DrawnSheet& sheet, const std::string& output) {
     NewFolder folder(output);
     for (const DrawnSheet::Group& group : sheet.groups)
@@ -164,8 +166,6 @@ void write_sheet(const DrawnSheet& sheet, const std::string& output) {
     write_file_atomically(output + "/" + kSheetJsonName, sheet_json(sheet) + "\n");
     folder.keep();
 }
-
-}  // namespace
 
 int run_sheet(const SheetOptions& options, Console& console) {
     SheetJob job = read_job(options);

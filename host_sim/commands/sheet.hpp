@@ -6,6 +6,7 @@
 
 #include "host_sim/console.hpp"
 #include "host_sim/options/picture_options.hpp"
+#include "host_sim/reports/drawn_sheet.hpp"
 #include "host_sim/scenario/posed_aircraft.hpp"
 
 namespace tedavis::host_sim {
@@ -20,6 +21,9 @@ struct SheetOptions {
     std::optional<AircraftPose> pose;  ///< nothing: the sheet's
     std::optional<base::Time> time;    ///< nothing: the sheet's
 };
+
+/// Writes each picture, all of them as sheet.png and index.html, and sheet.json; nothing where one of them cannot be written.
+void write_sheet(const DrawnSheet& sheet, const std::string& output);
 
 /// Writes each picture, all of them as sheet.png and index.html, and sheet.json; nothing where one of them fails. Returns the
 /// exit code, 2 also where a part of the terrain failed; throws UserError and Interrupted.

@@ -26,6 +26,7 @@ struct ReplayOptions {
     bool strict = false;      ///< findings give kCheckFailedExitCode
     bool layers = false;      ///< writes a layer mask beside every picture; not with window
     bool ledger = false;      ///< reports the cost of every effect that was replaced or left out; not with window
+    std::string video;        ///< film of the pictures (.mp4); empty: none; not with window
     std::string tour;         ///< path file for the camera (host_sim/window/camera_tour.hpp); with window only
     std::string save_config;  ///< writes data, design and parameters to this file
 

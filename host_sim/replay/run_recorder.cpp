@@ -103,10 +103,12 @@ void RunRecorder::keep() {
     legends_.note(std::string(session_.display().planned().shown->name.view()), result_, input_);
     if (options_.frame_output() == FrameOutput::png)
         write_png(frame_picture_path(options_.output, result_.record.frame), shown());
+    if (video_ != nullptr) video_->add(shown());
     if (options_.layers) write_drawn_layers(frame_picture_path(options_.output, result_.record.frame), session_);
 }
 
 int RunRecorder::finish(bool interrupted, Console& console) {
+    if (video_ != nullptr && video_->pictures() > 0) video_->commit();
     records_.commit();
     const RunSummary done = summary(interrupted);
     const base::BudgetTable memory = session_.display().planner().budget();  // of the run, without the legends' pictures
@@ -137,6 +139,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.terrain_frames = tally_.frames_with_terrain();
     s.worst_error_px = tally_.worst_error_px();
     s.worst_start_error_px = tally_.worst_start_error_px();
+    s.terrain_alerts = tally_.terrain_alerts();
     s.heap_allocations_after_start = heap_allocations_;
     s.gl_calls_outside_device = session_.display().gl().denied().total;
     s.device = options_.picture.device;
@@ -148,6 +151,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.scene = options_.picture.scene;
     s.log = options_.log;
     s.switches = options_.switches;
+    if (video_ != nullptr && video_->pictures() > 0) s.video = options_.video;
     s.width = session_.width();
     s.height = session_.height();
     s.costs = options_.picture.costs;

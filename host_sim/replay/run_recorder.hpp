@@ -13,6 +13,7 @@
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/legend_pictures.hpp"
+#include "host_sim/replay/video_file.hpp"
 #include "host_sim/reports/effect_tally.hpp"
 #include "host_sim/reports/flight_tally.hpp"
 #include "host_sim/reports/frame_record_writer.hpp"
@@ -32,6 +33,9 @@ public:
 
     /// Draws over the pictures from now on; what hashes and records say of a frame stays that of the display's own picture.
     void set_overlay(PictureOverlay overlay) { overlay_ = std::move(overlay); }
+
+    /// The pictures that are kept from now on are added to the film, which finish() ends. It must outlive the recorder.
+    void set_video(VideoFile& video) { video_ = &video; }
 
     /// From now on this legend is shown, whatever switches and bus ask for.
     void ask_legend(flight::LegendShow legend) { legend_ = legend; }
@@ -67,6 +71,7 @@ private:
     std::optional<flight::LegendShow> legend_;
     FrameResult result_;
     PictureOverlay overlay_;
+    VideoFile* video_ = nullptr;
     RgbaPicture overlaid_;  ///< the picture of `result_`, where there is an overlay
     std::vector<double> total_ms_;
     DeadlineTally deadline_;

@@ -88,7 +88,8 @@ RgbaPicture draw_contact_sheet(const DrawnSheet& sheet) {
             const DrawnSheet::Picture& picture = sheet.groups[g].pictures[n];
             copy_into(drawn, boxes.pictures[n], picture.pixels);
             text_in(drawn, boxes.labels[n], 0, picture.title, m.label, kBlack);
-            text_in(drawn, boxes.labels[n], line_height(m.label), picture.design, m.design, kGrey);
+            text_in(drawn, boxes.labels[n], line_height(m.label), picture.caption.empty() ? picture.design : picture.caption,
+                    m.design, kGrey);
         }
     }
     return drawn;

@@ -27,7 +27,7 @@ struct ContactSheetLayout {
 
 /// Every picture of a sheet has the size of its first one. A sheet holds at least one.
 [[nodiscard]] ContactSheetLayout lay_out_contact_sheet(const DrawnSheet& sheet);
-/// Labels hold the title and, smaller, the design's name.
+/// Labels hold the title and, smaller, the caption or else the design's name.
 [[nodiscard]] RgbaPicture draw_contact_sheet(const DrawnSheet& sheet);
 
 }  // namespace tedavis::host_sim

@@ -19,11 +19,13 @@ inline constexpr char kSheetJsonName[] = "sheet.json";
 struct DrawnSheet {
     struct Picture {
         std::string title, design;
-        std::string file;  ///< name in the sheet's folder
+        std::string caption;  ///< a sentence; empty: the design's name says enough
+        std::string file;     ///< name in the sheet's folder
         FrameResult result;
         RgbaPicture pixels;
         std::vector<std::uint8_t> layers;  ///< layer of each pixel (replay/drawn_layers.hpp); empty where not requested
         std::optional<AspectMeasures> measures;
+        std::optional<double> flight_s;  ///< of a picture of a flight: since that began
     };
     struct Group {
         std::string title;
@@ -32,8 +34,8 @@ struct DrawnSheet {
     std::string name, title;
     std::string terrain;  ///< the raster or database that was shown
     std::string device;
-    std::string gl;  ///< what drew it
-    AircraftPose pose;
+    std::string gl;                    ///< what drew it
+    std::optional<AircraftPose> pose;  ///< nothing: pictures of a flight
     std::uint32_t columns = 1;
     std::vector<Group> groups;
 };

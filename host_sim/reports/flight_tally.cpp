@@ -27,6 +27,7 @@ void FlightTally::add(const display::FrameRecord& record, double height_above_te
     add_place(record, time_s);
     add_error(record, time_s);
     add_stale(record);
+    alerts_.add(record);
     const bool is_over_ground = record.own_ship.state == base::SignalState::valid && was_inside_;
     without_height_ += is_over_ground && std::isnan(height_above_terrain_m) ? 1 : 0;
     if (!has_flag(record, "terrain.above_own_ship")) return;

@@ -1,4 +1,5 @@
-/// Collects the positions of a run's frames, their terrain errors and the age of their data; findings are derived at the end.
+/// Collects the positions of a run's frames, their terrain errors and alerts, and the age of their data; findings are derived at
+/// the end.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/reports/alert_tally.hpp"
 #include "host_sim/reports/geo_extent.hpp"
 #include "host_sim/reports/run_findings.hpp"
 #include "render_core/display/planner/frame_record.hpp"
@@ -29,6 +31,8 @@ public:
 
     /// The region in which the own ship was; empty where its position was never known.
     [[nodiscard]] const GeoExtent& extent() const { return extent_; }
+
+    [[nodiscard]] TerrainAlertCounts terrain_alerts() const { return alerts_.counts(); }
 
     /// `terrain`: as the user named it; `database`: null where there is none.
     [[nodiscard]] Findings findings(const std::string& terrain, const terrain::TerrainDatabase* database) const;
@@ -61,6 +65,7 @@ private:
     std::vector<Span> spans_;  ///< the first of them
     bool was_inside_ = false, is_starting_ = true;
     GeoExtent extent_;
+    AlertTally alerts_;
     double start_s_ = 0, first_below_s_ = 0, deepest_m_ = 0, first_coarse_s_ = 0;
     double worst_error_px_ = 0, worst_start_error_px_ = 0, worst_coarse_px_ = 0;
 };

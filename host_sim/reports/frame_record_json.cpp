@@ -222,6 +222,42 @@ Json terrain_json(const display::TerrainRecord& terrain) {
             {"renderer_reason", text(terrain.renderer_reason.view())}};
 }
 
+const char* level_text(policy::TerrainAhead level) {
+    static constexpr const char* kLevels[] = {"none", "caution", "warning"};
+    return kLevels[static_cast<std::size_t>(level)];
+}
+
+/// Along which track ground counts, how far beside it, and from which height on; null while nothing is colored.
+Json alert_zone_json(const policy::TerrainAlertZone& zone) {
+    if (zone.alert == policy::TerrainAhead::none) return {};
+    return {{"level", level_text(zone.alert)},
+            {"ground_speed_mps", zone.speed_mps()},
+            {"track_deg", base::degrees(std::atan2(zone.east_mps, zone.north_mps))},
+            {"turn_deg_s", base::degrees(zone.turn_radps)},
+            {"until_s", zone.until_s},
+            {"width_m", {zone.radius_at(0), zone.radius_at(zone.until_s)}},
+            {"floor_msl_m", {zone.floor_at(0), zone.floor_at(zone.until_s)}}};
+}
+
+Json terrain_alert_json(const display::FrameRecord& record) {
+    const display::AlertRecord& alerts = record.alerts;
+    const bool has_height = std::isfinite(alerts.height_above_terrain_m);
+    return {{"level", level_text(alerts.terrain)},
+            {"watching", alerts.is_watching},
+            {"clearance_m", alerts.clearance_m},
+            {"height_above_terrain_m", has_height ? Json(alerts.height_above_terrain_m) : Json()},
+            {"zone", alert_zone_json(record.alert_zone)}};
+}
+
+/// Layers by their number in the scene, from 0; the soonest first.
+Json obstacle_alert_json(const display::AlertRecord& alerts) {
+    Json json = {{"level", level_text(alerts.obstacle)}, {"count", alerts.obstacles.count()}, {"ahead", Json::array()}};
+    for (const policy::AlertedObstacle& one : alerts.obstacles.all())
+        json["ahead"].push_back(
+            {{"layer", one.layer}, {"feature", one.feature}, {"level", level_text(one.level())}, {"seconds", one.seconds()}});
+    return json;
+}
+
 Json stale_json(const display::FrameRecord& record) {
     Json json = Json::array();
     for (const display::StaleRecord& stale : record.stale)
@@ -258,6 +294,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["symbology_light"] = text(design::kSymbologyLightNames[static_cast<std::size_t>(record.symbology_light)]);
     json["warning_bands"] = bands_json(record.bands);
     json["terrain"] = terrain_json(record.terrain);
+    json["alerts"] = {{"terrain", terrain_alert_json(record)}, {"obstacles", obstacle_alert_json(record.alerts)}};
     if (result.has_layers) {
         json["layers"] = display::kPictureLayerNames;
         json["obstacles"] = obstacles_json(result.obstacles);

@@ -43,6 +43,13 @@ Json traffic_json(const bus::TrafficCounts& traffic) {
             {"refused", traffic.refused}, {"outdated", traffic.outdated},     {"no_room", traffic.no_room}};
 }
 
+Json terrain_alerts_json(const TerrainAlertCounts& alerts) {
+    return {
+        {"hours", alerts.hours},       {"seconds_caution", alerts.seconds_caution}, {"seconds_warning", alerts.seconds_warning},
+        {"count", alerts.count},       {"false_count", alerts.false_count},         {"false_per_hour", alerts.false_per_hour()},
+        {"warnings", alerts.warnings}, {"false_warnings", alerts.false_warnings}};
+}
+
 }  // namespace
 
 FrameTimes frame_times(std::vector<double> total_ms) {
@@ -73,6 +80,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["terrain_frames"] = summary.terrain_frames;
     json["worst_error_px"] = summary.worst_error_px;
     json["worst_start_error_px"] = summary.worst_start_error_px;
+    json["terrain_alerts"] = terrain_alerts_json(summary.terrain_alerts);
     json["gl_calls_outside_device"] = summary.gl_calls_outside_device;
     json["device"] = summary.device;
     json["design"] = summary.design;
@@ -83,6 +91,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["scene"] = summary.scene;
     json["log"] = summary.log;
     json["switches"] = summary.switches;
+    json["video"] = summary.video;
     json["size"] = std::to_string(summary.width) + "x" + std::to_string(summary.height);
     json["costs"] = summary.costs;
     json["governor"] = governor_json(summary.deadline);

@@ -51,12 +51,17 @@ std::string measure_line(const DrawnSheet::Picture& picture) {
            std::to_string(of.data_colors) + " colours of data, " + std::to_string(of.glyphs) + " glyphs</div>";
 }
 
+std::string caption_line(const DrawnSheet::Picture& picture) {
+    return picture.caption.empty() ? "" : "<div>" + escaped_html(picture.caption) + "</div>";
+}
+
 std::string figure(const DrawnSheet::Picture& picture) {
     const std::string title = escaped_html(picture.title);
     return "<figure id='" + escaped_html(picture.file.substr(0, picture.file.rfind('.'))) + "'><img alt='" + title +
            "' src='data:image/png;base64," + base64(encode_png(view_of(picture.pixels))) + "'><figcaption><b>" + title + "</b>" +
-           escaped_html(picture.design) + ", " + std::to_string(picture.result.record.terrain.triangles) + " triangles" +
-           flag_line(picture.result) + measure_line(picture) + effect_lines(picture.result) + "</figcaption></figure>\n";
+           caption_line(picture) + escaped_html(picture.design) + ", " + std::to_string(picture.result.record.terrain.triangles) +
+           " triangles" + flag_line(picture.result) + measure_line(picture) + effect_lines(picture.result) +
+           "</figcaption></figure>\n";
 }
 
 std::string degrees_of(double angle_deg, char above_zero, char below_zero) {
@@ -64,11 +69,18 @@ std::string degrees_of(double angle_deg, char above_zero, char below_zero) {
 }
 
 std::string view_in_words(const DrawnSheet& sheet) {
-    const AircraftPose& p = sheet.pose;
+    const std::string device = " Device " + escaped_html(sheet.device) + ", " + escaped_html(sheet.gl) + ".";
+    if (!sheet.pose) return "Terrain " + escaped_html(sheet.terrain) + ", seen along a flight." + device;
+    const AircraftPose& p = *sheet.pose;
     return "Terrain " + escaped_html(sheet.terrain) + ", seen from " + degrees_of(p.latitude_deg, 'N', 'S') + " " +
            degrees_of(p.longitude_deg, 'E', 'W') + ", " + decimal(p.altitude_msl_m, 0) + " m above mean sea level, heading " +
            decimal(p.heading_deg, 0) + "&deg;, pitch " + decimal(p.pitch_deg, 0) + "&deg;, roll " + decimal(p.roll_deg, 0) +
-           "&deg;. Device " + escaped_html(sheet.device) + ", " + escaped_html(sheet.gl) + ".";
+           "&deg;." + device;
+}
+
+Json sheet_pose_json(const AircraftPose& pose) {
+    return {{"lat_deg", pose.latitude_deg},    {"lon_deg", pose.longitude_deg}, {"alt_msl_m", pose.altitude_msl_m},
+            {"heading_deg", pose.heading_deg}, {"pitch_deg", pose.pitch_deg},   {"roll_deg", pose.roll_deg}};
 }
 
 Json picture_json(const DrawnSheet::Picture& picture, const std::string& group) {
@@ -83,6 +95,8 @@ Json picture_json(const DrawnSheet::Picture& picture, const std::string& group) 
                  {"flags", record.at("flags")},
                  {"effects", record.at("effects")},
                  {"weights", record.at("presentation").at("weights")}};
+    if (!picture.caption.empty()) json["caption"] = picture.caption;
+    if (picture.flight_s) json["flight_s"] = *picture.flight_s;
     if (picture.measures)
         json["measures"] = {{"edge_density", picture.measures->edge_density},
                             {"data_colors", picture.measures->data_colors},
@@ -112,21 +126,10 @@ std::string sheet_page(const DrawnSheet& sheet) {
 }
 
 std::string sheet_json(const DrawnSheet& sheet) {
-    const AircraftPose& p = sheet.pose;
-    Json json = {{"sheet", sheet.name},
-                 {"title", sheet.title},
-                 {"terrain", sheet.terrain},
-                 {"pose",
-                  {{"lat_deg", p.latitude_deg},
-                   {"lon_deg", p.longitude_deg},
-                   {"alt_msl_m", p.altitude_msl_m},
-                   {"heading_deg", p.heading_deg},
-                   {"pitch_deg", p.pitch_deg},
-                   {"roll_deg", p.roll_deg}}},
-                 {"device", sheet.device},
-                 {"gl", sheet.gl},
-                 {"picture", kSheetPictureName},
-                 {"page", kSheetPageName},
+    Json json = {{"sheet", sheet.name},          {"title", sheet.title},
+                 {"terrain", sheet.terrain},     {"pose", sheet.pose ? sheet_pose_json(*sheet.pose) : Json()},
+                 {"device", sheet.device},       {"gl", sheet.gl},
+                 {"picture", kSheetPictureName}, {"page", kSheetPageName},
                  {"pictures", Json::array()}};
     if (has_layers(sheet)) json["layers"] = display::kPictureLayerNames;
     for (const DrawnSheet::Group& group : sheet.groups)

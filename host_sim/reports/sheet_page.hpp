@@ -11,7 +11,8 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string sheet_page(const DrawnSheet& sheet);
 /// Keys that scripts may rely on: `pictures` [{`group`, `title`, `design`, `file`, `hash`, `triangles`, `flags`, `effects`}],
 /// the last two as in `frames.jsonl`, and `weights`; of sheets that measure aspects also `measures` {`edge_density`,
-/// `data_colors`, `glyphs`}, and of sheets with layers beside the pictures `layers`, their names.
+/// `data_colors`, `glyphs`}, of pictures of a flight `caption`
+/// and `flight_s`, and of sheets with layers beside the pictures `layers`, their names.
 [[nodiscard]] std::string sheet_json(const DrawnSheet& sheet);
 
 }  // namespace tedavis::host_sim

@@ -87,8 +87,9 @@ struct DisplayDecisions {
     bool plain_horizon = false;     ///< a horizon of two plain colours replaces the terrain; never on the map
     bool below_terrain = false;     ///< the own ship flies below the database's surface: the plain horizon is grey over red, not
                                     ///< blue over brown
-    TerrainAhead terrain_ahead = TerrainAhead::none;  ///< a notice shows it, and so do warning colours if they may be shown
-    bool unusual_attitude = false;                    ///< the recovery picture is shown: chevrons, decluttered; flagged
+    TerrainAhead terrain_ahead = TerrainAhead::none;   ///< a notice shows it, and so do warning colours if they may be shown
+    TerrainAhead obstacle_ahead = TerrainAhead::none;  ///< a notice shows it, and so do the obstacles that are in the way
+    bool unusual_attitude = false;                     ///< the recovery picture is shown: chevrons, decluttered; flagged
     /// Signal that states the view's azimuth: true_heading, magnetic_heading (plus variation) or true_track. count_: no signal
     /// states it, the view faces north, and the 3D view shows no terrain.
     flight::Signal view_heading = flight::Signal::count_;

@@ -176,7 +176,9 @@ private:
         out_.plain_horizon = !conditions_.is_map && !out_.show_terrain && out_[Element::attitude].show != ElementShow::failed;
         out_.below_terrain = conditions_.terrain == TerrainSource::above_own_ship && !is_parked();
         out_.terrain_ahead = knows_terrain_ahead() ? conditions_.terrain_ahead : TerrainAhead::none;
+        out_.obstacle_ahead = knows_terrain_ahead() ? conditions_.obstacle_ahead : TerrainAhead::none;
         if (out_.terrain_ahead != TerrainAhead::none) flag(RecordFlag::terrain_ahead);
+        if (out_.obstacle_ahead != TerrainAhead::none) flag(RecordFlag::obstacle_ahead);
         if (out_.terrain_degraded) flag(RecordFlag::terrain_degraded);
         ElementDecision& ground = out_[Element::ground_height];
         if (out_.terrain_degraded && ground.source == Signal::height_above_terrain) ground.show = ElementShow::substituted;
@@ -195,7 +197,8 @@ private:
         if (out_.show_terrain && conditions_.data_are_stale) flag(RecordFlag::data_stale);
     }
 
-    /// Heights of the database are known whatever is shown of it; the own ship's place and height must be trustworthy.
+    /// Heights of the database are known whatever is shown of it, and obstacles are judged with them; the own ship's place and
+    /// height must be trustworthy.
     [[nodiscard]] bool knows_terrain_ahead() const {
         const TerrainSource source = conditions_.terrain;
         const bool has_heights = source == TerrainSource::ready || source == TerrainSource::too_coarse ||
@@ -238,7 +241,9 @@ private:
         notice_if(source == TerrainSource::failed, NoticeId::terrain_failed);
         notice_if(out_.below_terrain, NoticeId::below_terrain_flying);
         notice_if(out_.terrain_ahead == TerrainAhead::warning, NoticeId::terrain_ahead_warning);
+        notice_if(out_.obstacle_ahead == TerrainAhead::warning, NoticeId::obstacle_ahead_warning);
         notice_if(out_.terrain_ahead == TerrainAhead::caution, NoticeId::terrain_ahead_caution);
+        notice_if(out_.obstacle_ahead == TerrainAhead::caution, NoticeId::obstacle_ahead_caution);
         add_position_notices();
         notice_if(source == TerrainSource::none, NoticeId::no_terrain_data);
         notice_if(source == TerrainSource::outside, NoticeId::outside_database);

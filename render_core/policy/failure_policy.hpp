@@ -40,6 +40,7 @@ struct DisplayConditions {
     bool is_reduced = false;            ///< the picture is reduced for the frame's deadline, and the design requests a notice
     bool shows_measure = false;         ///< colours show a measure of the picture (saliency, clutter)
     TerrainAhead terrain_ahead = TerrainAhead::none;
+    TerrainAhead obstacle_ahead = TerrainAhead::none;
     bool is_map = false;  ///< the picture is the map, which needs no attitude and, with north up, no heading
 };
 

@@ -50,6 +50,8 @@ constexpr FlagRow kFlagRows[] = {
      "The terrain is removed."},
     {RecordFlag::terrain_ahead, "terrain.ahead", "The predicted track comes too close to terrain within 60 s.",
      "A notice is shown, and the terrain has warning colors if they may be shown."},
+    {RecordFlag::obstacle_ahead, "obstacle.ahead", "The predicted track comes too close to an obstacle within 60 s.",
+     "A notice is shown, and the obstacles that are in the way have its color."},
     {RecordFlag::terrain_degraded, "terrain.degraded", "The position or the height is not reliable.",
      "The terrain stays, and its warning colors are removed."},
     {RecordFlag::terrain_accuracy_assumed, "terrain.accuracy_assumed",

@@ -33,6 +33,7 @@ enum class RecordFlag : std::uint8_t {
     terrain_ends,
     terrain_above_own_ship,
     terrain_ahead,
+    obstacle_ahead,
     terrain_degraded,
     terrain_accuracy_assumed,
     terrain_coarse,

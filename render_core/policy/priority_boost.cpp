@@ -22,9 +22,10 @@ void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, 
     last_now_ = instant.now;
     last_own_ = instant.own_ship;
     if (is_decided_ && !leaps && design != design_) {
-        const TerrainAhead alert = raises_.terrain_ahead;
+        const PriorityBoosts before = raises_;
         raises_ = source.boosts_at(instant_);
-        raises_.terrain_ahead = alert;
+        raises_.terrain_ahead = before.terrain_ahead;
+        raises_.obstacles = before.obstacles;
     }
     design_ = design;
     const std::int64_t interval = flight::decision_interval_of(instant.now);
@@ -36,7 +37,7 @@ void PriorityBoost::follow(const PriorityInstant& instant, BoostSource& source, 
         raises_ = asked;
     else
         approach(asked, passed);
-    follow_alert(asked.terrain_ahead, begins ? kHeldIntervals : passed);
+    follow_alerts(asked, begins ? kHeldIntervals : passed);
     instant_ = instant;
     is_decided_ = true;
 }
@@ -54,12 +55,14 @@ void PriorityBoost::approach(const PriorityBoosts& asked, std::int64_t intervals
     raises_.hazard = asked.hazard;
 }
 
-void PriorityBoost::follow_alert(TerrainAhead asked, std::int64_t intervals) {
-    if (asked != TerrainAhead::none)
-        alert_intervals_left_ = kHeldIntervals;
-    else if (alert_intervals_left_ = std::max<std::int64_t>(alert_intervals_left_ - intervals, 0); alert_intervals_left_ > 0)
-        return;
-    raises_.terrain_ahead = asked;
+void PriorityBoost::follow_alerts(const PriorityBoosts& asked, std::int64_t intervals) {
+    raises_.terrain_watch = asked.terrain_watch;
+    const auto holds = [intervals](TerrainAhead level, std::int64_t& left) {
+        left = level != TerrainAhead::none ? kHeldIntervals : std::max<std::int64_t>(left - intervals, 0);
+        return level == TerrainAhead::none && left > 0;
+    };
+    if (!holds(asked.terrain_ahead, terrain_intervals_left_)) raises_.terrain_ahead = asked.terrain_ahead;
+    if (!holds(asked.obstacles.level(), obstacle_intervals_left_)) raises_.obstacles = asked.obstacles;
 }
 
 design::AspectWeights PriorityBoost::above(const design::AspectWeights& stated) const {

@@ -1,11 +1,12 @@
-/// The terrain alert (terrain_ahead.hpp), and the priority boost: hazards ahead and stale data raise the weights of aspects
-/// above those that a design states. The target is determined once for each decision interval (flight/decision_interval.hpp),
-/// at its first instant, and the weights approach it in limited steps, so that they neither flicker nor jump.
+/// The alerts of terrain and obstacles (terrain_ahead.hpp, obstacle_ahead.hpp), and the priority boost: hazards ahead and stale
+/// data raise the weights of aspects above those that a design states. The target is determined once for each decision interval
+/// (flight/decision_interval.hpp), at its first instant, and the weights approach it in limited steps, so that they neither
+/// flicker nor jump.
 ///
 ///   follow(instant, source, design) each frame, and at every interval that a replay passes over · above(stated)
 ///
-/// The alert is raised at once and stays for kHeldIntervals after the last interval that requested it, also when the phase's
-/// design changes.
+/// An alert is raised at once and stays for kHeldIntervals after the last interval that requested it, also when the phase's
+/// design changes; with the obstacles that it last named.
 ///
 /// The position of a hazard is determined once per interval; it is kept while the weight that it raised still falls. When the
 /// phase's design changes, the interval is decided again for the new design, at its first instant and without limited steps:
@@ -21,6 +22,7 @@
 #include "render_core/design/priority.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_time.hpp"
+#include "render_core/policy/obstacle_alerts.hpp"
 #include "render_core/policy/terrain_ahead.hpp"
 
 namespace tedavis::policy {
@@ -35,11 +37,19 @@ struct PriorityInstant {
     TrackUncertainty uncertainty;
 };
 
+/// Of the terrain alert, whether there is one or not.
+struct TerrainWatchState {
+    bool is_watching = false;  ///< false: inhibited, on a runway, or not judged
+    double clearance_m = 0;    ///< TerrainWatch::clearance_m()
+};
+
 struct PriorityBoosts {
     std::array<double, design::kMaxAspects> of{};  ///< 0..1, above the stated weights
     bool has_hazard = false;
     earth::Geodetic hazard;  ///< valid with has_hazard: where the track reaches the first hazard; height above the ellipsoid
     TerrainAhead terrain_ahead = TerrainAhead::none;
+    ObstacleAlerts obstacles;
+    TerrainWatchState terrain_watch;
 };
 
 /// Port: the boosts requested at an instant.
@@ -66,15 +76,20 @@ public:
     /// Position of the hazard, or null.
     [[nodiscard]] const earth::Geodetic* hazard() const { return raises_.has_hazard ? &raises_.hazard : nullptr; }
     [[nodiscard]] TerrainAhead terrain_ahead() const { return raises_.terrain_ahead; }
+    [[nodiscard]] const ObstacleAlerts& obstacles() const { return raises_.obstacles; }
+    [[nodiscard]] const TerrainWatchState& terrain_watch() const { return raises_.terrain_watch; }
+    /// Of another scene nothing is known before the next interval.
+    void forget_obstacles() { raises_.obstacles = {}; }
 
 private:
     void approach(const PriorityBoosts& asked, std::int64_t intervals);
 
-    void follow_alert(TerrainAhead asked, std::int64_t intervals);
+    void follow_alerts(const PriorityBoosts& asked, std::int64_t intervals);
 
     PriorityBoosts raises_;
-    std::int64_t alert_intervals_left_ = 0;  ///< intervals for which the alert still stays without a request
-    PriorityInstant instant_;                ///< the interval's first
+    /// Intervals for which an alert still stays without a request.
+    std::int64_t terrain_intervals_left_ = 0, obstacle_intervals_left_ = 0;
+    PriorityInstant instant_;  ///< the interval's first
     base::Time last_now_{0};
     flight::OwnShipEstimate last_own_;
     std::size_t design_ = 0;

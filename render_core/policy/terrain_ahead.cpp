@@ -80,13 +80,14 @@ TerrainWatch::TerrainWatch(const TerrainWatchInput& input, scene::Ground& ground
     until_s_ = std::fmin(kLookAhead_s, half_turn_s);
     const double landing_s = seconds_to_landing(), clearance_m = required_clearance_m(input.phase, track_.up_mps);
     const double landing_clearance_m = required_clearance_m(flight::kApproachFinal, track_.up_mps);
-    const double kept_m =
-        (landing_s < until_s_ ? std::fmin(clearance_m, landing_clearance_m) : clearance_m) + uncertainty.height_m;
+    clearance_m_ = landing_s < until_s_ ? std::fmin(clearance_m, landing_clearance_m) : clearance_m;
+    const double kept_m = clearance_m_ + uncertainty.height_m;
     until_s_ = std::fmin(until_s_, landing_s);
     const double near_m = kCloser * std::fmax(height_above_ground_m_, 0);
     const double share = std::fmin(1, near_m / (kept_m + uncertainty.climb_mps * until_s_));
     floor_m_ = from.height.m - share * kept_m;
     floor_mps_ = track_.up_mps - share * uncertainty.climb_mps;
+    clearance_m_ *= share;
 }
 
 TerrainAhead TerrainWatch::ahead() {
@@ -101,14 +102,30 @@ double TerrainWatch::step_s(double seconds) const {
 }
 
 double TerrainWatch::seconds_to_terrain() {
-    if (track_.ground_speed_mps() < kSlowest_mps || is_inhibited()) return kInfinite;
+    if (!is_watching()) return kInfinite;
     double seconds = 0;
     for (int n = 0; n < kMaxSteps && seconds < until_s_; ++n) {
         const double next_s = std::fmin(seconds + step_s(seconds), until_s_);
-        if (is_too_close(seconds, next_s)) return seconds;
+        if (is_too_close(step_between(seconds, next_s))) return seconds;
         seconds = next_s;
     }
     return kInfinite;
+}
+
+bool TerrainWatch::is_watching() { return track_.ground_speed_mps() >= kSlowest_mps && until_s_ > 0 && !is_inhibited(); }
+
+TrackSteps TerrainWatch::steps() {
+    TrackSteps steps;
+    if (track_.ground_speed_mps() < kSlowest_mps) return steps;
+    double seconds = 0;
+    while (!steps.full() && seconds < until_s_) {
+        const double next_s = std::fmin(seconds + step_s(seconds), until_s_);
+        TrackStep step = step_between(seconds, next_s);
+        step.floor_m = floor_near_runway(step);
+        static_cast<void>(steps.try_push_back(step));
+        seconds = next_s;
+    }
+    return steps;
 }
 
 TerrainAlertZone TerrainWatch::zone(TerrainAhead alert) {
@@ -168,16 +185,32 @@ bool TerrainWatch::is_inhibited() {
     });
 }
 
-/// Discs as wide as the track is at the end of the step, whose union contains it on its way there.
-bool TerrainWatch::is_too_close(double from_s, double to_s) {
-    const double middle_s = (from_s + to_s) / 2, floor_m = std::fmin(floor_at(from_s), floor_at(to_s));
-    const double radius_m = radius_at(to_s) + track_.ground_speed_mps() * (to_s - from_s) / 2;
-    const earth::Geodetic place = track_.at(middle_s);
-    const double highest_m = bound_.highest_m(place.latitude_rad, place.longitude_rad, radius_m, floor_m);
-    if (!(highest_m > floor_m)) return false;
+/// A disc as wide as the track is at the end of the step; it contains the track on its way there.
+TrackStep TerrainWatch::step_between(double from_s, double to_s) const {
+    const earth::Geodetic middle = track_.at((from_s + to_s) / 2);
+    return {from_s,
+            to_s,
+            (middle.latitude_rad - track_.from.latitude_rad) * track_.metres_per_latitude_rad(),
+            (middle.longitude_rad - track_.from.longitude_rad) * track_.metres_per_longitude_rad(),
+            radius_at(to_s) + track_.ground_speed_mps() * (to_s - from_s) / 2,
+            std::fmin(floor_at(from_s), floor_at(to_s))};
+}
+
+/// As in low flight (kCloser), by the height there.
+double TerrainWatch::floor_near_runway(const TrackStep& step) {
+    const NearRunway runway = nearest_runway(track_.at((step.from_s + step.to_s) / 2));
+    if (!std::isfinite(runway.height_m)) return step.floor_m;
+    const double lowest_m = std::fmin(track_.at(step.from_s).height.m, track_.at(step.to_s).height.m);
+    return std::fmax(step.floor_m, runway.height_m + (1 - kCloser) * (lowest_m - runway.height_m));
+}
+
+bool TerrainWatch::is_too_close(const TrackStep& step) {
+    const earth::Geodetic place = track_.at((step.from_s + step.to_s) / 2);
+    const double highest_m = bound_.highest_m(place.latitude_rad, place.longitude_rad, step.radius_m, step.floor_m);
+    if (!(highest_m > step.floor_m)) return false;
     const NearRunway runway = nearest_runway(place);
-    const bool is_at_runway = runway.distance_m + radius_m < kRunwayRound_nm * kMetresPerNauticalMile;
-    return !is_at_runway || highest_m > std::fmax(floor_m, runway.height_m + kRunwayGround_m);
+    const bool is_at_runway = runway.distance_m + step.radius_m < kRunwayRound_nm * kMetresPerNauticalMile;
+    return !is_at_runway || highest_m > std::fmax(step.floor_m, runway.height_m + kRunwayGround_m);
 }
 
 void TerrainWatch::find_runways(base::Span<const scene::Layer> layers) {

@@ -64,11 +64,22 @@ struct TerrainWatchInput {
     base::Span<const scene::Layer> layers;
 };
 
+/// What the track passes from one time to another: a disc that holds all true tracks on their way, and the height above which
+/// what stands there is too close.
+struct TrackStep {
+    double from_s = 0, to_s = 0;
+    double north_m = 0, east_m = 0;  ///< of the own ship
+    double radius_m = 0;
+    double floor_m = 0;  ///< above the ellipsoid
+};
+inline constexpr std::size_t kMaxTrackSteps = 256;
+using TrackSteps = base::FixedVector<TrackStep, kMaxTrackSteps>;
+
 class TerrainWatch {
 public:
     static constexpr double kLookAhead_s = kTerrainCaution_s;
     static constexpr double kSlowest_mps = 15;  ///< ground speed; slower aircraft stand or taxi
-    static constexpr int kMaxSteps = 256;
+    static constexpr int kMaxSteps = kMaxTrackSteps;
     static constexpr std::size_t kMaxRunways = 32;
     /// The zone that is shown is so much wider than the track's uncertainty, and lower by what a moving floor rises or falls on
     /// the way through it: an alert colors the ground that it is for, and a little more. Ground that the bound of a coarser block
@@ -84,6 +95,15 @@ public:
     /// Returns the zone that an alert colors.
     [[nodiscard]] TerrainAlertZone zone(TerrainAhead alert);
 
+    [[nodiscard]] const PredictedTrack& track() const { return track_; }
+    /// Returns the way to where the track ends: at a runway, after half a turn. None for aircraft that stand or taxi. Near a
+    /// runway the floor leaves what stands there a quarter of the track's height above it.
+    [[nodiscard]] TrackSteps steps();
+    /// False where the alert is inhibited, and on a runway.
+    [[nodiscard]] bool is_watching();
+    /// Height above the ground that the track must keep, m: of the phase, or less in low flight.
+    [[nodiscard]] double clearance_m() const { return clearance_m_; }
+
 private:
     struct NearRunway {
         double distance_m, height_m;  ///< of the nearest point of a runway; above the ellipsoid, -infinity where it is far away
@@ -95,9 +115,11 @@ private:
     void find_runways(base::Span<const scene::Layer> layers);
     [[nodiscard]] bool is_inhibited();
     [[nodiscard]] double step_s(double seconds) const;
+    [[nodiscard]] TrackStep step_between(double from_s, double to_s) const;
     [[nodiscard]] double seconds_to_landing();
     [[nodiscard]] bool lands(double seconds);
-    [[nodiscard]] bool is_too_close(double from_s, double to_s);
+    [[nodiscard]] double floor_near_runway(const TrackStep& step);
+    [[nodiscard]] bool is_too_close(const TrackStep& step);
     [[nodiscard]] NearRunway nearest_runway(const earth::Geodetic& place);
     /// Heights above the ellipsoid.
     [[nodiscard]] double floor_at(double seconds) const { return floor_m_ + floor_mps_ * seconds; }
@@ -109,7 +131,7 @@ private:
     base::FixedVector<RunwayLine, kMaxRunways> runways_;  ///< runways that the track can approach
     double height_above_ground_m_;                        ///< height of the own ship; infinite where the ground is unknown
     double radius_m_, radius_mps_, radius_mps2_;
-    double floor_m_ = 0, floor_mps_ = 0;
+    double floor_m_ = 0, floor_mps_ = 0, clearance_m_ = 0;
     double until_s_;  ///< where the track ends
 };
 

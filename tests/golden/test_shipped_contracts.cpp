@@ -165,15 +165,15 @@ TEST(ShippedContracts, AClutteredDesignIsNotCalm) {
                                             {"technique = \"lambert\"", "technique = \"none\""},
                                             {"contours = 0.35", "contours = 1.0\nhatching = 1.0"},
                                             {"contour_interval_m = 100", "contour_interval_m = 20"},
-                                            {"line_color = \"#2c261c\"", "line_color = \"#000000\""},
+                                            {"line_color = \"#4a4230\"", "line_color = \"#000000\""},
                                             {"heights_m = [300, 1500]", "heights_m = [100, 300, 600, 900, 1200, 1500]"}});
     EXPECT_EQ(broken(flights().fly("cluttered", design, 84, 92, 4), "default"),
               (Names{"the picture is calm", "no region is crowded"}));
 }
 
 TEST(ShippedContracts, ColorsThatOnlyHueTellsApartBreakTheirCondition) {
-    const std::string design = flights().changed_design("approach", {{"color = \"#ff4830\"", "color = \"#c86a2c\""},
-                                                                     {"color = \"#ff7060\"", "color = \"#c86a2c\""},
+    const std::string design = flights().changed_design("approach", {{"color = \"#a89c88\"", "color = \"#c86a2c\""},
+                                                                     {"color = \"#e8e4d8\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#60e0ff\"", "color = \"#8a9a2c\""}});
     EXPECT_EQ(broken(flights().fly("alike", design, 360, 368, 4), "default"),
               Names{"obstacles, areas and traffic are told apart"});

@@ -40,6 +40,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"glm/"}, {}},
         {{"immintrin.h"}, {"render_core/raytrace/lanes/"}},
         {{"assimp/", "gdal", "cpl_", "ogr_", "ogrsf_", "nlohmann/", "CLI/", "png.h", "zlib.h"}, {"host_sim/"}},
+        {{"libavcodec/", "libavformat/", "libavutil/", "libswscale/"}, {"host_sim/replay/video_file.cpp"}},
         {{"stb/"}, {"toolchains/"}},
         {{"csetjmp", "execinfo.h"}, {"host_sim/"}},
         {{"gtest/", "gmock/", "benchmark/", "GeographicLib/", "opencv2/", "embree3/"}, {"tests/"}},

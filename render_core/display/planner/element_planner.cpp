@@ -176,6 +176,7 @@ void ElementPlanner::plan(const ElementFrame& frame) {
         reports_[n].suppressed_labels = labels_.suppressed(*reports_[n].element, *reports_[n].layer);
     }
     take_foci(frame);
+    take_alerts(frame);
     if (has_changed_) build(standing_, false, frame);
     build(moving_, true, frame);
     count_out_of_view(frame);
@@ -194,6 +195,13 @@ void ElementPlanner::take_foci(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n)
         foci_[n] = reports_[n].layer == nullptr ? draw::LayerFoci()
                                                 : draw::LayerFoci(frame.foci, *reports_[n].layer, time_.utc.ns, time_.is_date);
+}
+
+/// Obstacles stand, and have another color in the way.
+void ElementPlanner::take_alerts(const ElementFrame& frame) {
+    const std::uint64_t key = frame.alerts == nullptr ? 0 : frame.alerts->key();
+    has_changed_ = has_changed_ || key != alerts_key_;
+    alerts_key_ = key;
 }
 
 draw::FocusCounts ElementPlanner::count_in_focus(const ElementFrame& frame, std::size_t focus) const {
@@ -302,7 +310,16 @@ draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFra
             0,
             time_.is_confirmed || is_received,
             &foci_[report],
-            own_place(frame.own)};
+            own_place(frame.own),
+            layer.entry->role == scene::LayerRole::obstacle ? frame.alerts : nullptr,
+            layer_number(layer)};
+}
+
+/// 0 of a layer that is not of the scene.
+std::uint16_t ElementPlanner::layer_number(const scene::Layer& layer) const {
+    for (std::size_t n = 0; scene_ != nullptr && n < scene_->layers().size(); ++n)
+        if (&scene_->layers()[n] == &layer) return static_cast<std::uint16_t>(n);
+    return 0;
 }
 
 /// What stands is built whether it is valid now or not: it may become so.

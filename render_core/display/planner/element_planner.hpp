@@ -40,9 +40,10 @@ struct ElementFrame {
     design::Color missing;
     flight::FlightTime time;
     OwnFlightFrame own{};
-    double detail_factor = 1;                      ///< of the detail of glyphs of fields
-    const draw::FrameFoci* foci = nullptr;         ///< null: there are none
-    const policy::Declutter* declutter = nullptr;  ///< null: nothing gives way
+    double detail_factor = 1;                        ///< of the detail of glyphs of fields
+    const draw::FrameFoci* foci = nullptr;           ///< null: there are none
+    const policy::Declutter* declutter = nullptr;    ///< null: nothing gives way
+    const policy::ObstacleAlerts* alerts = nullptr;  ///< null: no obstacle is in the way
 };
 
 /// What the planned frame draws.
@@ -139,7 +140,9 @@ private:
     void plan_own_winds(const ElementFrame& frame);
     void count_out_of_view(const ElementFrame& frame);
     void take_foci(const ElementFrame& frame);
+    void take_alerts(const ElementFrame& frame);
     [[nodiscard]] draw::ApproachFrame approach_frame(const ElementFrame& frame) const;
+    [[nodiscard]] std::uint16_t layer_number(const scene::Layer& layer) const;
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
     void build_cues(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);
@@ -168,7 +171,8 @@ private:
     flight::FlightTime time_;                              ///< of the planned frame
     std::array<draw::LayerFoci, kMaxElementGroups> foci_;  ///< of the reports' layers
     draw::FocusCues focus_cues_{};
-    std::uint64_t foci_key_ = 0;  ///< of those that what stands was built with; 0: none
+    std::uint64_t foci_key_ = 0;    ///< of those that what stands was built with; 0: none
+    std::uint64_t alerts_key_ = 0;  ///< likewise of the obstacles that are in the way
     bool has_changed_ = false;
     std::uint64_t standing_key_ = 0;
     bool is_started_ = false;

@@ -237,6 +237,7 @@ void FramePlanner::give_up_terrain(policy::TerrainSource reason) {
 void FramePlanner::decide_again() {
     frame_->decisions = policy::decide_display(frame_->state, frame_->time, frame_->conditions, look_);
     for (const auto& name : frame_->decisions.flags) flag(name.view(), *frame_);
+    state_alerts();
 }
 
 void FramePlanner::state_frame() {
@@ -255,6 +256,7 @@ void FramePlanner::state_frame() {
     frame_->light = policy::terrain_light(look_.terrain.style.shade, frame_->state.own_ship.position, frame_->flight_time.utc);
     frame_->symbology_light = settings_.light;
     for (const auto& name : frame_->decisions.flags) flag(name.view(), *frame_);
+    state_alerts();
 }
 
 base::Stamped<double> FramePlanner::height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) {

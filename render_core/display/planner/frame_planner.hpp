@@ -176,6 +176,7 @@ private:
     [[nodiscard]] policy::PriorityInstant priority_instant() const;
     [[nodiscard]] policy::TerrainWatchInput watched(const policy::PriorityInstant& instant) const;
     void plan_alert_zone();
+    void state_alerts();
     void widen_bands();
     void plan_data();
     void set_elements(std::size_t shown);

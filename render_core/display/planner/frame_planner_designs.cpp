@@ -128,7 +128,8 @@ void FramePlanner::follow_foci() {
 
 bool FramePlanner::has_warning() const {
     return frame_->decisions.unusual_attitude || frame_->decisions.terrain_ahead != policy::TerrainAhead::none ||
-           !frame_->decisions.show_terrain || frame_->conditions.terrain != policy::TerrainSource::ready;
+           frame_->decisions.obstacle_ahead != policy::TerrainAhead::none || !frame_->decisions.show_terrain ||
+           frame_->conditions.terrain != policy::TerrainSource::ready;
 }
 
 void FramePlanner::keep_scene(const PlannedFrame& frame, PlannerMemory& memory) const {

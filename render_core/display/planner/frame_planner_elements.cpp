@@ -29,6 +29,7 @@ bool FramePlanner::accepts(const scene::Scene& scene) const {
 
 bool FramePlanner::take_scene(const scene::Scene& scene, PlannerMemory& memory) {
     if (!data_.take(scene)) return false;
+    memory.boost.forget_obstacles();
     find_intervals();
     memory.clutter.forget();
     if (!elements_.is_started()) return true;
@@ -56,7 +57,10 @@ ElementFrame FramePlanner::element_frame(scene::Ground& ground, const terrain::V
             {frame_->trail, &frame_->state, frame_->time},
             memory_->budget.detail_factor(),
             frame_->foci_plan.foci.regions.empty() ? nullptr : &frame_->foci_plan.foci,
-            frame_->declutter.regions.is_whole() ? nullptr : &frame_->declutter};
+            frame_->declutter.regions.is_whole() ? nullptr : &frame_->declutter,
+            frame_->alerts.obstacle == policy::TerrainAhead::none || frame_->decisions.unusual_attitude
+                ? nullptr
+                : &frame_->alerts.obstacles};
 }
 
 /// Symbology first, then the signs in the room that it leaves.

@@ -1,6 +1,7 @@
 // What comes first in a frame: the design's weights, what raises them, and what of the data is stale.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render_core/base/units.hpp"
 #include "render_core/design/band_widening.hpp"
@@ -11,6 +12,7 @@
 #include "render_core/display/planner/symbology_plan.hpp"
 #include "render_core/display/planner/terrain_ground.hpp"
 #include "render_core/policy/hazard_watch.hpp"
+#include "render_core/policy/obstacle_ahead.hpp"
 #include "render_core/policy/terrain_ahead.hpp"
 
 namespace tedavis::display {
@@ -18,6 +20,14 @@ namespace tedavis::display {
 using flight::Signal;
 
 namespace {
+
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
+
+bool is_obstacles(const scene::Layer& layer) {
+    const scene::LayerShape shape = layer.entry->shape;
+    return layer.entry->role == scene::LayerRole::obstacle &&
+           (shape == scene::LayerShape::points || shape == scene::LayerShape::lines);
+}
 
 /// A turn may end at any time: what lies straight ahead counts as well.
 policy::TerrainWatchInput straight(policy::TerrainWatchInput watched) {
@@ -34,7 +44,7 @@ public:
 
     [[nodiscard]] policy::PriorityBoosts boosts_at(const policy::PriorityInstant& instant) override {
         policy::PriorityBoosts boosts;
-        boosts.terrain_ahead = terrain_ahead_at(instant);
+        find_alerts(instant, boosts);
         if (!priority_.is_stated) return boosts;
         if (planner_.data_are_stale(instant.time)) boost(boosts, design::kUncertaintyAspect, 1, priority_.stale_uncertainty);
         if (planner_.terrain_.is_started() && instant.own_ship.state == base::SignalState::valid) boost_hazards(instant, boosts);
@@ -42,15 +52,31 @@ public:
     }
 
 private:
-    [[nodiscard]] policy::TerrainAhead terrain_ahead_at(const policy::PriorityInstant& instant) const {
-        if (!planner_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid)
-            return policy::TerrainAhead::none;
+    void find_alerts(const policy::PriorityInstant& instant, policy::PriorityBoosts& boosts) const {
+        if (!planner_.terrain_.is_started() || instant.own_ship.state != base::SignalState::valid) return;
         const policy::TerrainWatchInput watched = planner_.watched(instant);
-        if (is_above_all(watched)) return policy::TerrainAhead::none;
+        const bool is_low = !is_above_all(watched);
+        if (!is_low && !has_obstacles()) return;
         TerrainGround ground(planner_.terrain_, terrain::View());
-        const policy::TerrainAhead ahead = policy::TerrainWatch(watched, ground, ground).ahead();
-        if (watched.track.turn_radps == 0) return ahead;
-        return std::max(ahead, policy::TerrainWatch(straight(watched), ground, ground).ahead());
+        policy::TerrainWatch watch(watched, ground, ground), ahead(straight(watched), ground, ground);
+        const bool turns = watched.track.turn_radps != 0;
+        boosts.terrain_watch = {watch.is_watching(), watch.clearance_m()};
+        if (is_low) boosts.terrain_ahead = turns ? std::max(watch.ahead(), ahead.ahead()) : watch.ahead();
+        policy::ObstacleWatch obstacles(watch, ground), obstacles_ahead(ahead, ground);
+        for (std::size_t n = 0; planner_.data_.has_scene() && n < planner_.data_.scene().layers().size(); ++n) {
+            const scene::Layer& layer = planner_.data_.scene().layers()[n];
+            if (!is_obstacles(layer) || !is_valid_at(layer, instant.time)) continue;
+            for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
+                boosts.obstacles.add(static_cast<std::uint16_t>(n), feature,
+                                     std::fmin(obstacles.seconds_to(layer, feature),
+                                               turns ? obstacles_ahead.seconds_to(layer, feature) : kNever_s));
+        }
+    }
+
+    [[nodiscard]] bool has_obstacles() const {
+        if (!planner_.data_.has_scene()) return false;
+        const base::Span<const scene::Layer> layers = planner_.data_.scene().layers();
+        return std::any_of(layers.begin(), layers.end(), is_obstacles);
     }
 
     /// So that nothing need be read of the database.
@@ -79,8 +105,14 @@ private:
         for (std::size_t n = 0; n < priority_.parts.size() && planner_.data_.has_scene(); ++n)
             for (const scene::Layer& layer : planner_.data_.scene().layers())
                 if (is_hazard(n, layer, instant.time))
-                    boost(boosts, design::kMainAspects + n, watch.layer_share(layer), priority_.hazard_weight);
+                    boost(boosts, design::kMainAspects + n, share_of(layer, boosts, watch), priority_.hazard_weight);
         boosts.has_hazard = watch.first_met(boosts.hazard);
+    }
+
+    /// Obstacles are a hazard where they are alerted.
+    [[nodiscard]] static double share_of(const scene::Layer& layer, const policy::PriorityBoosts& boosts,
+                                         policy::HazardWatch& watch) {
+        return is_obstacles(layer) ? watch.share_at(boosts.obstacles.soonest_s()) : watch.layer_share(layer);
     }
 
     [[nodiscard]] bool is_hazard(std::size_t part, const scene::Layer& layer, const flight::FlightTime& time) const {
@@ -153,6 +185,18 @@ void FramePlanner::plan_alert_zone() {
     frame_->alert_zone = (is_ahead ? ahead : watch).zone(decisions.terrain_ahead);
 }
 
+/// What the record says of the alerts.
+void FramePlanner::state_alerts() {
+    AlertRecord& alerts = frame_->alerts;
+    alerts = {};
+    alerts.terrain = frame_->decisions.terrain_ahead;
+    alerts.obstacle = frame_->decisions.obstacle_ahead;
+    if (alerts.obstacle != policy::TerrainAhead::none) alerts.obstacles = memory_->boost.obstacles();
+    alerts.height_above_terrain_m = frame_->state[Signal::height_above_terrain].value_or(std::nan(""));
+    alerts.is_watching = memory_->boost.terrain_watch().is_watching;
+    alerts.clearance_m = memory_->boost.terrain_watch().clearance_m;
+}
+
 /// Before anything of the frame is planned.
 void FramePlanner::apply_priorities() {
     design::AspectWeights weights = design_at(memory_->shown).priority.weights;
@@ -162,6 +206,7 @@ void FramePlanner::apply_priorities() {
         if (design_at(memory_->shown).priority.is_stated) weights = memory_->boost.above(weights);
     }
     frame_->conditions.terrain_ahead = memory_->boost.terrain_ahead();
+    frame_->conditions.obstacle_ahead = memory_->boost.obstacles().level();
     if (weights == memory_->weights) return;
     memory_->weights = weights;
     take_look(asked_look());

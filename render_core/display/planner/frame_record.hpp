@@ -18,6 +18,8 @@
 #include "render_core/flight/flight_phase.hpp"
 #include "render_core/flight/legend_show.hpp"
 #include "render_core/policy/display_decisions.hpp"
+#include "render_core/policy/obstacle_alerts.hpp"
+#include "render_core/policy/terrain_alert_zone.hpp"
 #include "render_core/policy/terrain_light.hpp"
 
 namespace tedavis::display {
@@ -140,6 +142,16 @@ struct ClutterRecord {
     std::uint32_t roles = 0;            ///< of the layers that give way; a bit for each scene::LayerRole
 };
 
+/// The alerts of the frame, and what they are judged by.
+struct AlertRecord {
+    policy::TerrainAhead terrain = policy::TerrainAhead::none;
+    policy::TerrainAhead obstacle = policy::TerrainAhead::none;
+    policy::ObstacleAlerts obstacles;   ///< that are in the way; empty without an alert
+    bool is_watching = false;           ///< false: there is no terrain alert whatever is ahead (standing, at a runway)
+    double clearance_m = 0;             ///< height above the ground that the predicted track must keep
+    double height_above_terrain_m = 0;  ///< of the own ship now; NaN: unknown
+};
+
 /// What the plan of a frame states for its record.
 struct FrameStatement {
     std::uint64_t frame = 0;
@@ -157,6 +169,8 @@ struct FrameStatement {
     design::SymbologyLight symbology_light = design::SymbologyLight::day;
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
+    AlertRecord alerts;
+    policy::TerrainAlertZone alert_zone;       ///< of the ground that comes too close to the predicted track, and is colored
     std::uint64_t scene_revision = 0;          ///< of the scene database that is shown; 0: none
     base::FixedVector<StaleRecord, 16> stale;  ///< with the flag data.stale
     LegendRecord legend;

@@ -81,8 +81,6 @@ struct PlannedFrame : FrameStatement {
     bool terrain_has_void = false;
     draw::HeightSpan heights;  ///< of the whole database
 
-    policy::TerrainAlertZone alert_zone;  ///< of the ground that comes too close to the predicted track
-
     FociPlan foci_plan;
     policy::Declutter declutter;
     PlannedClutter clutter;

@@ -5,6 +5,7 @@
 
 #include "render_core/draw/data/billboard_place.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
+#include "render_core/draw/data/obstacle_color.hpp"
 #include "render_core/draw/font_atlas.hpp"
 #include "render_core/draw/text_size.hpp"
 #include "render_core/scene/area_limits.hpp"
@@ -81,6 +82,7 @@ bool billboard_shape(const ElementInput& input, std::uint32_t feature, const Sig
     if (share <= 0) return false;
     shape.text_px = view.text_px;
     shape.look = billboard_look(input, feature);
+    shape.look.color = obstacle_color(input, feature, shape.look.color);
     fade_sign(shape.look.color, share);
     fade_sign(shape.look.text, share);
     shape.text = text_of(input, feature, shape.look, with_name);

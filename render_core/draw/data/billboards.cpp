@@ -4,6 +4,7 @@
 #include "render_core/draw/data/icons.hpp"
 #include "render_core/draw/font_atlas.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/obstacle_stand.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -103,6 +104,15 @@ private:
         return side == SignSide::right ? TextAnchor::left : side == SignSide::left ? TextAnchor::right : TextAnchor::center;
     }
 
+    [[nodiscard]] Icon icon() const {
+        const scene::Layer& layer = input_.layer;
+        const Icon icon = icon_of(layer, feature_);
+        if (!is_obstacle() || layer.entry->shape != scene::LayerShape::points) return icon;
+        const double height_m = scene::value_or_nan(layer, "height", feature_);
+        return icon_by_height(
+            icon, scene::obstacle_stand(layer, shape_.anchor, height_m, scene::kUnknownObstacle_m, input_.ground).height_m());
+    }
+
     void draw(const SignText& text, const BillboardAnswer& answer) const {
         QuadBatch& batch = sheet_.signs();
         const SignBox box = this->box(answer);
@@ -110,7 +120,7 @@ private:
         if (!is_on_the_spot(answer))
             sheet_.stem(shape_.spot, {shape_.spot.at.x, box.middle.y + box.half_px}, kStem_px,
                         {kStemColor.red, kStemColor.green, kStemColor.blue, look.color.alpha});
-        static_cast<void>(draw_icon(batch, icon_of(input_.layer, feature_), box.middle, box.half_px, look.color));
+        static_cast<void>(draw_icon(batch, icon(), box.middle, box.half_px, look.color));
         if (const float rim = look.rim(); rim > 0)
             static_cast<void>(draw_dashed_rim(batch, box.middle, box.half_px + 0.5f * box.gap_px, look.color, rim));
         if (answer.side == SignSide::none) return;

@@ -6,6 +6,7 @@
 
 #include "render_core/design/data_element.hpp"
 #include "render_core/earth/geodetic.hpp"
+#include "render_core/policy/obstacle_alerts.hpp"
 #include "render_core/scene/ground.hpp"
 #include "render_core/scene/scene.hpp"
 
@@ -33,6 +34,8 @@ struct ElementInput {
     bool has_age = true;              ///< false: the frame's time is extrapolated, and ages are unknown
     const LayerFoci* foci = nullptr;  ///< of this layer; null: everything is in the focus
     OwnPlace own_ship{};
+    const policy::ObstacleAlerts* alerts = nullptr;  ///< of obstacles of the scene; null: this layer has none
+    std::uint16_t layer_number = 0;                  ///< among the scene's, as the alerts count
 };
 
 inline constexpr double kFloating_m = 5;  ///< height above the ground below which no link is drawn

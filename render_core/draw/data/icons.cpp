@@ -25,6 +25,9 @@ struct Shape {
 };
 
 constexpr Stroke kObstacle[] = {{-0.6f, 0.8f, 0, -0.9f}, {0.6f, 0.8f, 0, -0.9f}, {0, 0.8f, 0, 0.8f}};
+constexpr Stroke kHighObstacle[] = {{-0.35f, 1, -0.15f, -0.5f},     {0.35f, 1, 0.15f, -0.5f},      {-0.3f, 0.6f, 0.2f, 0},
+                                    {0.3f, 0.6f, -0.2f, 0},         {-0.15f, -0.5f, 0.15f, -0.5f}, {0, -0.5f, 0, -1},
+                                    {-0.75f, -0.95f, -0.3f, -0.6f}, {0.75f, -0.95f, 0.3f, -0.6f}};
 constexpr Stroke kMast[] = {{-0.45f, 1, 0, -1}, {0.45f, 1, 0, -1}, {-0.35f, 0.5f, 0.35f, 0.5f}, {-0.2f, -0.1f, 0.2f, -0.1f}};
 constexpr Stroke kTurbine[] = {{0, 1, 0, -0.2f}, {0, -0.2f, 0, -1}, {0, -0.2f, 0.7f, 0.2f}, {0, -0.2f, -0.7f, 0.2f}};
 constexpr Stroke kChimney[] = {
@@ -48,9 +51,9 @@ constexpr Stroke kModel[] = {{-0.7f, 0.9f, 0.7f, 0.9f},
                              {0.9f, -0.05f, 0, -0.9f}};
 
 constexpr std::size_t kIcons = static_cast<std::size_t>(Icon::count);
-constexpr std::array<std::string_view, kIcons> kNames = {"generic", "obstacle", "mast",  "turbine", "chimney", "crane",
-                                                         "pole",    "cable",    "place", "village", "town",    "runway",
-                                                         "traffic", "sample",   "storm", "no_go",   "model",   "near_traffic"};
+constexpr std::array<std::string_view, kIcons> kNames = {
+    "generic", "obstacle", "mast",    "turbine", "chimney", "crane", "pole",  "cable",        "place",        "village",
+    "town",    "runway",   "traffic", "sample",  "storm",   "no_go", "model", "near_traffic", "high_obstacle"};
 
 Shape shape_of(Icon icon) {
     constexpr float kWhole = 0.9f, kPlace = 0.7f, kVillage = 0.5f, kBalloon = 0.5f;
@@ -70,6 +73,7 @@ Shape shape_of(Icon icon) {
         case Icon::storm: return {kStorm};
         case Icon::no_go: return {kNoGo, kWhole};
         case Icon::model: return {kModel};
+        case Icon::high_obstacle: return {kHighObstacle};
         case Icon::near_traffic: return {kDiamond, 0, true};
         default: return {kDiamond};
     }
@@ -124,6 +128,18 @@ Icon icon_of(const scene::Layer& layer, std::uint32_t feature) {
         for (std::size_t n = 0; n < kIcons; ++n)
             if (kind->class_name(static_cast<std::uint32_t>(code)) == kNames[n]) return static_cast<Icon>(n);
     return icon_of(layer.entry->role, layer.entry->shape);
+}
+
+Icon icon_by_height(Icon icon, double height_m) {
+    if (!(height_m >= kHighObstacle_m)) return icon;
+    switch (icon) {
+        case Icon::obstacle:
+        case Icon::mast:
+        case Icon::chimney:
+        case Icon::crane:
+        case Icon::pole: return Icon::high_obstacle;
+        default: return icon;
+    }
 }
 
 bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color) {

@@ -28,11 +28,17 @@ enum class Icon : std::uint8_t {
     no_go,
     model,
     near_traffic,
+    high_obstacle,
     count
 };
 
 /// Returns the icon for the class of the attribute "kind" where that is an icon's name, else for the layer's role.
 [[nodiscard]] Icon icon_of(const scene::Layer& layer, std::uint32_t feature);
+
+/// Obstacles from this height above the ground have another icon: 1000 ft (ICAO Annex 4: "exceptionally high").
+inline constexpr double kHighObstacle_m = 304.8;
+/// Returns that icon for an obstacle's, unless it is a turbine or a cable, whose kind says more.
+[[nodiscard]] Icon icon_by_height(Icon icon, double height_m);
 
 /// Draws an icon over a dark rim of the same opacity. `half_px` is from its middle to its edge.
 bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color);

@@ -6,10 +6,12 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/draw/data/icons.hpp"
+#include "render_core/draw/data/obstacle_color.hpp"
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/draw/data/solid_look.hpp"
 #include "render_core/draw/data/solid_shapes.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/obstacle_stand.hpp"
 
 namespace tedavis::draw {
 namespace {
@@ -21,25 +23,15 @@ constexpr double kGuyReach = 0.45, kJibReach = 0.8, kRotorReach = 0.38, kArmReac
 constexpr int kSpanParts = 8;
 
 /// Where an obstacle stands: heights over the ellipsoid.
-struct Stand {
+struct Stand : scene::ObstacleStand {
     double latitude_rad = 0, longitude_rad = 0;
-    double foot_m = 0, top_m = 0;
-    bool is_stated = true;  ///< its height is known
 
-    [[nodiscard]] bool is_known() const { return top_m > foot_m; }
     [[nodiscard]] glm::dvec3 at(double height_m) const { return earth::to_ecef({latitude_rad, longitude_rad, {height_m}}); }
 };
 
-Stand stand_of(const ElementInput& input, const scene::ScenePoint& point, double height_m, double least_m) {
-    Stand stand{point.latitude_rad, point.longitude_rad};
-    const double ground_m = input.ground.height_m(point.latitude_rad, point.longitude_rad);
-    const bool has_height = height_m > 0;
-    const double usual_m = has_height ? height_m : least_m;
-    stand.is_stated = has_height || !std::isnan(point.height_m);
-    const Placed stated = placed(input, point);
-    stand.top_m = !std::isnan(point.height_m) && stated.is_known ? stated.height_m : ground_m + usual_m;
-    stand.foot_m = std::isfinite(ground_m) && ground_m < stand.top_m ? ground_m : stand.top_m - usual_m;
-    return stand;
+Stand stand_of(const ElementInput& input, const scene::ScenePoint& point, double height_m, double unknown_m) {
+    return {scene::obstacle_stand(input.layer, point, height_m, unknown_m, input.ground), point.latitude_rad,
+            point.longitude_rad};
 }
 
 /// Puts one obstacle together in a mesh.
@@ -52,7 +44,7 @@ public:
           axes_(local_axes(stand.latitude_rad, stand.longitude_rad)),
           color_(color),
           foot_(stand.at(stand.foot_m)),
-          height_m_(stand.top_m - stand.foot_m) {
+          height_m_(stand.height_m()) {
         mesh_.begin(foot_);
     }
     void set_uncertainty(scene::Uncertainty uncertainty) { uncertainty_ = uncertainty; }
@@ -202,7 +194,7 @@ public:
         const Stand first = stand(0);
         if (!first.is_known()) return false;
         mesh_.begin(first.at(first.top_m));
-        color_ = encoded_color(input_, input_.element.by_color, feature_);
+        color_ = obstacle_color(input_, feature_, encoded_color(input_, input_.element.by_color, feature_));
         mesh_.set_color(color_, encoded_uncertainty(input_, feature_));
         Stand before = first;
         add_pole(first);
@@ -218,7 +210,7 @@ public:
 
 private:
     [[nodiscard]] const scene::ScenePoint& point(std::uint32_t n) const { return input_.layer.points[run_.first + n]; }
-    [[nodiscard]] Stand stand(std::uint32_t n) const { return stand_of(input_, point(n), height_m_, kPole_m); }
+    [[nodiscard]] Stand stand(std::uint32_t n) const { return stand_of(input_, point(n), height_m_, scene::kPole_m); }
 
     void add_pole(const Stand& at) {
         const LocalAxes axes = local_axes(at.latitude_rad, at.longitude_rad);
@@ -257,12 +249,12 @@ private:
 ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
-        const Stand stand =
-            stand_of(input, input.layer.points[feature], scene::value_or_nan(input.layer, "height", feature), kUnknownObstacle_m);
+        const Stand stand = stand_of(input, input.layer.points[feature], scene::value_or_nan(input.layer, "height", feature),
+                                     scene::kUnknownObstacle_m);
         bool is_drawn = stand.is_known();
         if (is_drawn) {
-            Shape shape(mesh, stand, stand.is_stated ? encoded_color(input, input.element.by_color, feature) : input.missing,
-                        input.element.detail);
+            const design::Color own = stand.is_stated ? encoded_color(input, input.element.by_color, feature) : input.missing;
+            Shape shape(mesh, stand, obstacle_color(input, feature, own), input.element.detail);
             shape.set_uncertainty(encoded_uncertainty(input, feature));
             shape.add(icon_of(input.layer, feature));
             is_drawn = add_rimmed(batch, mesh, input);

@@ -1,13 +1,12 @@
 /// Builds obstacles in their shapes and true sizes: masts with guys, wind turbines, chimneys, cranes, poles; cables with their
 /// poles.
 ///
-/// A point's kind is the class of its attribute "kind" (icons.hpp); others are obelisks. Its top is the point's height in the
-/// layer's datum; on a point without height it stands "height" over the ground; its foot is the ground, or where that is not
-/// known "height" below the top. An obstacle of unknown height is kUnknownObstacle_m high, in the colour of missing data. White
-/// bands alternate with its colour.
+/// A point's kind is the class of its attribute "kind" (icons.hpp); others are obelisks. Its top and its foot are those of
+/// scene/obstacle_stand.hpp; an obstacle of unknown height is scene::kUnknownObstacle_m high, in the colour of missing data.
+/// White bands alternate with its colour, which is that of the alert where there is one (obstacle_color.hpp).
 ///
 /// A line's cable is as thick as "diameter" says, kCable_m else. Without heights, or with heights over the ground, its points are
-/// poles ("height", kPole_m else), between which it sags by "sag", else by a kSagShare-th of the span, in a parabola. With
+/// poles ("height", scene::kPole_m else), between which it sags by "sag", else by a kSagShare-th of the span, in a parabola. With
 /// absolute heights it is taken as surveyed, its poles at its ends; it sags when it has two points only or a "sag".
 ///
 /// Objects thinner than a pixel stay visible: opaque ones have a rim of kMinHalf_px in the same colour, or the element's halo,
@@ -25,7 +24,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr double kUnknownObstacle_m = 100, kPole_m = 20, kCable_m = 0.05, kSagShare = 30;
+inline constexpr double kCable_m = 0.05, kSagShare = 30;
 inline constexpr double kShapesFrom = 0.5;
 inline constexpr float kMinHalf_px = 1.0f;
 

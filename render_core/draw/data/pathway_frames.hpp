@@ -25,7 +25,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr std::size_t kMaxPathwayFrames = 10, kMinPathwayFrames = 3;
+inline constexpr std::size_t kMaxPathwayFrames = 6, kMinPathwayFrames = 3;
 inline constexpr double kFrameWidth_m = 700 * base::kMetresPerFoot, kFrameHeightShare = 2.0 / 7;
 inline constexpr double kSpacing_m = 0.5 * base::kMetresPerNauticalMile, kNearSpacing_m = kSpacing_m / 2;
 inline constexpr double kFinal_m = 3 * base::kMetresPerNauticalMile;

@@ -44,9 +44,12 @@ public:
     }
 
     void add_frames(const PathwayFrames& frames) {
-        for (const PathwayFrame& frame : frames) {
-            mesh_.begin(frame.middle);
-            add_frame(frame);
+        const double strength = std::clamp(input_.element.uncertainty_strength, 0.0, 1.0);
+        const double of_accuracy = shows_accuracy() ? std::ceil(strength * static_cast<double>(frames.size())) : 0;
+        for (std::size_t n = 0; n < frames.size(); ++n) {
+            mesh_.begin(frames[n].middle);
+            add_frame(frames[n]);
+            if (static_cast<double>(n) < of_accuracy) add_accuracy(frames[n]);
             flush();
         }
     }
@@ -92,12 +95,18 @@ private:
         set_color(frame.point, frame.opacity);
         const auto corners = outline(input_, frame);
         for (std::size_t n = 0; n < kOutlinePlaces; ++n) add_bar(corners[n], corners[(n + 1) % kOutlinePlaces], kFrameLine_px);
-        if (input_.element.uncertainty != design::ElementUncertainty::widening || !states_accuracy(input_.layer)) return;
+    }
+
+    [[nodiscard]] bool shows_accuracy() const {
+        return input_.element.uncertainty == design::ElementUncertainty::widening && states_accuracy(input_.layer);
+    }
+
+    /// In the color of the frame, which was set.
+    void add_accuracy(const PathwayFrame& frame) {
         const PlaceAccuracy off = cautious_accuracy(input_.layer, frame.point, worst_);
         PathwayFrame wide = frame;
         wide.half_width_m += off.level_m;
         wide.half_height_m += off.height_m;
-        set_color(frame.point, frame.opacity * input_.element.uncertainty_strength);
         const auto far = outline(input_, wide);
         for (std::size_t n = 0; n < kOutlinePlaces; ++n) add_dashes(far[n], far[(n + 1) % kOutlinePlaces], kDashedParts[n]);
     }

@@ -11,7 +11,7 @@
 namespace tedavis::draw {
 namespace {
 
-constexpr double kFinestStep_m = 50, kCoarsestStep_m = 800, kStepShare = 0.1;  // of the distance
+constexpr double kFinestStep_m = 50, kCoarsestStep_m = 800, kStepOfDistance = 0.1;  // of the distance
 
 }  // namespace
 
@@ -29,7 +29,7 @@ double RunwaySurface::step_from(const ElementInput& input, const glm::dvec3& mid
     const double nearest_m = std::max(glm::distance(input.eye, middle) - 0.5 * length_m_, 0.0);
     double step_m = kFinestStep_m;
     while (step_m < kCoarsestStep_m &&
-           (2 * step_m < kStepShare * nearest_m || length_m_ > 2 * kMaxRunway_m / kMaxRunwaySections * step_m))
+           (2 * step_m < kStepOfDistance * nearest_m || length_m_ > 2 * kMaxRunway_m / kMaxRunwaySections * step_m))
         step_m *= 2;
     return length_m_ / std::ceil(length_m_ / step_m - 0.01);
 }

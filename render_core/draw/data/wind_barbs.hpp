@@ -13,7 +13,7 @@
 namespace tedavis::draw {
 
 /// Length of a staff and least distance of two barbs, in text sizes.
-inline constexpr float kStaff = 2.2f, kBarbSpacing = 4.4f;
+inline constexpr float kStaff = 2.2f, kBarbSpacing = 6.0f;
 [[nodiscard]] inline double barb_spacing_px(const BillboardSheet& sheet) {
     return static_cast<double>(kBarbSpacing * sheet.text_px());
 }

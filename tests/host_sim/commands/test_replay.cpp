@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "host_sim/reports/run_folder.hpp"
+#include "tests/support/files/read_film.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/flights/frame_lines.hpp"
 #include "tests/support/programs/command_run.hpp"
@@ -345,6 +346,70 @@ private:
     std::string seen_;
     bool pressed_ = false;
 };
+
+TEST(Replay, AFilmHasThePicturesOfTheRun) {
+    ReplayOptions options = files().options("filmed");
+    options.frames = FrameOutput::png;
+    options.to_s = 4;
+    options.video = options.output + "/flight.mp4";
+    static_cast<void>(replayed(options));
+    EXPECT_EQ(summary_of(options.output).at("video"), options.video);
+    auto film = test_support::read_film(options.video);
+    ASSERT_EQ(film.pictures.size(), 9u);
+    EXPECT_EQ(film.rate_num, 2 * film.rate_den);
+    EXPECT_EQ(film.metadata["title"], "TEDAVIS, design default, flight.log, not for navigation");
+    EXPECT_THAT(film.metadata["creation_time"], HasSubstr("2023-11-14T22:13:20")) << "the flight's";
+    const auto lines = frame_lines(options.output);
+    const auto png = [&](std::size_t n) { return read_png(frame_picture_path(options.output, lines.at(n).at("frame"))); };
+    constexpr double kSame_db = 32;
+    for (const std::size_t n : {std::size_t{0}, std::size_t{4}}) {
+        EXPECT_GT(test_support::luma_psnr_db(film.pictures[n], png(n)), kSame_db) << n;
+        EXPECT_LT(test_support::luma_psnr_db(film.pictures[n], png(4 - n)), kSame_db - 8) << "control: the other picture";
+    }
+}
+
+TEST(Replay, AFilmNeedsNoPicturesBesideItAndNoFilmIsMadeUnasked) {
+    ReplayOptions options = files().options("filmed_1");
+    options.to_s = 1;
+    options.frames = FrameOutput::png;
+    options.video = files().folder.file("with.mp4");
+    static_cast<void>(replayed(options));
+    options.output = files().folder.file("filmed_2");
+    options.frames = FrameOutput::none;
+    options.video = files().folder.file("without.mp4");
+    static_cast<void>(replayed(options));
+    EXPECT_FALSE(std::filesystem::exists(options.output + "/frames"));
+    EXPECT_EQ(files().folder.read("with.mp4"), files().folder.read("without.mp4"));
+    static_cast<void>(whole());
+    EXPECT_EQ(summary_of(files().folder.file("whole")).at("video"), "");
+}
+
+TEST(Replay, AFilmThatCannotBeLeavesTheFolderAsItWas) {
+    std::ostringstream results, notes;
+    Console console(results, notes, false, false);
+    ReplayOptions options = files().options("not_filmed");
+    const auto refused = [&](const std::string& words) {
+        test_support::expect_user_error([&] { static_cast<void>(run_replay(options, console)); }, words);
+        EXPECT_FALSE(std::filesystem::exists(options.output));
+    };
+    options.video = files().folder.file("none/film.mp4");
+    refused("check the folder");
+    options.video = files().folder.file("film.mp4");
+    options.picture.size = PictureSize{321, 240};
+    refused("say --size 322x240");
+}
+
+TEST(Replay, CtrlCEndsAFilmThatPlays) {
+    ImpatientUser user;
+    std::ostream notes(&user);
+    std::ostringstream results;
+    Console console(results, notes, false, true);
+    ReplayOptions options = files().options("interrupted_film");
+    options.video = files().folder.file("interrupted.mp4");
+    EXPECT_EQ(run_replay(options, console), kInterruptedExitCode);
+    EXPECT_EQ(test_support::read_film(options.video).pictures.size(), 6u) << "35 % of 17";
+    EXPECT_EQ(summary_of(options.output).at("video"), options.video);
+}
 
 TEST(Replay, CtrlCLeavesAValidPartialRun) {
     static_cast<void>(whole());

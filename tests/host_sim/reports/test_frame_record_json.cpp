@@ -52,6 +52,37 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
     EXPECT_EQ(json["latency_ms"], 12);
 }
 
+TEST(FrameRecordJson, StatesTheAlertsAndWhatTheyAreOf) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.alerts.height_above_terrain_m = std::nan("");
+    Json alerts = parsed(result)["alerts"];
+    EXPECT_EQ(alerts["terrain"], Json({{"level", "none"},
+                                       {"watching", false},
+                                       {"clearance_m", 0.0},
+                                       {"height_above_terrain_m", nullptr},
+                                       {"zone", nullptr}}));
+    EXPECT_EQ(alerts["obstacles"], Json({{"level", "none"}, {"count", 0}, {"ahead", Json::array()}}));
+    display::AlertRecord& stated = result.record.alerts;
+    stated = {policy::TerrainAhead::warning, policy::TerrainAhead::caution, {}, true, 30.5, 250};
+    stated.obstacles.add(2, 7, 41.25);
+    policy::TerrainAlertZone& zone = result.record.alert_zone;
+    zone.alert = policy::TerrainAhead::warning;
+    zone.north_mps = zone.east_mps = 50;
+    zone.radius_m = 60, zone.radius_mps = 2;
+    zone.floor_msl_m = 900, zone.floor_mps = -1;
+    zone.until_s = 40;
+    alerts = parsed(result)["alerts"];
+    EXPECT_EQ(alerts["terrain"]["level"], "warning");
+    EXPECT_EQ(alerts["terrain"]["clearance_m"], 30.5);
+    EXPECT_EQ(alerts["terrain"]["height_above_terrain_m"], 250.0);
+    EXPECT_EQ(alerts["terrain"]["zone"]["width_m"], Json({60.0, 140.0}));
+    EXPECT_EQ(alerts["terrain"]["zone"]["floor_msl_m"], Json({900.0, 860.0}));
+    EXPECT_NEAR(alerts["terrain"]["zone"]["track_deg"].get<double>(), 45, 1e-9);
+    EXPECT_EQ(alerts["obstacles"], Json({{"level", "caution"},
+                                         {"count", 1},
+                                         {"ahead", {{{"layer", 2}, {"feature", 7}, {"level", "caution"}, {"seconds", 41.2}}}}}));
+}
+
 TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {
     FrameResult result = test_support::frame_result(0, 3);
     EXPECT_EQ(parsed(result)["utc"], Json({{"time_s", nullptr}, {"confirmed", false}}));
@@ -61,9 +92,9 @@ TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {
 
 TEST(FrameRecordJson, HasEveryKeyOfTheContract) {
     const Json json = parsed(test_support::frame_result(0, 3));
-    for (const char* key : {"frame",    "time_s",   "utc",     "hash",         "phase",   "sub_phase", "phase_source", "own_ship",
-                            "signals",  "elements", "flags",   "view",         "terrain", "data",      "labels",       "bytes",
-                            "governor", "foci",     "effects", "presentation", "ms",      "latency_ms"})
+    for (const char* key : {"frame",   "time_s",   "utc",   "hash",    "phase",        "sub_phase", "phase_source", "own_ship",
+                            "signals", "elements", "flags", "view",    "terrain",      "alerts",    "data",         "labels",
+                            "bytes",   "governor", "foci",  "effects", "presentation", "ms",        "latency_ms"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char* key : {"placed", "suppressed", "changed"}) EXPECT_TRUE(json["labels"].contains(key)) << key;
     for (const char* aspect : {"terrain", "data", "uncertainty"})

@@ -44,6 +44,7 @@ RunSummary full_summary() {
     s.terrain_frames = 3;
     EXPECT_EQ(error_text(s), "worst terrain error 0.50 px");
     s.worst_start_error_px = 431299;
+    s.terrain_alerts = {0.5, 40, 20.5, 4, 3, 2, 1};
     return s;
 }
 
@@ -56,6 +57,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                             "terrain_frames",
                             "worst_error_px",
                             "worst_start_error_px",
+                            "terrain_alerts",
                             "gl_calls_outside_device",
                             "device",
                             "design",
@@ -102,6 +104,14 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
     EXPECT_EQ(Json::parse(run_summary_json({}, {}))["warnings"], Json::array());
     EXPECT_EQ(json["worst_error_px"], 0.5);
     EXPECT_EQ(json["worst_start_error_px"], 431299);
+    EXPECT_EQ(json["terrain_alerts"], Json({{"hours", 0.5},
+                                            {"seconds_caution", 40.0},
+                                            {"seconds_warning", 20.5},
+                                            {"count", 4},
+                                            {"false_count", 3},
+                                            {"false_per_hour", 6.0},
+                                            {"warnings", 2},
+                                            {"false_warnings", 1}}));
 }
 
 TEST(RunSummary, TheStartsErrorIsSaidBesideTheWorst) {

@@ -45,6 +45,21 @@ TEST(SheetPage, NamesEveryPictureAndWhatItLacks) {
         EXPECT_THAT(page, Not(HasSubstr(usual))) << "what is as it should be needs no words";
 }
 
+TEST(SheetPage, PicturesOfAFlightHaveCaptionsAndNoCommonPose) {
+    DrawnSheet sheet = test_support::small_sheet();
+    EXPECT_FALSE(nlohmann::json::parse(sheet_json(sheet)).at("pictures").at(0).contains("caption"));
+    sheet.pose.reset();
+    sheet.groups[0].pictures[0].caption = "It flies <low>.";
+    sheet.groups[0].pictures[0].flight_s = 12.5;
+    EXPECT_THAT(sheet_page(sheet), HasSubstr("<div>It flies &lt;low&gt;.</div>"));
+    EXPECT_THAT(sheet_page(sheet), HasSubstr("seen along a flight"));
+    EXPECT_THAT(sheet_page(sheet), Not(HasSubstr("&deg;")));
+    const auto json = nlohmann::json::parse(sheet_json(sheet));
+    EXPECT_TRUE(json.at("pose").is_null());
+    EXPECT_EQ(json.at("pictures").at(0).at("caption"), "It flies <low>.");
+    EXPECT_EQ(json.at("pictures").at(0).at("flight_s"), 12.5);
+}
+
 TEST(SheetPage, NeedsNothingButItself) {
     const std::string page = sheet_page(flagged_sheet());
     for (const char* outside : {"<script", "<link", "@import", "http"}) EXPECT_THAT(page, Not(HasSubstr(outside)));

@@ -69,6 +69,24 @@ TEST(ScenarioScene, HoldsTheSceneFileWithTheWeatherInPlaceOfItsOwn) {
     EXPECT_EQ(layer_of(scene.draft, "storm").feature_count(), 3u);
 }
 
+/// The flight takes off from and lands on the runway that the scene shows.
+TEST(ScenarioScene, HasItsRunwayWhereTheScenarioHasTheStrip) {
+    const Scenario scenario = shipped();
+    const MadeScene scene = made(scenario, 1);
+    const LayerDraft& runways = layer_of(scene.draft, "runways");
+    ASSERT_EQ(runways.feature_count(), 1u);
+    ASSERT_GE(runways.points.size(), 2u);
+    const scene::ScenePoint &first = runways.points.front(), &other = runways.points[1];
+    const earth::Geodetic from{first.latitude_rad, first.longitude_rad, {}}, to{other.latitude_rad, other.longitude_rad, {}},
+        middle{(from.latitude_rad + to.latitude_rad) / 2, (from.longitude_rad + to.longitude_rad) / 2, {}};
+    const LandingStrip& strip = scenario.strip;
+    EXPECT_LT(earth::surface_distance_m(middle, {strip.latitude_rad, strip.longitude_rad, {}}), 2);
+    EXPECT_NEAR(earth::surface_distance_m(from, to), strip.length_m, 2);
+    const double east = earth::angle_difference(to.longitude_rad, from.longitude_rad) * std::cos(middle.latitude_rad);
+    const double along = std::atan2(east, to.latitude_rad - from.latitude_rad);
+    EXPECT_LT(std::fabs(std::sin(along - strip.heading_rad)), 0.01);
+}
+
 TEST(ScenarioScene, IsTheSameBitForBitForEqualSeedsOnly) {
     const std::vector<std::uint8_t> one = sdb_bytes(made(shipped(), 1).draft);
     EXPECT_EQ(one, sdb_bytes(made(shipped(), 1).draft));

@@ -1,4 +1,4 @@
-// Terrain ahead in the pictures of the shipped designs: colored and said in every phase, whatever a design says of warning
+// P35: terrain ahead in the pictures of the shipped designs: colored and said in every phase, whatever a design says of warning
 // colors.
 #include <gtest/gtest.h>
 

@@ -289,9 +289,28 @@ TEST(FailurePolicy, TerrainAheadIsSaidFirstWhateverIsShownOfIt) {
     }
 }
 
+/// The more urgent first; of the same urgency terrain.
+TEST(FailurePolicy, ObstacleAheadIsSaidBesideTerrainAhead) {
+    DisplayConditions conditions = good_conditions();
+    EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "OBSTACLE AHEAD")) << "control";
+    constexpr TerrainAhead kLevels[] = {TerrainAhead::none, TerrainAhead::caution, TerrainAhead::warning};
+    for (const TerrainAhead terrain : kLevels)
+        for (const TerrainAhead obstacle : {TerrainAhead::caution, TerrainAhead::warning}) {
+            conditions.terrain_ahead = terrain;
+            conditions.obstacle_ahead = obstacle;
+            const DisplayDecisions decisions = decide_on(everything_valid(), conditions);
+            const bool is_first = obstacle > terrain;
+            EXPECT_EQ(decisions.notices[0].text.view(), is_first ? "OBSTACLE AHEAD" : "TERRAIN AHEAD");
+            if (!is_first) EXPECT_EQ(decisions.notices[1].text.view(), "OBSTACLE AHEAD");
+            EXPECT_EQ(level_of(decisions, "OBSTACLE AHEAD"),
+                      obstacle == TerrainAhead::warning ? NoticeLevel::warning : NoticeLevel::caution);
+            EXPECT_TRUE(has_flag(decisions, "obstacle.ahead"));
+        }
+}
+
 TEST(FailurePolicy, TerrainAheadOfAnUncertainPlaceIsNotSaid) {
     DisplayConditions conditions = good_conditions();
-    conditions.terrain_ahead = TerrainAhead::warning;
+    conditions.terrain_ahead = conditions.obstacle_ahead = TerrainAhead::warning;
     AircraftState lost = everything_valid(), inaccurate = lost, barometric = lost;
     lost.own_ship.state = SignalState::lost;
     inaccurate[Signal::vertical_accuracy] = {5000, kPolicyNow};
@@ -300,6 +319,7 @@ TEST(FailurePolicy, TerrainAheadOfAnUncertainPlaceIsNotSaid) {
     for (const AircraftState& state : {lost, inaccurate, barometric}) {
         EXPECT_FALSE(has_notice(decide_on(state, conditions), "TERRAIN AHEAD"));
         EXPECT_FALSE(has_flag(decide_on(state, conditions), "terrain.ahead"));
+        EXPECT_FALSE(has_notice(decide_on(state, conditions), "OBSTACLE AHEAD"));
     }
     for (const TerrainSource source : {TerrainSource::none, TerrainSource::failed}) {
         conditions.terrain = source;

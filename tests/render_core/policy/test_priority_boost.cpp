@@ -163,6 +163,27 @@ TEST(PriorityBoost, AnAlertComesAtOnceAndStaysForTwoSeconds) {
     EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none) << "control";
 }
 
+TEST(PriorityBoost, AnObstacleAlertStaysAsLongWithTheObstaclesThatItLastNamed) {
+    Flight flight;
+    flight.follow(10);
+    flight.asked.raises.obstacles.add(1, 7, 40);
+    flight.follow(10.5);
+    EXPECT_EQ(flight.raised.obstacles().of(1, 7), TerrainAhead::caution);
+    flight.asked.raises.obstacles = {};
+    flight.asked.raises.obstacles.add(1, 8, 20);
+    flight.follow(11);
+    EXPECT_EQ(flight.raised.obstacles().of(1, 7), TerrainAhead::none) << "it is no longer in the way";
+    flight.asked.raises.obstacles = {};
+    flight.follow(12.5);
+    EXPECT_EQ(flight.raised.obstacles().of(1, 8), TerrainAhead::warning);
+    EXPECT_EQ(flight.raised.terrain_ahead(), TerrainAhead::none);
+    flight.design = 1;
+    flight.follow(12.6);
+    EXPECT_EQ(flight.raised.obstacles().of(1, 8), TerrainAhead::warning) << "another design keeps it";
+    flight.follow(13);
+    EXPECT_EQ(flight.raised.obstacles().level(), TerrainAhead::none) << "control";
+}
+
 TEST(PriorityBoost, AnotherDesignKeepsTheAlert) {
     Flight flight;
     flight.asked.raises.terrain_ahead = TerrainAhead::warning;

@@ -74,6 +74,8 @@ private:
         conditions.phase.disagreement = one_in(4);
         conditions.terrain_ahead =
             one_of({policy::TerrainAhead::none, policy::TerrainAhead::caution, policy::TerrainAhead::warning});
+        conditions.obstacle_ahead =
+            one_of({policy::TerrainAhead::none, policy::TerrainAhead::caution, policy::TerrainAhead::warning});
         for (bool* const condition : {&conditions.generated_flight, &conditions.terrain_is_coarse, &conditions.terrain_ends,
                                       &conditions.image_is_missing, &conditions.data_are_out_of_date, &conditions.data_are_stale,
                                       &conditions.is_reduced, &conditions.shows_measure, &conditions.is_map})

@@ -47,6 +47,15 @@ TEST(Icons, AreChosenByKindThenByRole) {
     EXPECT_EQ(icon_of(LoadedScene(test_support::small_meshes()).layer(), 0), Icon::model);
 }
 
+TEST(Icons, P33AnObstacleFromAThousandFeetOnHasAnother) {
+    for (const Icon icon : {Icon::obstacle, Icon::mast, Icon::chimney, Icon::crane, Icon::pole}) {
+        EXPECT_EQ(icon_by_height(icon, 304), icon);
+        EXPECT_EQ(icon_by_height(icon, 305), Icon::high_obstacle);
+        EXPECT_EQ(icon_by_height(icon, std::nan("")), icon) << "not known";
+    }
+    for (const Icon icon : {Icon::turbine, Icon::cable, Icon::place}) EXPECT_EQ(icon_by_height(icon, 400), icon) << "control";
+}
+
 TEST(Icons, ADashedRimIsHalfACircle) {
     BillboardRoom room;
     ASSERT_TRUE(draw_dashed_rim(room.batch, {50, 50}, 20, {255, 255, 255}, 0.55f));

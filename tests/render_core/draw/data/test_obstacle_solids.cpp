@@ -9,6 +9,7 @@
 
 #include "render_core/draw/data/placement.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "render_core/scene/obstacle_stand.hpp"
 #include "tests/support/draw/built_element.hpp"
 
 namespace tedavis::draw::test_obstacle_solids {
@@ -110,7 +111,7 @@ TEST(ObstacleSolids, AnUnknownHeightIsShownAsUnknown) {
     ElementOfTest test(obstacle("pole", kNone));
     SolidRoomOfTest room;
     EXPECT_EQ(add_obstacle_points(room.batch, room.mesh, test.input()).drawn, 1u);
-    EXPECT_NEAR(reach_of(room.batch).high, 600 + kUnknownObstacle_m, 0.3);
+    EXPECT_NEAR(reach_of(room.batch).high, 600 + scene::kUnknownObstacle_m, 0.3);
     EXPECT_EQ(room.batch.vertices()[0].rgba[0], 255);
     EXPECT_EQ(room.batch.vertices()[0].rgba[2], 255) << "the colour of missing data";
     test.ground.is_known = false;

@@ -1,0 +1,45 @@
+/// Counts the terrain alerts of a run, and how many of them the flight did not confirm.
+///
+/// An alert lasts over consecutive frames that have one. A posteriori it is false where no frame of it was right: the track that
+/// was truly flown afterwards, within 60 s (a warning: within 30 s), was never lower over the true ground than the clearance that
+/// the frame required. What is flown after a landing, or where the alert is inhibited, does not count; what lies beyond the end
+/// of the run is not known, and counts as clear. Pilots who turn away make alerts false, so that most of these are no needless
+/// ones.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render_core/display/planner/frame_record.hpp"
+
+namespace tedavis::host_sim {
+
+struct TerrainAlertCounts {
+    double hours = 0;  ///< of the run
+    double seconds_caution = 0, seconds_warning = 0;
+    std::uint64_t count = 0, false_count = 0;        ///< alerts, of whatever level
+    std::uint64_t warnings = 0, false_warnings = 0;  ///< alerts of which frames warned
+
+    [[nodiscard]] double false_per_hour() const { return hours > 0 ? static_cast<double>(false_count) / hours : 0; }
+};
+
+class AlertTally {
+public:
+    /// Frames in the order of their times; others are ignored.
+    void add(const display::FrameRecord& record);
+    [[nodiscard]] TerrainAlertCounts counts() const;
+
+private:
+    struct Frame {
+        double time_s = 0, height_m = 0, clearance_m = 0;
+        policy::TerrainAhead level = policy::TerrainAhead::none;
+        bool is_watching = false;
+    };
+    [[nodiscard]] double seconds_of(std::size_t n) const;
+    [[nodiscard]] bool is_confirmed(std::size_t n, double within_s) const;
+    void count_alert(std::size_t begin, std::size_t end, TerrainAlertCounts& counts) const;
+
+    std::vector<Frame> frames_;
+};
+
+}  // namespace tedavis::host_sim

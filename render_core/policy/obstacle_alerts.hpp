@@ -1,0 +1,51 @@
+/// The obstacles that the predicted track comes too close to, and when: what the obstacle alert says and colors
+/// (obstacle_ahead.hpp decides it). Plain data; pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "render_core/base/fixed_vector.hpp"
+#include "render_core/policy/terrain_alert_zone.hpp"
+
+namespace tedavis::policy {
+
+struct AlertedObstacle {
+    std::uint32_t feature = 0;
+    std::uint16_t layer = 0;   ///< its number in the scene
+    std::uint16_t tenths = 0;  ///< of a second until it is met, rounded down
+
+    [[nodiscard]] double seconds() const { return tenths / 10.0; }
+    [[nodiscard]] TerrainAhead level() const {
+        return seconds() <= kTerrainWarning_s ? TerrainAhead::warning : TerrainAhead::caution;
+    }
+};
+
+class ObstacleAlerts {
+public:
+    /// The soonest so many are colored; the level counts all.
+    static constexpr std::size_t kMax = 48;
+
+    /// Ignores what is not met within kTerrainCaution_s.
+    void add(std::uint16_t layer, std::uint32_t feature, double seconds);
+
+    [[nodiscard]] TerrainAhead level() const;
+    /// `none` for an obstacle that is not in the way.
+    [[nodiscard]] TerrainAhead of(std::uint16_t layer, std::uint32_t feature) const;
+    /// Infinite without an alert.
+    [[nodiscard]] double soonest_s() const { return all_.empty() ? std::numeric_limits<double>::infinity() : all_[0].seconds(); }
+    /// The soonest first.
+    [[nodiscard]] const base::FixedVector<AlertedObstacle, kMax>& all() const { return all_; }
+    /// Of all obstacles in the way.
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    /// A number for which obstacles have which level: another one where the picture of any of them changes. 0: none.
+    [[nodiscard]] std::uint64_t key() const;
+
+private:
+    base::FixedVector<AlertedObstacle, kMax> all_;
+    std::uint32_t count_ = 0;
+};
+static_assert(std::is_trivially_copyable_v<ObstacleAlerts>);
+
+}  // namespace tedavis::policy
