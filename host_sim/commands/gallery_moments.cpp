@@ -73,9 +73,9 @@ base::Time instant_of(const GalleryMoment& moment, const std::vector<PhaseSpan>&
         if (spans[scenario.begin].phase.scenario == moment.phase.scenario && turn++ == moment.turn)
             return at_share(within_scenario(spans, scenario, moment.phase), moment.share);
     }
-    throw UserError(log + ": has " + std::to_string(turn) + " times in the scenario " + flight::scenario_name(moment.phase) +
-                    ", and the picture '" + moment.title + "' shows time " + std::to_string(moment.turn + 1) +
-                    "; give the scenario file such a leg");
+    throw UserError(log + ": flies the scenario " + flight::scenario_name(moment.phase) + " " +
+                    (turn == 1 ? "once" : std::to_string(turn) + " times") + ", and the picture '" + moment.title +
+                    "' shows time " + std::to_string(moment.turn + 1) + "; give the scenario file such a leg");
 }
 
 }  // namespace tedavis::host_sim

@@ -29,6 +29,8 @@ void draw_readme_pictures(const GalleryFiles& files, PictureOptions picture, Rea
         drawn.push_back({shown.file, encode_palette_png(with_palette(view_of(shown.pixels)))});
         if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
     }
+    if (const std::string fault = flight.session().terrain_fault(); !fault.empty())
+        throw UserError("sheet readme: " + fault + "; nothing was written");
 }
 
 }  // namespace

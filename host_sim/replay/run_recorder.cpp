@@ -108,12 +108,12 @@ void RunRecorder::keep() {
 }
 
 int RunRecorder::finish(bool interrupted, Console& console) {
-    if (video_ != nullptr && video_->pictures() > 0) video_->commit();
     records_.commit();
     const RunSummary done = summary(interrupted);
     const base::BudgetTable memory = session_.display().planner().budget();  // of the run, without the legends' pictures
     legends_.draw(session_, story_);
     write_run_reports(options_.output, done, story_, memory);
+    if (video_ != nullptr && video_->pictures() > 0) video_->commit();  // last: a disk that it fills leaves the records
     char line[200];
     std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, ", counted(done.frames, "frame").c_str(),
                   interrupted ? " (interrupted)" : "", done.fps_median);

@@ -45,7 +45,7 @@ const AVCodec& encoder_of(const VideoSettings& settings) {
         names += (names.empty() ? "" : ", ") + name;
     }
     throw UserError(settings.path + ": the installed libavcodec has no encoder for it (" + names +
-                    "); install Debian's package libavcodec59, or leave --video out");
+                    "); install a libavcodec that has one, or leave --video out");
 }
 
 void require_video_settings(const VideoSettings& s) {
@@ -184,7 +184,10 @@ private:
     /// Null: no more pictures follow.
     void encode(const AVFrame* frame) {
         require(avcodec_send_frame(encoder_.get(), frame), "cannot encode picture " + std::to_string(pictures_));
-        while (avcodec_receive_packet(encoder_.get(), packet_.get()) >= 0) {
+        for (;;) {
+            const int received = avcodec_receive_packet(encoder_.get(), packet_.get());
+            if (received == AVERROR(EAGAIN) || received == AVERROR_EOF) break;
+            require(received, "cannot encode picture " + std::to_string(pictures_));
             packet_->duration = 1;
             av_packet_rescale_ts(packet_.get(), encoder_->time_base, container_->streams[0]->time_base);
             require(av_interleaved_write_frame(container_.get(), packet_.get()), "cannot write it");

@@ -6,6 +6,7 @@
 
 #include "render_core/base/units.hpp"
 #include "render_core/display/planner/picture_layer.hpp"
+#include "render_core/earth/geodetic.hpp"
 #include "render_core/policy/element_texts.hpp"
 
 namespace tedavis::host_sim {
@@ -232,7 +233,7 @@ Json alert_zone_json(const policy::TerrainAlertZone& zone) {
     if (zone.alert == policy::TerrainAhead::none) return {};
     return {{"level", level_text(zone.alert)},
             {"ground_speed_mps", zone.speed_mps()},
-            {"track_deg", base::degrees(std::atan2(zone.east_mps, zone.north_mps))},
+            {"track_deg", base::degrees(earth::wrap_heading(std::atan2(zone.east_mps, zone.north_mps)))},
             {"turn_deg_s", base::degrees(zone.turn_radps)},
             {"until_s", zone.until_s},
             {"width_m", {zone.radius_at(0), zone.radius_at(zone.until_s)}},

@@ -44,10 +44,14 @@ Json traffic_json(const bus::TrafficCounts& traffic) {
 }
 
 Json terrain_alerts_json(const TerrainAlertCounts& alerts) {
-    return {
-        {"hours", alerts.hours},       {"seconds_caution", alerts.seconds_caution}, {"seconds_warning", alerts.seconds_warning},
-        {"count", alerts.count},       {"false_count", alerts.false_count},         {"false_per_hour", alerts.false_per_hour()},
-        {"warnings", alerts.warnings}, {"false_warnings", alerts.false_warnings}};
+    return {{"hours", alerts.hours},
+            {"seconds_caution", alerts.seconds_caution},
+            {"seconds_warning", alerts.seconds_warning},
+            {"count", alerts.count},
+            {"false_count", alerts.false_count},
+            {"false_per_hour", alerts.hours > 0 ? Json(alerts.false_per_hour()) : Json()},
+            {"warnings", alerts.warnings},
+            {"false_warnings", alerts.false_warnings}};
 }
 
 }  // namespace

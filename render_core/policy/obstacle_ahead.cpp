@@ -80,6 +80,8 @@ double ObstacleWatch::seconds_to(const scene::Layer& layer, std::uint32_t featur
             const double height_m = scene::value_or_nan(layer, "height", feature);
             from_top_m = scene::obstacle_stand(layer, *span.first, height_m, unknown_m, ground_).top_m;
             to_top_m = scene::obstacle_stand(layer, *span.last, height_m, unknown_m, ground_).top_m;
+            if (std::isnan(from_top_m)) from_top_m = to_top_m;
+            if (std::isnan(to_top_m)) to_top_m = from_top_m;
             has_tops = true;
         }
         const double rise_m = to_top_m - from_top_m;

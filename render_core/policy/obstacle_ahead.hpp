@@ -4,12 +4,13 @@
 /// An obstacle is ahead where its top, higher by its stated accuracy, reaches above the floor that the predicted track leaves for
 /// what is below it, within a minute: the same track, widening and clearance as of the terrain alert (terrain_ahead.hpp). Beside
 /// the track counts what is no farther from it than its uncertainty and the stated accuracy of the obstacle's place. A cable
-/// hangs between the tops of its poles, and counts as the straight line between them.
+/// hangs between the tops of its poles, and counts as the straight line between them. Where the ground of one pole is not known,
+/// it counts as high as the other one; an obstacle on unknown ground that states no height above the sea is not judged.
 ///
 /// Near a runway the terrain alert is inhibited. This one is not: a mast before the threshold is no ground on which an aircraft
 /// may land. The clearance there is that of the final approach, and clearance and uncertainty take no more than three quarters of
 /// the track's height above the runway, so that lamps and signs are no obstacles. Beyond the point where the track reaches the
-/// runway there is no alert.
+/// runway there is no alert, unless the aircraft climbs.
 ///
 /// Bounded   each point of a layer within reach, times the track's steps. Pure, but for what the ground reads. Thread  the
 ///           display's.

@@ -17,6 +17,7 @@ constexpr double kStep_m = 60;
 constexpr double kCloser = 0.75;         // of the height above ground now
 constexpr double kRunwayGround_m = 30;   // ground round a runway is so much higher at most
 constexpr double kRunwayRound_nm = 1.0;  // and so near
+constexpr double kClimbing_mps = 0.5;    // 100 ft/min: who climbs is not landing
 constexpr double kFlare_m = 15;          // 50 ft over the ground of a runway a landing begins
 struct NearGround {
     double height_ft, distance_nm;
@@ -167,6 +168,7 @@ double TerrainWatch::seconds_to_landing() {
 
 /// From there on the track would lead below the ground.
 bool TerrainWatch::lands(double seconds) {
+    if (track_.up_mps > kClimbing_mps) return false;
     const earth::Geodetic place = track_.at(seconds);
     const NearRunway runway = nearest_runway(place);
     if (!std::isfinite(runway.height_m)) return false;
@@ -199,8 +201,8 @@ TrackStep TerrainWatch::step_between(double from_s, double to_s) const {
 /// As in low flight (kCloser), by the height there.
 double TerrainWatch::floor_near_runway(const TrackStep& step) {
     const NearRunway runway = nearest_runway(track_.at((step.from_s + step.to_s) / 2));
-    if (!std::isfinite(runway.height_m)) return step.floor_m;
     const double lowest_m = std::fmin(track_.at(step.from_s).height.m, track_.at(step.to_s).height.m);
+    if (!std::isfinite(runway.height_m) || !(lowest_m > runway.height_m)) return step.floor_m;
     return std::fmax(step.floor_m, runway.height_m + (1 - kCloser) * (lowest_m - runway.height_m));
 }
 

@@ -138,6 +138,7 @@ private:
     void begin_report(const design::DataElement& element, const scene::Layer* layer);
     void begin_scene_reports(const design::DataElement& element);
     void plan_own_winds(const ElementFrame& frame);
+    void plan_motion_times(const ElementFrame& frame);
     void count_out_of_view(const ElementFrame& frame);
     void take_foci(const ElementFrame& frame);
     void take_alerts(const ElementFrame& frame);

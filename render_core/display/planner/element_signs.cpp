@@ -3,6 +3,7 @@
 
 #include "render_core/display/planner/element_planner.hpp"
 #include "render_core/draw/data/diagrams.hpp"
+#include "render_core/draw/data/motion_times.hpp"
 #include "render_core/draw/data/traffic_signs.hpp"
 #include "render_core/draw/data/wind_barbs.hpp"
 
@@ -57,6 +58,7 @@ void ElementPlanner::plan_signs(const ElementFrame& frame, const SignFrame& sign
     }
     plan_glyphs(frame, &sheet_);
     plan_own_winds(frame);
+    plan_motion_times(frame);
     focus_cues_ = {};
     if (frame.foci != nullptr) focus_cues_ = draw::add_focus_cues(sheet_, *frame.foci, frame.ground, signs.is_metric);
 }
@@ -87,6 +89,15 @@ void ElementPlanner::plan_own_winds(const ElementFrame& frame) {
             report.count.drawn += one.drawn;
             report.count.hidden += one.hidden;
         }
+    }
+}
+
+/// Of storm cells, in the room that all other signs have left.
+void ElementPlanner::plan_motion_times(const ElementFrame& frame) {
+    for (std::size_t n = 0; n < reports_.size(); ++n) {
+        const ElementReport& report = reports_[n];
+        if (report.state == ElementState::shown && report.element->technique == design::DataTechnique::prism)
+            draw::add_motion_times(sheet_, mesh_, input_of(n, frame));
     }
 }
 

@@ -231,6 +231,7 @@ void FramePlanner::decide() {
 /// Terrain that turns out not to be had: its notice must be on this frame already.
 void FramePlanner::give_up_terrain(policy::TerrainSource reason) {
     frame_->conditions.terrain = reason;
+    frame_->alert_zone = {};
     decide_again();
 }
 

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "render_core/base/units.hpp"
-#include "render_core/draw/data/cell_motion.hpp"
 #include "render_core/draw/data/feature_importance.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/draw/data/placement.hpp"
@@ -241,6 +240,11 @@ ElementCount add_area_prisms(SolidBatch& batch, SolidMesh& mesh, const ElementIn
         add_margin(batch, mesh, input, feature);
     }
     return count;
+}
+
+CellFront cell_front(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature) {
+    Prism prism(mesh, input, feature);
+    return prism.build(0) ? prism.front(scene::value_or_nan(input.layer, "toward", feature)) : CellFront{};
 }
 
 bool prisms_move(const scene::Layer& layer) { return layer.entry->role == scene::LayerRole::storm_cell; }

@@ -82,6 +82,14 @@ double motion_line_m(const ElementInput& input, const CellFront& from, double sp
     return std::min(whole_m, distance_m * std::sin(from.seen_rad) / std::sin(at_front + from.seen_rad));
 }
 
+LastBarb last_barb(const ElementInput& input, std::uint32_t feature, const CellFront& from) {
+    if (!from.is_known) return {};
+    const double speed_mps = scene::value_or_nan(input.layer, "speed", feature);
+    const double barbs = std::floor(motion_line_m(input, from, speed_mps) * kRounding / (speed_mps * kBarbEvery_s));
+    const double after_s = barbs * kBarbEvery_s;
+    return {MotionWay(input, from).at(after_s * speed_mps), after_s};
+}
+
 void add_motion_line(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature,
                      const CellFront& from) {
     if (!from.is_known) return;

@@ -32,6 +32,12 @@ struct CellFront {
 [[nodiscard]] bool has_motion(const ElementInput& input, std::uint32_t feature);
 /// Returns the length of the line, m, of a cell with this speed.
 [[nodiscard]] double motion_line_m(const ElementInput& input, const CellFront& from, double speed_mps);
+/// The farthest barb of a line: ECEF, and after how many seconds the front is there; 0: the line has none.
+struct LastBarb {
+    glm::dvec3 place{0};
+    double after_s = 0;
+};
+[[nodiscard]] LastBarb last_barb(const ElementInput& input, std::uint32_t feature, const CellFront& from);
 /// Adds the line; nothing where the front is unknown or the batch has no room.
 void add_motion_line(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, std::uint32_t feature, const CellFront& from);
 

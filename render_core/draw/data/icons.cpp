@@ -21,7 +21,7 @@ struct Stroke {
 struct Shape {
     base::Span<const Stroke> strokes;
     float circle = 0;        ///< radius round the middle; 0 for none
-    bool is_filled = false;  ///< between its strokes, four of which go round the middle
+    bool is_filled = false;  ///< between its strokes, which go round the middle
 };
 
 constexpr Stroke kObstacle[] = {{-0.6f, 0.8f, 0, -0.9f}, {0.6f, 0.8f, 0, -0.9f}, {0, 0.8f, 0, 0.8f}};
@@ -38,8 +38,8 @@ constexpr Stroke kPole[] = {{0, 1, 0, -1}, {-0.6f, -0.65f, 0.6f, -0.65f}};
 constexpr Stroke kCable[] = {{-0.85f, 1, -0.85f, -0.8f}, {0.85f, 1, 0.85f, -0.8f}, {-0.85f, -0.8f, -0.4f, -0.35f},
                              {-0.4f, -0.35f, 0, -0.2f},  {0, -0.2f, 0.4f, -0.35f}, {0.4f, -0.35f, 0.85f, -0.8f}};
 constexpr Stroke kDot[] = {{0, 0, 0, 0}};
-constexpr Stroke kRunway[] = {{-0.4f, 0.9f, -0.4f, -0.9f}, {0.4f, 0.9f, 0.4f, -0.9f}, {-0.4f, -0.9f, 0.4f, -0.9f},
-                              {-0.4f, 0.9f, 0.4f, 0.9f},   {0, 0.6f, 0, 0.2f},        {0, -0.2f, 0, -0.6f}};
+constexpr Stroke kSummit[] = {{0, -0.8f, 0.85f, 0.7f}, {0.85f, 0.7f, -0.85f, 0.7f}, {-0.85f, 0.7f, 0, -0.8f}};
+constexpr Stroke kAirport[] = {{-1, 0.4f, 1, -0.4f}};  // a runway through the circle
 constexpr Stroke kDiamond[] = {{0, -0.9f, 0.9f, 0}, {0.9f, 0, 0, 0.9f}, {0, 0.9f, -0.9f, 0}, {-0.9f, 0, 0, -0.9f}};
 constexpr Stroke kSample[] = {{0, 0.5f, 0, 1}, {-0.3f, 1, 0.3f, 1}};
 constexpr Stroke kStorm[] = {{0.3f, -1, -0.4f, 0.1f}, {-0.4f, 0.1f, 0.3f, -0.05f}, {0.3f, -0.05f, -0.3f, 1}};
@@ -52,11 +52,11 @@ constexpr Stroke kModel[] = {{-0.7f, 0.9f, 0.7f, 0.9f},
 
 constexpr std::size_t kIcons = static_cast<std::size_t>(Icon::count);
 constexpr std::array<std::string_view, kIcons> kNames = {
-    "generic", "obstacle", "mast",    "turbine", "chimney", "crane", "pole",  "cable",        "place",        "village",
-    "town",    "runway",   "traffic", "sample",  "storm",   "no_go", "model", "near_traffic", "high_obstacle"};
+    "generic", "obstacle", "mast",    "turbine", "chimney", "crane", "pole",  "cable", "place",        "village",
+    "town",    "summit",   "airport", "traffic", "sample",  "storm", "no_go", "model", "near_traffic", "high_obstacle"};
 
 Shape shape_of(Icon icon) {
-    constexpr float kWhole = 0.9f, kPlace = 0.7f, kVillage = 0.5f, kBalloon = 0.5f;
+    constexpr float kWhole = 0.9f, kPlace = 0.7f, kVillage = 0.5f, kBalloon = 0.5f, kField = 0.65f;
     switch (icon) {
         case Icon::obstacle: return {kObstacle};
         case Icon::mast: return {kMast};
@@ -68,7 +68,8 @@ Shape shape_of(Icon icon) {
         case Icon::place: return {{}, kPlace};
         case Icon::village: return {{}, kVillage};
         case Icon::town: return {kDot, kWhole};
-        case Icon::runway: return {kRunway};
+        case Icon::summit: return {kSummit, 0, true};
+        case Icon::airport: return {kAirport, kField};
         case Icon::sample: return {kSample, kBalloon};
         case Icon::storm: return {kStorm};
         case Icon::no_go: return {kNoGo, kWhole};
@@ -83,7 +84,7 @@ Icon icon_of(scene::LayerRole role, scene::LayerShape shape) {
     switch (role) {
         case scene::LayerRole::obstacle: return shape == scene::LayerShape::lines ? Icon::cable : Icon::obstacle;
         case scene::LayerRole::place: return Icon::place;
-        case scene::LayerRole::runway: return Icon::runway;
+        case scene::LayerRole::runway: return Icon::airport;
         case scene::LayerRole::traffic: return Icon::traffic;
         case scene::LayerRole::sample: return Icon::sample;
         case scene::LayerRole::storm_cell: return Icon::storm;
@@ -92,6 +93,15 @@ Icon icon_of(scene::LayerRole role, scene::LayerShape shape) {
         case scene::LayerRole::model: return Icon::model;
         default: return Icon::generic;
     }
+}
+
+/// Icon::count where there is none.
+Icon icon_named(std::string_view name) {
+    if (name == "peak") return Icon::summit;
+    if (name == "aerodrome") return Icon::airport;
+    for (std::size_t n = 0; n < kIcons; ++n)
+        if (name == kNames[n]) return static_cast<Icon>(n);
+    return Icon::count;
 }
 
 Point on_circle(Point middle, float radius_px, float turn) {
@@ -125,8 +135,7 @@ Icon icon_of(const scene::Layer& layer, std::uint32_t feature) {
     const scene::Attribute* const kind = layer.find("kind");
     const double code = scene::value_or_nan(layer, "kind", feature);
     if (kind != nullptr && code >= 0 && kind->entry->class_count > 0)
-        for (std::size_t n = 0; n < kIcons; ++n)
-            if (kind->class_name(static_cast<std::uint32_t>(code)) == kNames[n]) return static_cast<Icon>(n);
+        if (const Icon named = icon_named(kind->class_name(static_cast<std::uint32_t>(code))); named != Icon::count) return named;
     return icon_of(layer.entry->role, layer.entry->shape);
 }
 

@@ -21,7 +21,8 @@ enum class Icon : std::uint8_t {
     place,
     village,
     town,
-    runway,
+    summit,
+    airport,
     traffic,
     sample,
     storm,
@@ -32,7 +33,8 @@ enum class Icon : std::uint8_t {
     count
 };
 
-/// Returns the icon for the class of the attribute "kind" where that is an icon's name, else for the layer's role.
+/// Returns the icon for the class of the attribute "kind" where that is an icon's name ("peak" is a summit, "aerodrome" an
+/// airport), else for the layer's role; a runway's is that of its airport.
 [[nodiscard]] Icon icon_of(const scene::Layer& layer, std::uint32_t feature);
 
 /// Obstacles from this height above the ground have another icon: 1000 ft (ICAO Annex 4: "exceptionally high").

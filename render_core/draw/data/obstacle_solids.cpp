@@ -20,13 +20,14 @@ constexpr design::Color kBand{240, 240, 240};
 constexpr int kBands = 7;  // ICAO Annex 14, 6.2: bands of a seventh of the height
 constexpr int kFewestBands = 3, kFewestSides = 4;
 constexpr double kGuyReach = 0.45, kJibReach = 0.8, kRotorReach = 0.38, kArmReach = 0.1;  // of the height
-constexpr int kSpanParts = 8;
+constexpr int kEdgeSides = 3;
 
 /// Where an obstacle stands: heights over the ellipsoid.
 struct Stand : scene::ObstacleStand {
     double latitude_rad = 0, longitude_rad = 0;
 
     [[nodiscard]] glm::dvec3 at(double height_m) const { return earth::to_ecef({latitude_rad, longitude_rad, {height_m}}); }
+    [[nodiscard]] glm::dvec3 top() const { return at(top_m); }
 };
 
 Stand stand_of(const ElementInput& input, const scene::ScenePoint& point, double height_m, double unknown_m) {
@@ -177,35 +178,47 @@ bool add_rimmed(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     return mesh.add_to(batch);
 }
 
+SolidLook wall_look(const ElementInput& input) {
+    SolidLook look = look_of(input);
+    look.opacity *= kWallShare;
+    look.ghost = 0;
+    look.is_mixed = true;
+    look.is_thing = look.has_grid = false;
+    return look;
+}
+
 class Cable {
 public:
     Cable(SolidMesh& mesh, const ElementInput& input, std::uint32_t feature)
         : mesh_(mesh), input_(input), feature_(feature), run_(input.layer.points_of(feature)) {
         const double diameter_m = scene::value_or_nan(input.layer, "diameter", feature);
         radius_m_ = 0.5 * (diameter_m > 0 ? diameter_m : kCable_m);
-        sag_m_ = scene::value_or_nan(input.layer, "sag", feature);
         height_m_ = scene::value_or_nan(input.layer, "height", feature);
         stands_ = input.layer.entry->height_datum == scene::HeightDatum::ground;
         for (std::uint32_t n = 0; n < run_.count; ++n) stands_ = stands_ || std::isnan(point(n).height_m);
     }
 
+    /// Poles and upper edge.
     bool build() {
-        if (run_.count < 2) return false;
-        const Stand first = stand(0);
-        if (!first.is_known()) return false;
-        mesh_.begin(first.at(first.top_m));
-        color_ = obstacle_color(input_, feature_, encoded_color(input_, input_.element.by_color, feature_));
-        mesh_.set_color(color_, encoded_uncertainty(input_, feature_));
-        Stand before = first;
-        add_pole(first);
+        if (run_.count < 2 || !begin()) return false;
+        Stand before = stand(0);
+        add_pole(before);
         for (std::uint32_t n = 1; n < run_.count; ++n) {
             const Stand next = stand(n);
             if (!next.is_known()) return false;
             if (stands_ || n + 1 == run_.count) add_pole(next);
-            add_span(before, next);
+            add_edge(before, next);
+            length_m_ += glm::distance(before.top(), next.top());
             before = next;
         }
         return true;
+    }
+
+    /// After build().
+    void build_wall() {
+        static_cast<void>(begin());
+        const double step_m = std::max(kWallStep_m, length_m_ / kMaxWallSteps);
+        for (std::uint32_t n = 1; n < run_.count; ++n) add_wall(stand(n - 1), stand(n), step_m);
     }
 
 private:
@@ -217,30 +230,54 @@ private:
         add_frustum(mesh_, at.at(at.foot_m), at.at(at.top_m), 0.25, 0.15, 6, axes.north);
     }
 
-    /// Parts of a parabola, straight where it does not sag.
-    void add_span(const Stand& from, const Stand& to) {
-        const glm::dvec3 begin = from.at(from.top_m), end = to.at(to.top_m);
-        const double span_m = glm::distance(begin, end);
-        if (!(span_m > 0)) return;
-        const bool sags = stands_ || run_.count == 2 || sag_m_ > 0;
-        const double sag_m = !sags ? 0 : sag_m_ > 0 ? sag_m_ : span_m / kSagShare;
-        const int parts = sags ? 1 + static_cast<int>((kSpanParts - 1) * input_.element.detail) : 1;
+    [[nodiscard]] bool begin() {
+        const Stand first = stand(0);
+        if (!first.is_known()) return false;
+        mesh_.begin(first.top());
+        const design::Color own = encoded_color(input_, input_.element.by_color, feature_);
+        mesh_.set_color(obstacle_color(input_, feature_, own), encoded_uncertainty(input_, feature_));
+        return true;
+    }
+
+    void add_edge(const Stand& from, const Stand& to) {
+        if (!(glm::distance(from.top(), to.top()) > 0)) return;
         const LocalAxes axes = local_axes(from.latitude_rad, from.longitude_rad);
-        glm::dvec3 before = begin;
-        for (int n = 1; n <= parts; ++n) {
+        add_frustum(mesh_, from.top(), to.top(), radius_m_, radius_m_, kEdgeSides, axes.up);
+    }
+
+    /// A sheet without thickness, seen from both sides.
+    void add_wall(const Stand& from, const Stand& to, double step_m) {
+        const glm::dvec3 along = to.top() - from.top();
+        if (!(glm::length(along) > 0)) return;
+        const int parts = static_cast<int>(std::ceil(glm::length(along) / step_m));
+        std::uint16_t low_before = 0, high_before = 0;
+        for (int n = 0; n <= parts; ++n) {
             const double share = static_cast<double>(n) / parts;
-            const glm::dvec3 next = begin + (end - begin) * share - axes.up * (4 * sag_m * share * (1 - share));
-            add_frustum(mesh_, before, next, radius_m_, radius_m_, 3, axes.up);
-            before = next;
+            const glm::dvec3 top = from.top() + along * share;
+            const std::uint16_t high = mesh_.vertex(top, glm::dvec3(0));
+            const std::uint16_t low = mesh_.vertex(foot(top, from.foot_m + (to.foot_m - from.foot_m) * share), glm::dvec3(0));
+            if (n > 0) {
+                mesh_.triangle(low_before, low, high);
+                mesh_.triangle(low_before, high, high_before);
+            }
+            low_before = low;
+            high_before = high;
         }
+    }
+
+    /// Under a place of the edge.
+    [[nodiscard]] glm::dvec3 foot(const glm::dvec3& top, double unknown_m) const {
+        earth::Geodetic at = earth::from_ecef(top);
+        const double ground_m = input_.ground.height_m(at.latitude_rad, at.longitude_rad);
+        at.height.m = std::min(std::isfinite(ground_m) ? ground_m : unknown_m, at.height.m) - kWallRoot_m;
+        return earth::to_ecef(at);
     }
 
     SolidMesh& mesh_;
     const ElementInput& input_;
     std::uint32_t feature_;
     scene::Run run_;
-    design::Color color_;
-    double radius_m_ = 0, sag_m_ = 0, height_m_ = 0;
+    double radius_m_ = 0, height_m_ = 0, length_m_ = 0;
     bool stands_ = false;  ///< its points are poles
 };
 
@@ -267,8 +304,13 @@ ElementCount add_obstacle_points(SolidBatch& batch, SolidMesh& mesh, const Eleme
 ElementCount add_cables(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input) {
     ElementCount count;
     for (std::uint32_t feature = 0; feature < input.layer.entry->feature_count; ++feature) {
-        const bool is_drawn = Cable(mesh, input, feature).build() && add_rimmed(batch, mesh, input);
+        Cable cable(mesh, input, feature);
+        const bool is_drawn = cable.build() && add_rimmed(batch, mesh, input);
         ++(is_drawn ? count.drawn : count.hidden);
+        if (!is_drawn) continue;
+        cable.build_wall();
+        batch.set_look(wall_look(input), input.layer.entry->data_time_ns);
+        mesh.add_to(batch);
     }
     return count;
 }

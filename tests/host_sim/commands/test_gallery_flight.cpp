@@ -51,7 +51,7 @@ TEST(GalleryFlight, AMomentThatItDoesNotHaveIsRefused) {
     GalleryFlight flight(files(), small());
     GalleryMoment moment = gallery_moments().front();
     moment.turn = 9;
-    test_support::expect_user_error([&] { static_cast<void>(flight.draw(moment)); }, "the default flight: has");
+    test_support::expect_user_error([&] { static_cast<void>(flight.draw(moment)); }, "the default flight: flies");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(GalleryMoments, WhereNoSubPhaseIsStatedTheyAreOfTheScenario) {
 TEST(GalleryMoments, AFlightWithoutTheMomentIsRefused) {
     const GalleryMoment third{"", "", "Third try", "", flight::kApproachFinal, 2, 0.5};
     test_support::expect_user_error([&] { static_cast<void>(instant_of(third, two_approaches(), "my.log")); },
-                                    "my.log: has 2 times in the scenario approach, and the picture 'Third try' shows time 3");
+                                    "my.log: flies the scenario approach 2 times, and the picture 'Third try' shows time 3");
 }
 
 TEST(GalleryMoments, AreTwelveWithNamesAndSentencesOfTheirOwn) {

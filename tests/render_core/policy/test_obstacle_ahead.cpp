@@ -25,7 +25,7 @@ double metres_per_latitude() { return earth::meridian_radius_m(kLatitude); }
 double metres_per_longitude() { return earth::prime_vertical_radius_m(kLatitude) * std::cos(kLatitude); }
 
 /// A plain.
-class Plain final : public scene::Ground, public GroundBound {
+class Plain : public scene::Ground, public GroundBound {
 public:
     double height_m(double, double) override { return kGround_m; }
     double undulation_m(double, double) override { return 0; }
@@ -74,8 +74,12 @@ struct Flown {
     TrackUncertainty uncertainty;
 
     double seconds(const host_sim::LayerDraft& obstacles, const LoadedScene* runways = nullptr) const {
-        const LoadedScene loaded(obstacles);
         Plain plain;
+        return seconds_over(plain, obstacles, runways);
+    }
+
+    double seconds_over(Plain& plain, const host_sim::LayerDraft& obstacles, const LoadedScene* runways = nullptr) const {
+        const LoadedScene loaded(obstacles);
         const base::Span<const scene::Layer> layers =
             runways == nullptr ? base::Span<const scene::Layer>() : runways->scene().layers();
         TerrainWatch watch({track, uncertainty, phase, layers}, plain, plain);
@@ -150,6 +154,57 @@ TEST(ObstacleAhead, AnAircraftThatStandsOrRollsHasNone) {
     flown.track.from.height.m = kGround_m + 40;
     flown.track.up_mps = 1;
     EXPECT_LT(flown.seconds(masts({point(1800, 0, kGround_m + 90)}), &strip), 30) << "control: climbing into it";
+}
+
+/// Who climbs is not landing, however low.
+TEST(ObstacleAhead, AnAircraftThatLiftsOffIsToldOfAMast) {
+    Flown flown;
+    flown.track.from.height.m = kGround_m + 10;
+    const LoadedScene strip(runway(-300, 1200));
+    const auto mast = masts({point(1800, 0, kGround_m + 90)});
+    for (const auto& [up_mps, is_told] : {std::pair<double, bool>{3, true}, {-1, false}}) {
+        flown.track.up_mps = up_mps;
+        EXPECT_EQ(flown.seconds(mast, &strip) < 30, is_told) << up_mps;
+    }
+}
+
+/// A table of 500 m to the north, with a runway on it.
+class TableMountain final : public Plain {
+public:
+    double height_m(double latitude_rad, double) override {
+        return (latitude_rad - kLatitude) * metres_per_latitude() > 800 ? 500 : kGround_m;
+    }
+};
+
+TEST(ObstacleAhead, ARunwayAboveTheTrackHidesNoMast) {
+    Flown flown;
+    flown.track.from.height.m = 400;
+    TableMountain ground;
+    const LoadedScene strip(runway(1000, 2500));
+    EXPECT_LT(flown.seconds_over(ground, masts({point(600, 0, 470)}), &strip), 10);
+    EXPECT_EQ(flown.seconds_over(ground, masts({point(600, 0, 310)}), &strip), kNever) << "control";
+}
+
+/// Higher in the north, and known to the west alone.
+class HalfKnown final : public Plain {
+public:
+    double height_m(double latitude_rad, double longitude_rad) override {
+        if (longitude_rad > kLongitude + 500 / metres_per_longitude()) return std::nan("");
+        return (latitude_rad - kLatitude) * metres_per_latitude() > 1000 ? 870 : kGround_m;
+    }
+};
+
+TEST(ObstacleAhead, ACableWithOneKnownPoleCounts) {
+    const Flown flown;
+    HalfKnown ground;
+    const auto seconds = [&](double from_east_m, double to_east_m) {
+        host_sim::LayerDraft layer = cable(point(2100, from_east_m, std::nan("")), point(2100, to_east_m, std::nan("")));
+        layer.height_datum = scene::HeightDatum::ground;
+        return flown.seconds_over(ground, layer);
+    };
+    EXPECT_LT(seconds(-2000, 2000), 30);
+    EXPECT_LT(seconds(2000, -2000), 30);
+    EXPECT_EQ(seconds(600, 2000), kNever) << "control";
 }
 
 /// A track by chance, a true one that differs from it, integrated in steps of a tenth of a second, and an obstacle by chance. It

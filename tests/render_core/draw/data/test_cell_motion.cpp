@@ -145,6 +145,29 @@ TEST(CellMotion, IsSeenNoLongerThanTheCellIsWide) {
     }
 }
 
+/// Control: where the line is shorter by its limit, the farthest barb is another.
+TEST(CellMotion, KnowsItsFarthestBarb) {
+    const auto barb = [](float speed, double seen_rad) {
+        ElementOfTest test(cell(speed, 0));
+        ElementInput input = test.input();
+        const glm::dvec3 begin = earth::to_ecef({kLatitude, kLongitude, {kBase_m}});
+        input.eye = begin + 40'000.0 * kAxes.east;
+        LastBarb last = last_barb(input, 0, front(0, seen_rad));
+        last.place -= begin;
+        return last;
+    };
+    for (const float speed : {4.0f, 8.0f}) {
+        const LastBarb whole = barb(speed, base::kPi);
+        EXPECT_EQ(whole.after_s, 1800) << speed;
+        EXPECT_NEAR(glm::dot(whole.place, kAxes.north), 1800 * static_cast<double>(speed), 25);
+    }
+    // Seen from the side at 40 km, 0.13 rad are some 5.2 km, and a barb stands for 2.4 km.
+    EXPECT_EQ(barb(8, 0.13).after_s, 600) << "control";
+    EXPECT_EQ(barb(60, 0.12).after_s, 0) << "before the first barb";
+    ElementOfTest test(cell(8, 0));
+    EXPECT_EQ(last_barb(test.input(), 0, CellFront{}).after_s, 0);
+}
+
 TEST(CellMotion, LiesAtTheBaseButNotInTheGround) {
     const auto lowest_m = [](const Line& line) {
         double least_m = 1e9;

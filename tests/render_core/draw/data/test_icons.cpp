@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/draw/batch_rasterizer.hpp"
@@ -45,6 +46,37 @@ TEST(Icons, AreChosenByKindThenByRole) {
     EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 0), Icon::place);
     EXPECT_EQ(icon_of(LoadedScene(test_support::small_areas()).layer(), 0), Icon::no_go);
     EXPECT_EQ(icon_of(LoadedScene(test_support::small_meshes()).layer(), 0), Icon::model);
+}
+
+TEST(Icons, SummitsAndAirportsHaveTheirOwn) {
+    host_sim::LayerDraft layer = test_support::small_points();
+    layer.role = scene::LayerRole::place;
+    const auto icon = [&](const char* kind) {
+        layer.attributes[0].classes[1] = kind;
+        return icon_of(LoadedScene(layer).layer(), 1);
+    };
+    EXPECT_EQ(icon("summit"), Icon::summit);
+    EXPECT_EQ(icon("peak"), Icon::summit);
+    EXPECT_EQ(icon("airport"), Icon::airport);
+    EXPECT_EQ(icon("aerodrome"), Icon::airport);
+    EXPECT_EQ(icon("village"), Icon::village) << "control";
+    EXPECT_EQ(icon("hamlet"), Icon::place) << "control";
+    const auto is_lit = [](Icon shown, int x, int y) {
+        BillboardRoom room;
+        EXPECT_TRUE(draw_icon(room.batch, shown, {30, 30}, 12, {255, 255, 255}));
+        test_support::Picture picture(60, 60, {90, 120, 90});
+        rasterize(room.batch, picture);
+        return picture.at(x, y).red > 200;
+    };
+    for (const auto& [x, y] : {std::pair(30, 26), std::pair(30, 33), std::pair(26, 34), std::pair(34, 34)}) {
+        EXPECT_TRUE(is_lit(Icon::summit, x, y)) << x << " " << y << ": it is filled";
+        EXPECT_FALSE(is_lit(Icon::place, x, y)) << x << " " << y << ": control";
+    }
+    EXPECT_FALSE(is_lit(Icon::summit, 22, 24)) << "nothing beside its tip";
+    EXPECT_TRUE(is_lit(Icon::airport, 30, 30)) << "a runway through the middle";
+    EXPECT_TRUE(is_lit(Icon::airport, 30, 22)) << "and the circle";
+    EXPECT_FALSE(is_lit(Icon::airport, 30, 26));
+    EXPECT_FALSE(is_lit(Icon::place, 30, 30)) << "control";
 }
 
 TEST(Icons, P33AnObstacleFromAThousandFeetOnHasAnother) {

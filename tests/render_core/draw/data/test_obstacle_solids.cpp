@@ -132,25 +132,113 @@ TEST(ObstacleSolids, WhatIsMixedHasNoRimOfItsOwn) {
     EXPECT_EQ(room.batch.pieces()[1].look.halo_px, 3);
 }
 
-TEST(Cables, SagBetweenTheirPoles) {
+/// Poles and edge, their rim, and the wall.
+constexpr std::size_t kCablePieces = 3;
+
+/// Vertices of a piece, to ECEF.
+std::vector<glm::dvec3> places_of(const SolidBatch& batch, std::size_t number = 0) {
+    std::vector<glm::dvec3> places;
+    const SolidPiece& piece = batch.pieces()[number];
+    for (std::uint32_t n = 0; n < piece.vertices; ++n)
+        places.push_back(piece.anchor + glm::dvec3(batch.vertices()[piece.first_vertex + n].place_m));
+    return places;
+}
+
+TEST(Cables, HaveASolidEdgeStraightBetweenTheirTops) {
     const double north = base::degrees(300 / earth::meridian_radius_m(base::radians(46.8)));
     host_sim::LayerDraft layer =
         cable({scene_point(46.8, 9.8, kNone), scene_point(46.8 + north, 9.8, kNone)}, scene::HeightDatum::ground);
-    // Over the ground at height 600 m, poles reach up to 700 m; the span of 300 m sags by 10 m.
     bind(layer, "height", 100);
     ElementOfTest test(layer);
     SolidRoomOfTest room;
     EXPECT_EQ(add_cables(room.batch, room.mesh, test.input()).drawn, 1u);
-    const glm::dvec3 middle = earth::to_ecef({base::radians(46.8 + north / 2), base::radians(9.8), {690}});
-    double nearest = 1e9;
+    ASSERT_EQ(room.batch.pieces().size(), kCablePieces);
     const SolidPiece& piece = room.batch.pieces()[0];
-    for (std::uint32_t n = 0; n < piece.vertices; ++n)
-        nearest = std::min(
-            nearest, glm::distance(piece.anchor + glm::dvec3(room.batch.vertices()[piece.first_vertex + n].place_m), middle));
-    EXPECT_LT(nearest, 0.1);
+    EXPECT_FALSE(piece.look.is_mixed);
     EXPECT_EQ(test_support::open_edges(room.batch, piece), 0u);
-    EXPECT_NEAR(reach_of(room.batch).low, 600, 0.1) << "the feet of its poles";
+    int between = 0;
+    for (const glm::dvec3& place : places_of(room.batch)) {
+        const earth::Geodetic at = earth::from_ecef(place);
+        const double along = (base::degrees(at.latitude_rad) - 46.8) / north;
+        if (along > 0.01 && along < 0.99) ++between;
+    }
+    EXPECT_EQ(between, 0) << "nothing but poles and what leads straight from one to the other";
     EXPECT_NEAR(reach_of(room.batch).high, 700, 0.2);
+}
+
+/// Hills of 40 m across every 500 m; its heights are the test's oracle.
+class WavyGround final : public scene::Ground {
+public:
+    double height_m(double latitude_rad, double) override { return 600 + 20 * std::sin(base::degrees(latitude_rad) * 1400); }
+    double undulation_m(double, double) override { return 50; }
+};
+
+/// How far the wall's lower edge is below the ground, at the least and at the most, over all of its length.
+struct Depth {
+    double least_m = 1e9, most_m = -1e9;
+};
+Depth depth_of_wall(const SolidBatch& batch, scene::Ground& ground) {
+    Depth depth;
+    const std::vector<glm::dvec3> places = places_of(batch, 2);
+    for (std::size_t n = 1; n + 2 < places.size(); n += 2)
+        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const earth::Geodetic at = earth::from_ecef(places[n] + (places[n + 2] - places[n]) * share);
+            const double depth_m = ground.height_m(at.latitude_rad, at.longitude_rad) - at.height.m;
+            depth.least_m = std::min(depth.least_m, depth_m);
+            depth.most_m = std::max(depth.most_m, depth_m);
+        }
+    return depth;
+}
+
+/// Control: a wall from foot to foot would hang over the valleys.
+TEST(Cables, AreTranslucentWallsThatReachTheGroundEverywhere) {
+    host_sim::LayerDraft layer = cable({scene_point(46.8, 9.8, 90), scene_point(46.82, 9.8, 90)}, scene::HeightDatum::ground);
+    ElementOfTest test(layer);
+    WavyGround ground;
+    const auto build = [&](SolidRoomOfTest& room, scene::Ground& on) {
+        const ElementInput of = test.input();
+        ElementInput input{of.element, of.group, of.layer, on, of.missing};
+        EXPECT_EQ(add_cables(room.batch, room.mesh, input).drawn, 1u);
+        ASSERT_EQ(room.batch.pieces().size(), kCablePieces);
+    };
+    SolidRoomOfTest room, level;
+    build(room, ground);
+    const SolidLook& look = room.batch.pieces()[2].look;
+    EXPECT_TRUE(look.is_mixed);
+    EXPECT_FALSE(look.is_thing) << "it casts no shadow";
+    EXPECT_FLOAT_EQ(look.opacity, kWallShare);
+    const Depth seated = depth_of_wall(room.batch, ground);
+    EXPECT_GT(seated.least_m, 0.5 * kWallRoot_m);
+    EXPECT_LT(seated.most_m, 1.5 * kWallRoot_m);
+    build(level, test.ground);
+    EXPECT_LT(depth_of_wall(level.batch, ground).least_m, 0.5 * kWallRoot_m) << "control";
+}
+
+TEST(Cables, WallsBeginAtTheStraightLineBetweenTops) {
+    ElementOfTest test(cable({scene_point(46.8, 9.8, 30), scene_point(46.81, 9.81, 130)}, scene::HeightDatum::ground));
+    SolidRoomOfTest room;
+    EXPECT_EQ(add_cables(room.batch, room.mesh, test.input()).drawn, 1u);
+    const glm::dvec3 from = earth::to_ecef({base::radians(46.8), base::radians(9.8), {630}});
+    const glm::dvec3 to = earth::to_ecef({base::radians(46.81), base::radians(9.81), {730}});
+    const std::vector<glm::dvec3> places = places_of(room.batch, 2);
+    for (std::size_t n = 0; n < places.size(); n += 2)
+        EXPECT_LT(glm::length(glm::cross(places[n] - from, glm::normalize(to - from))), 0.02) << n;
+    EXPECT_LT(glm::distance(places.front(), from), 0.02);
+    EXPECT_LT(glm::distance(places[places.size() - 2], to), 0.02);
+}
+
+TEST(Cables, LongOnesHaveLongerSteps) {
+    std::vector<scene::ScenePoint> points;
+    for (int n = 0; n <= 20; ++n) points.push_back(scene_point(46.0 + 0.05 * n, 9.8, 1200));
+    ElementOfTest test(cable(points, scene::HeightDatum::msl));
+    SolidRoomOfTest room;
+    EXPECT_EQ(add_cables(room.batch, room.mesh, test.input()).drawn, 1u);
+    EXPECT_EQ(room.batch.use().refused, 0u);
+    std::uint32_t vertices = 0;
+    for (const SolidPiece& piece : room.batch.pieces())
+        if (piece.look.is_mixed) vertices += piece.vertices;
+    EXPECT_GT(vertices, 2 * 1024u);
+    EXPECT_LE(vertices, 2 * (1024u + 2 * 20));
 }
 
 TEST(Cables, SurveyedOnesHangAsTheyAreSaidTo) {
@@ -177,15 +265,6 @@ TEST(Cables, WhatCannotBePlacedIsHidden) {
     ElementOfTest twice(cable({scene_point(46.8, 9.8, 90), scene_point(46.8, 9.8, 90)}, scene::HeightDatum::ground));
     EXPECT_EQ(add_cables(room.batch, room.mesh, twice.input()).drawn, 1u) << "points on each other: its poles stand";
     EXPECT_EQ(room.batch.use().refused, 0u);
-}
-
-/// Vertices of the first piece, to ECEF.
-std::vector<glm::dvec3> places_of(const SolidBatch& batch) {
-    std::vector<glm::dvec3> places;
-    const SolidPiece& piece = batch.pieces()[0];
-    for (std::uint32_t n = 0; n < piece.vertices; ++n)
-        places.push_back(piece.anchor + glm::dvec3(batch.vertices()[piece.first_vertex + n].place_m));
-    return places;
 }
 
 /// How far outside of the first piece, which bends inwards nowhere, a place is.
@@ -227,25 +306,20 @@ TEST(ObstacleSolids, AnotherOnesBodyDoesNotContainIt) {
     EXPECT_GT(most, 30);
 }
 
-TEST(Cables, WithLittleDetailNoPartIsBelowTheTrueOne) {
-    const host_sim::LayerDraft layer =
-        cable({scene_point(46.8, 9.8, 30), scene_point(46.803, 9.8, 30)}, scene::HeightDatum::ground);
-    ElementOfTest test(layer);
-    double before = 0;
-    for (const double detail : {1.0, 0.6, 0.3, 0.0}) {
+/// Control: with less detail a mast is another.
+TEST(Cables, AreTheSameAtEveryDetail) {
+    ElementOfTest line(cable({scene_point(46.8, 9.8, 30), scene_point(46.803, 9.8, 30)}, scene::HeightDatum::ground));
+    ElementOfTest mast(obstacle("mast", 120));
+    const auto vertices = [](ElementOfTest& test, double detail) {
         test.element.detail = detail;
         SolidRoomOfTest room;
-        EXPECT_EQ(add_cables(room.batch, room.mesh, test.input()).drawn, 1u);
-        double lowest = 1e9;  // of what lies between the poles
-        for (const glm::dvec3& place : places_of(room.batch)) {
-            const earth::Geodetic at = earth::from_ecef(place);
-            const double along = (base::degrees(at.latitude_rad) - 46.8) / 0.003;
-            if (along < 0.01 || along > 0.99) continue;
-            lowest = std::min(lowest, at.height.m);
-        }
-        EXPECT_GE(lowest, before) << detail;
-        before = lowest;
-    }
+        const bool is_line = test.input().layer.entry->shape == scene::LayerShape::lines;
+        static_cast<void>(is_line ? add_cables(room.batch, room.mesh, test.input())
+                                  : add_obstacle_points(room.batch, room.mesh, test.input()));
+        return room.batch.vertices().size();
+    };
+    EXPECT_EQ(vertices(line, 1), vertices(line, 0));
+    EXPECT_NE(vertices(mast, 1), vertices(mast, 0));
 }
 
 }  // namespace
