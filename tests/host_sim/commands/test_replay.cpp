@@ -116,7 +116,7 @@ std::string log_with_requests() {
         EXPECT_NE(line, std::string::npos);
         log.insert(line, stamp + "00000) " + interface + " " + frame + "\n");
     }
-    const std::string path = files().folder.file("requests.log");
+    std::string path = files().folder.file("requests.log");
     std::ofstream(path, std::ios::binary) << log;
     return path;
 }

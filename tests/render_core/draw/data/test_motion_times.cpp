@@ -56,8 +56,9 @@ TEST(MotionTimes, StandAtTheFarthestBarb) {
         ASSERT_EQ(add_times(room, speed_mps), 1u);
         ASSERT_EQ(room.sheet.boxes().size(), 1u);
         EXPECT_GT(room.glyph_vertices(), 0u);
+        const double speed = static_cast<double>(speed_mps);
         const auto column = [&](double seconds) {
-            return room.view.width / 2.0 + room.view.focal_px * static_cast<double>(speed_mps) * seconds / kAhead_m;
+            return room.view.width / 2.0 + room.view.focal_px * speed * seconds / kAhead_m;
         };
         const double middle = static_cast<double>(room.sheet.boxes()[0].center().x);
         EXPECT_NEAR(middle, column(after_s), 4) << speed_mps;

@@ -90,7 +90,7 @@ TEST(ObstacleSolids, EveryKindHasItsTrueHeightAndIsClosed) {
 }
 
 TEST(ObstacleSolids, HeightsAreOverTheLayersDatumOrStated) {
-    const auto reach = [](host_sim::LayerDraft layer, bool has_ground = true) {
+    const auto reach = [](const host_sim::LayerDraft& layer, bool has_ground = true) {
         ElementOfTest test(layer);
         test.ground.is_known = has_ground;
         SolidRoomOfTest room;
