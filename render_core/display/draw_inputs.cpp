@@ -4,8 +4,9 @@ namespace tedavis::display {
 namespace {
 
 constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
+/// Share of haze in unknown ground at the horizon: it is not taken for hazy water.
+constexpr double kUnknownHaze = 0.6;
 /// No calm blue and brown: who sees it flies below the surface.
-constexpr double kUnknownHaze = 0.6;  ///< share of haze in unknown ground at the horizon: it is not taken for hazy water
 constexpr design::Color kContactSky{0x3A, 0x3C, 0x42}, kContactGround{0x86, 0x0A, 0x0A}, kContactHorizon{0xC0, 0x18, 0x18};
 
 }  // namespace

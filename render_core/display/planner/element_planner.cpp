@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/feature_sight.hpp"
@@ -315,11 +316,11 @@ draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFra
             layer_number(layer)};
 }
 
-/// 0 of a layer that is not of the scene.
+/// A layer that is not of the scene has a number that none has.
 std::uint16_t ElementPlanner::layer_number(const scene::Layer& layer) const {
     for (std::size_t n = 0; scene_ != nullptr && n < scene_->layers().size(); ++n)
         if (&scene_->layers()[n] == &layer) return static_cast<std::uint16_t>(n);
-    return 0;
+    return std::numeric_limits<std::uint16_t>::max();
 }
 
 /// What stands is built whether it is valid now or not: it may become so.

@@ -199,8 +199,8 @@ policy::TerrainSource FramePlanner::terrain_source() const {
     return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
 }
 
-/// Beyond the database the terrain alert knows nothing. The track may end its turn at any
-/// time, so the straight one counts as well.
+/// Beyond the database the terrain alert knows nothing. The track may end its turn at any time, so the straight one counts as
+/// well.
 bool FramePlanner::terrain_ends_ahead() const {
     constexpr int kPlaces = 4;
     const flight::OwnShipEstimate& own = frame_->state.own_ship;
