@@ -87,7 +87,8 @@ base::Error BoardBench::find_place(platform::BenchPlace& place) {
 void BoardBench::own_picture(BenchPicture& picture) const { quality_picture(0, picture); }
 
 void BoardBench::quality_picture(std::size_t n, BenchPicture& picture) const {
-    picture.design = n == 0 ? settings_.design : settings_.phases.at(n);
+    const design::DesignSettings& design = n == 0 ? settings_.design : settings_.phases.at(n);
+    picture.design = effects::design_on(settings_.device, design);
     picture.name = picture.design.name.view();
     picture.has_terrain = true;
     picture.has_scene = has_scene_;

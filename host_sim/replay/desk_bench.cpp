@@ -64,7 +64,7 @@ DeskBench::DeskBench(const PictureOptions& picture, Events events)
 void DeskBench::load(const std::string& design) {
     PictureOptions options = picture_;
     options.design = design;
-    designs_[design] = load_design(options);
+    designs_[design] = effects::design_on(device_, load_design(options));
 }
 
 void DeskBench::set(const std::string& design, BenchPicture& picture) const {

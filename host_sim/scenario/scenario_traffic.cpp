@@ -64,6 +64,7 @@ TrafficSettings read_traffic(ConfigSection& section) {
     aircraft.speed_mps = section.number("speed_mps", 0, 350);
     aircraft.climb_mps = section.number("climb_mps", -50, 50, 0);
     aircraft.turn_radps = base::radians(section.number("turn_dps", -30, 30, 0));
+    aircraft.stands_before = section.boolean("stands_before", false);
     aircraft.position_deviation_m = section.number("position_deviation_m", 0, 20000, 0);
     aircraft.height_deviation_m = section.number("height_deviation_m", 0, 2000, 0);
     aircraft.received_from_s = section.number("received_from_s", 0, kLongestFlight_s, 0);
@@ -93,7 +94,9 @@ std::vector<ReceivedAircraft> ScenarioTraffic::at(base::Time time) const {
 }
 
 flight::TrafficReport ScenarioTraffic::report_of(const TrafficSettings& aircraft, base::Time time) const {
-    const double seconds = (time - start_).to_seconds() - aircraft.at_s;
+    const double since_s = (time - start_).to_seconds() - aircraft.at_s;
+    const bool stands = aircraft.stands_before && since_s < 0;
+    const double seconds = stands ? 0 : since_s;
     const Flown way = flown(aircraft, seconds);
     const PlanePlace place = LocalPlane(aircraft.latitude_rad, aircraft.longitude_rad).at(way.east_m, way.north_m);
     const double height_m =
@@ -107,9 +110,9 @@ flight::TrafficReport ScenarioTraffic::report_of(const TrafficSettings& aircraft
                     static_cast<float>(height_m),
                     static_cast<float>(aircraft.position_deviation_m),
                     static_cast<float>(aircraft.height_deviation_m)};
-    report.ground_speed_mps = static_cast<float>(aircraft.speed_mps);
+    report.ground_speed_mps = static_cast<float>(stands ? 0 : aircraft.speed_mps);
     report.true_track_rad = static_cast<float>(earth::wrap_heading(way.track_rad));
-    report.climb_mps = static_cast<float>(aircraft.climb_mps);
+    report.climb_mps = static_cast<float>(stands ? 0 : aircraft.climb_mps);
     return report;
 }
 

@@ -1,5 +1,5 @@
 /// Other aircraft of a scenario, which the receiver on board reports: on a straight line or a circle, at constant speed and
-/// climb.
+/// climb; or standing, until they move so.
 ///
 ///     [[traffic]]
 ///     callsign = "N172TD"            letters and digits, at most eight; may be left out
@@ -8,6 +8,7 @@
 ///     at_s = 60                      so long after the start
 ///     track_deg, speed_mps, climb_mps
 ///     turn_dps = 0                   right positive
+///     stands_before = false          it stands where it is until at_s, and moves only then
 ///     position_deviation_m, height_deviation_m        standard deviations that it states; 0: it states none
 ///     received_from_s = 0, received_until_s = 400
 #pragma once
@@ -27,6 +28,7 @@ struct TrafficSettings {
     std::uint32_t address = 0;
     double latitude_rad = 0, longitude_rad = 0, altitude_msl_m = 0, spread_m = 0;
     double at_s = 0;
+    bool stands_before = false;
     double track_rad = 0, speed_mps = 0, climb_mps = 0, turn_radps = 0;
     double position_deviation_m = 0, height_deviation_m = 0;
     double received_from_s = 0, received_until_s = 0;

@@ -1,5 +1,6 @@
 #include "host_sim/scene_builder/runway_source.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host_sim/scene_builder/stated_number.hpp"
@@ -11,6 +12,9 @@ namespace tedavis::host_sim {
 namespace {
 
 using Row = std::map<std::string, std::string>;
+
+constexpr const char* kGlidePathColumn = "glide_path_deg";
+constexpr double kMinGlidePath_deg = 1, kMaxGlidePath_deg = 10;
 
 class RunwayReader {
 public:
@@ -56,6 +60,17 @@ private:
                 {}};
     }
 
+    /// Of the approach lights; empty: the file states none.
+    [[nodiscard]] std::string glide_path(const Row& row) const {
+        const std::string stated = text(row, kGlidePathColumn);
+        if (stated.empty()) return "";
+        const std::optional<double> angle = stated_number(stated);
+        if (!angle || *angle < kMinGlidePath_deg || *angle > kMaxGlidePath_deg)
+            throw UserError(file_ + ": row " + std::to_string(row_) + ": '" + stated + "' is no " + kGlidePathColumn +
+                            "; state degrees from 1 to 10");
+        return stated;
+    }
+
     void add(const Row& row) {
         if (text(row, "closed") == "1") return void(++closed_);
         if (!has_place(row, "le") || !has_place(row, "he")) return void(++without_place_);
@@ -65,6 +80,7 @@ private:
         if (!runway.points[0].height_m) runway.points[0].height_m = runway.points[1].height_m;
         if (!runway.points[1].height_m) runway.points[1].height_m = runway.points[0].height_m;
         set_fields(row, runway.fields);
+        if (const std::string angle = glide_path(row); !angle.empty()) runway.fields[kGlidePathColumn] = angle;
         found_.features.push_back(std::move(runway));
     }
     static void set_fields(const Row& row, Row& fields) {
@@ -99,6 +115,14 @@ AttributeRecipe metres_of(const char* name, const char* title) {
     recipe.unit = "m";
     return recipe;
 }
+AttributeRecipe glide_path_attribute() {
+    AttributeRecipe recipe;
+    recipe.name = "glide_path";
+    recipe.variable = kGlidePathColumn;
+    recipe.factor = base::radians(1);
+    recipe.unit = "rad";
+    return recipe;
+}
 
 }  // namespace
 
@@ -111,8 +135,11 @@ bool is_runway_table(std::string_view text) {
 
 SourceFeatures read_runway_file(const std::string& file) { return RunwayReader(file).read(); }
 
-std::vector<AttributeRecipe> usual_attributes_of_runways() {
-    return {metres_of("length", "LENGTH"), metres_of("width", "WIDTH")};
+std::vector<AttributeRecipe> usual_attributes_of_runways(const SourceFeatures& runways) {
+    std::vector<AttributeRecipe> usual = {metres_of("length", "LENGTH"), metres_of("width", "WIDTH")};
+    const auto states_it = [](const SourceFeature& runway) { return runway.fields.count(kGlidePathColumn) > 0; };
+    if (std::any_of(runways.features.begin(), runways.features.end(), states_it)) usual.push_back(glide_path_attribute());
+    return usual;
 }
 
 }  // namespace tedavis::host_sim

@@ -1,7 +1,8 @@
 /// Runways of OurAirports (runways.csv): lines from one end to the other.
 ///
 /// Fields: name ("LSZS 03/21"), airport, ident, length_m, width_m, surface, lighted (0 or 1), le_threshold_m and
-/// he_threshold_m (how far thresholds are displaced). Heights of the ends above mean sea level; where only one end states its own
+/// he_threshold_m (how far thresholds are displaced), and glide_path_deg (1 to 10, of the approach lights of both ends), a column
+/// that may be added to such a file. Heights of the ends above mean sea level; where only one end states its own
 /// it serves for both, and without any the runway lies on the ground. Closed runways and those without places are left out and
 /// noted.
 #pragma once
@@ -17,10 +18,10 @@ namespace tedavis::host_sim {
 
 /// By the columns that the first line names.
 [[nodiscard]] bool is_runway_table(std::string_view text);
-/// Throws UserError with file and row where a place is none.
+/// Throws UserError with file and row where a place or a glide path is none.
 [[nodiscard]] SourceFeatures read_runway_file(const std::string& file);
 
-/// What a layer of runways shows where its recipe binds nothing: length and width.
-[[nodiscard]] std::vector<AttributeRecipe> usual_attributes_of_runways();
+/// What a layer of runways shows where its recipe binds nothing: length and width, and the glide path if any runway states one.
+[[nodiscard]] std::vector<AttributeRecipe> usual_attributes_of_runways(const SourceFeatures& runways);
 
 }  // namespace tedavis::host_sim

@@ -48,12 +48,18 @@ struct Source {
     std::vector<AttributeRecipe> usual_attributes;  ///< shown where the recipe binds none
 };
 
+Source runways_of(const std::string& path) {
+    Source source{read_runway_file(path), {}};
+    source.usual_attributes = usual_attributes_of_runways(source.features);
+    return source;
+}
+
 Source read_source(SourceKind kind, const LayerRecipe& recipe, const std::string& path) {
     if (kind != SourceKind::flight && !recipe.aircraft.empty())
         throw UserError(recipe.name + ": 'aircraft' chooses one of a file of flights, and " + recipe.source + " is none");
     switch (kind) {
         case SourceKind::flight: return {read_flight_file(path, recipe.aircraft), usual_attributes_of_flights()};
-        case SourceKind::runways: return {read_runway_file(path), usual_attributes_of_runways()};
+        case SourceKind::runways: return runways_of(path);
         case SourceKind::openair: return {read_openair(read_file(path), path), usual_attributes_of_airspaces()};
         case SourceKind::dof: return {read_dof(read_file(path), path), usual_attributes_of_dof()};
         default: return {read_vector_file(path, recipe.crs, recipe.raster_m > 0 ? Holes::joined : Holes::left_out), {}};

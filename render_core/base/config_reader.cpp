@@ -273,6 +273,15 @@ std::size_t ConfigSection::index_among(Span<const std::string_view> names, std::
     return 0;
 }
 
+std::size_t ConfigSection::index_of_boolean_or(std::string_view key, std::string_view word) {
+    void* const found = find(key, true);
+    if (found == nullptr) return 0;
+    if (as_node(found).value_exact<std::string_view>() == word) return 2;
+    const auto value = as_node(found).value_exact<bool>();
+    if (!value) reader_->report(found, quoted(key) + " must be true, false or \"" + std::string(word) + "\"");
+    return value.value_or(false) ? 1 : 0;
+}
+
 void ConfigSection::numbers(std::string_view key, double low, double high, Span<double> out) {
     void* const found = find(key, false);
     if (found == nullptr) return;

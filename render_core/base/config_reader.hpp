@@ -53,6 +53,13 @@ public:
         static_assert(std::is_enum_v<Value> || std::is_same_v<Value, bool> || std::is_same_v<Value, std::size_t>);
         if (has(key)) value = static_cast<Value>(static_cast<std::size_t>(first) + index_among(names, key));
     }
+    /// Sets `value` (an enumeration) where a key is false, true or the text `word`: these stand for its first three values. If
+    /// the key is absent, `value` is unchanged; a fault sets the first.
+    template <class Value>
+    void boolean_or(std::string_view key, std::string_view word, Value& value) {
+        static_assert(std::is_enum_v<Value>);
+        if (has(key)) value = static_cast<Value>(index_of_boolean_or(key, word));
+    }
     /// Fills `out` from an array of exactly out.size() numbers; if the key is absent, `out` is unchanged.
     void numbers(std::string_view key, double low, double high, Span<double> out);
     /// Number of elements of an array; 0 if the key is absent. A value that is not an array is a fault.
@@ -80,6 +87,8 @@ private:
     void* find(std::string_view key, bool required);
     /// Index of the key's text among the names; 0 after a fault.
     std::size_t index_among(Span<const std::string_view> names, std::string_view key);
+    /// 0 for false and after a fault, 1 for true, 2 for the word.
+    std::size_t index_of_boolean_or(std::string_view key, std::string_view word);
     ConfigReader* reader_;
     void* table_;
 };

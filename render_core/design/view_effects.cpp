@@ -69,7 +69,7 @@ void read_instead(base::ConfigSection section, base::FixedVector<InsteadOf, kMax
 }  // namespace
 
 void read_view_effects(base::ConfigSection section, ViewEffects& effects) {
-    effects.antialiasing = section.boolean("antialiasing", effects.antialiasing);
+    section.boolean_or("antialiasing", kAntialiasingByDevice, effects.antialiasing);
     effects.fade_s = section.number("fade_s", 0, kLongestFade_s, effects.fade_s);
     section.choose("lighting", kPanelLightingNames, effects.lighting);
     read_color(section, "dusk_color", effects.dusk);

@@ -1,7 +1,7 @@
 /// Effects on the finished picture of the scene, before symbology is laid over it: table [effects] of a design file.
 ///
 ///     [effects]
-///     antialiasing = true
+///     antialiasing = "device"     # edges are smoothed where the device can afford it; or true, false: on every device
 ///     fade_s = 0.5                # the scene fades into what another design or new data make of it; 0: at once
 ///     lighting = "auto"           # the panel's: "day", "dusk", "night", or by the sun of place and date
 ///     dusk_color = "#b8aa98"      # what white becomes at dusk
@@ -49,6 +49,10 @@ inline constexpr double kMaxBlur_px = 8;
 inline constexpr std::int64_t kMinBlurTaps = 4, kMaxBlurTaps = 64;
 inline constexpr double kLongestFade_s = 2;  ///< a longer fade would show outdated content
 
+/// Whether edges are smoothed; `by_device`: where the device can afford it, which effects::design_on() decides.
+enum class Antialiasing : std::uint8_t { off, on, by_device };
+inline constexpr std::string_view kAntialiasingByDevice = "device";
+
 struct DepthOfField {
     double blur_px = 0;       ///< 0: everything is sharp
     std::uint32_t taps = 16;  ///< places that the blur of a pixel reads
@@ -93,7 +97,7 @@ struct InsteadOf {
 inline constexpr std::size_t kMaxInsteadOf = 8;
 
 struct ViewEffects {
-    bool antialiasing = false;
+    Antialiasing antialiasing = Antialiasing::off;
     double fade_s = 0;
     PanelLighting lighting = PanelLighting::day;
     Color dusk{0xB8, 0xAA, 0x98}, night{0x58, 0x4C, 0x40};  ///< what white becomes

@@ -31,6 +31,8 @@ bool is_off_screen(const draw::DrawnDesign& design) {
     return design.output != draw::TerrainOutput::color && !serves_effects;
 }
 
+bool smooths(const design::ViewEffects& effects) { return effects.antialiasing == design::Antialiasing::on; }
+
 /// Sharp as shaders/focus.frag writes it.
 draw::FocusRange context_range(const design::DesignSettings& design) {
     const double sharp_m = draw::sharp_distance_m();
@@ -83,7 +85,7 @@ base::Error ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings&
     bool has_shafts = false;
     for (const draw::DrawnDesign& drawn : designs) {
         const design::ViewEffects& effects = drawn.design->effects;
-        smooths_ = smooths_ || effects.antialiasing;
+        smooths_ = smooths_ || smooths(effects);
         blurs_ = blurs_ || effects.depth_of_field.blur_px > 0 || draw::blurs_context(drawn);
         has_shafts = has_shafts || effects.shadows.in_air > 0;
     }
@@ -96,7 +98,7 @@ base::Error ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings&
 bool ScenePasses::shows(const draw::DrawnDesign& design) const {
     const design::ViewEffects& effects = design.design->effects;
     const bool blurs = effects.depth_of_field.blur_px > 0 || draw::blurs_context(design);
-    return (smooths_ || !effects.antialiasing) && (blurs_ || !blurs) && (shadows_.is_started() || !effects.shadows.is_any()) &&
+    return (smooths_ || !smooths(effects)) && (blurs_ || !blurs) && (shadows_.is_started() || !effects.shadows.is_any()) &&
            (shafts_.is_started() || effects.shadows.in_air <= 0) && design.design->sky.air.is_shown == has_air_ &&
            (!is_off_screen(design) || picture_.shows(design));
 }

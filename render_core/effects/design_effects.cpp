@@ -23,6 +23,15 @@ void replace(const EffectRow& row, const design::DesignSettings& asked, Effect b
 
 }  // namespace
 
+design::DesignSettings design_on(const DeviceSettings& device, const design::DesignSettings& design) noexcept {
+    using design::Antialiasing;
+    design::DesignSettings decided = design;
+    Antialiasing& antialiasing = decided.effects.antialiasing;
+    if (antialiasing == Antialiasing::by_device)
+        antialiasing = device.affords_antialiasing ? Antialiasing::on : Antialiasing::off;
+    return decided;
+}
+
 EffectSet asked_effects(const design::DesignSettings& design) noexcept {
     EffectSet asked;
     for (std::size_t n = 0; n < kEffectCount; ++n) {
@@ -65,7 +74,7 @@ ReplacementOrder order_of(const design::DesignSettings& design) noexcept {
 /// In the table's order: what takes a place stands before what it takes the place of, unless a row's own replace() asks no more.
 design::DesignSettings possible_design(const design::DesignSettings& design, const DeviceSettings& device) {
     const ReplacementOrder order = order_of(design);
-    design::DesignSettings possible = design;
+    design::DesignSettings possible = design_on(device, design);
     for (std::size_t n = 0; n < kEffectCount; ++n) {
         const EffectRow& row = row_of(static_cast<Effect>(n));
         replace(row, design, possible_effect(row.effect, device.forbidden, device.capability, order), possible);

@@ -7,7 +7,11 @@
 
 namespace tedavis::effects {
 
-/// Returns the effects that a design requests, whether or not they are possible.
+/// Returns the design with what it leaves to the device decided: edges are smoothed where the device can afford it.
+[[nodiscard]] design::DesignSettings design_on(const DeviceSettings& device, const design::DesignSettings& design) noexcept;
+
+/// Returns the effects that a design requests, whether or not they are possible. What it leaves to the device is not requested
+/// before design_on() decides it.
 [[nodiscard]] EffectSet asked_effects(const design::DesignSettings& design) noexcept;
 
 /// Returns the design with a further effect requested. Only effects that need no other settings can be added, such as air,
@@ -26,7 +30,8 @@ namespace tedavis::effects {
 /// Returns the design's replacements of effects; a display's start refuses impossible ones.
 [[nodiscard]] ReplacementOrder order_of(const design::DesignSettings& design) noexcept;
 
-/// Returns the design with every effect that the device cannot do, or must not, changed to its replacement.
+/// Returns the design, as design_on() returns it, with every effect that the device cannot do, or must not, changed to its
+/// replacement.
 [[nodiscard]] design::DesignSettings possible_design(const design::DesignSettings& design, const DeviceSettings& device);
 
 }  // namespace tedavis::effects

@@ -91,6 +91,16 @@ void read_forbidden(base::ConfigSection section, EffectSet& forbidden) {
     }
 }
 
+void read_affordable(base::ConfigSection section, DeviceSettings& device) {
+    constexpr std::string_view kKey = "affords_antialiasing";
+    device.affords_antialiasing = section.boolean(kKey, false);
+    if (!device.affords_antialiasing) return;
+    if (device.forbidden.has(Effect::antialiasing))
+        section.fault(kKey, "'affords_antialiasing' is beside a 'forbid' of antialiasing; remove one");
+    if (!has(device.capability, row_of(Effect::antialiasing).need))
+        section.fault(kKey, "'affords_antialiasing' needs calls = \"es3\" and off_screen_pictures = 2 in [gl]; set it to false");
+}
+
 void read_budget(base::ConfigSection root, base::BudgetTable& budget) {
     constexpr std::string_view kKinds[] = {"cpu", "gpu"};
     const std::size_t count = root.table_count("budget");
@@ -144,6 +154,7 @@ base::Result<DeviceSettings, base::Error> read_device_settings(std::string_view 
     if (!root.has("gl")) root.fault("gl", "the table [gl] is missing; add it");
     read_gl(root.section("gl"), device.capability);
     read_forbidden(root.section("effects"), device.forbidden);
+    read_affordable(root.section("effects"), device);
     read_budget(root, device.budget);
     require_lines(root, device.budget);
     if (!reader.finish()) return base::fail(reader.error());

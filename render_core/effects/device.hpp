@@ -50,8 +50,9 @@ inline constexpr std::string_view kTracedPictures = "traced_pictures";  ///< gpu
 struct DeviceSettings {
     base::FixedString<31> name;
     DeviceCapability capability;
-    EffectSet forbidden;         ///< effects listed by `forbid` in [effects]
-    std::uint32_t width_px = 0;  ///< default picture size
+    EffectSet forbidden;                ///< effects listed by `forbid` in [effects]
+    bool affords_antialiasing = false;  ///< smooths edges of designs that leave it to the device (design_on())
+    std::uint32_t width_px = 0;         ///< default picture size
     std::uint32_t height_px = 0;
     double frame_rate_hz = 0;
     double deadline_ms = 0;                        ///< frame deadline, held where the costs are known; 0: none

@@ -206,9 +206,10 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .changes(Contribution::geometry, "one pixel, where anything has an edge")
         .costs("a picture off screen, and a pass of five taps; four more at edges")
         .may_be_given_up()
-        .asked_by("[effects] antialiasing", [](const Design& design) { return design.effects.antialiasing; })
-        .on_asking([](Design& design) { design.effects.antialiasing = true; })
-        .on_taking_out([](Design& design) { design.effects.antialiasing = false; })
+        .asked_by("[effects] antialiasing",
+                  [](const Design& design) { return design.effects.antialiasing == design::Antialiasing::on; })
+        .on_asking([](Design& design) { design.effects.antialiasing = design::Antialiasing::on; })
+        .on_taking_out([](Design& design) { design.effects.antialiasing = design::Antialiasing::off; })
         .applies([](const EffectFacts&) {
             return EffectRequest{Kind::applicable, "", 1};
         }),

@@ -75,6 +75,9 @@ bool is_level(const Motion& m, const Settings& s) {
     const double limit = s.level_mps + (m.was_level ? s.level_hysteresis_mps : 0);
     return std::abs(m.vertical_speed) < limit && m.height > s.cruise_height_m;
 }
+bool levels_low(const Motion& m, const Settings& s) {
+    return std::abs(m.vertical_speed) < s.level_mps && m.height <= s.cruise_height_m;
+}
 bool descends(const Motion& m, const Settings& s) { return m.vertical_speed < -s.descent_mps && m.height >= s.initial_height_m; }
 bool descends_low(const Motion& m, const Settings& s) {
     return m.vertical_speed < -s.approach_descent_mps && m.height < s.initial_height_m;
@@ -123,7 +126,8 @@ constexpr Rule kRules[] = {
     {from(Stage::none, Stage::low_flight, Stage::first_climb, Stage::second_climb, Stage::descent, Stage::initial), Stage::cruise,
      is_level, &Settings::level},
     {from(Stage::replanning), Stage::cruise, is_level, &Settings::level_after_replanning},
-    {from(Stage::none, Stage::descent), Stage::second_climb, climbs_again, &Settings::vertical},
+    {from(Stage::second_climb, Stage::abort), Stage::low_flight, levels_low, &Settings::vertical},
+    {from(Stage::none, Stage::descent, Stage::low_flight), Stage::second_climb, climbs_again, &Settings::vertical},
     {from(Stage::none), Stage::first_climb, climbs_low, &Settings::vertical},
 };
 constexpr std::size_t kRuleCount = sizeof kRules / sizeof kRules[0];

@@ -9,6 +9,8 @@
 ///   restarts the detection (a seek restores a saved state instead).
 /// - Below `terrain_priority_height_m` no transition may take priority away from terrain, and a phase that gives priority to
 ///   another aspect is left: the statement is then `unknown`, which shows terrain.
+/// - A climb or a go-around that is level for `vertical` below the height of cruise has ended: the statement is `unknown` until
+///   it climbs again or descends.
 ///
 /// Thread  any, with one state each. Memory  the state. Failure  no statement.
 #pragma once

@@ -108,7 +108,7 @@ Names broken(const std::string& run, const std::string& name) {
 
 /// Every seventeen seconds, so that each phase has pictures.
 const std::string& default_run() {
-    static const std::string run = flights().fly("default_run", "default", 1, 400, 17);
+    static const std::string run = flights().fly("default_run", "default", 1, 409, 17);
     return run;
 }
 
@@ -155,7 +155,7 @@ TEST(ShippedContracts, RecordedObstaclesAreWhereTheirSignsAre) {
 
 TEST(ShippedContracts, ADesignThatLeavesOutObstaclesBreaksTheirCondition) {
     const std::string design = flights().changed_design("approach", {{"role = \"obstacle\"\n", "layer = \"none\"\n"}});
-    EXPECT_EQ(broken(flights().fly("blind", design, 356, 372, 4), "default"), Names{"obstacles on the way are noticed"});
+    EXPECT_EQ(broken(flights().fly("blind", design, 379, 395, 4), "default"), Names{"obstacles on the way are noticed"});
 }
 
 /// Hatched and contoured ground under six levels of wind arrows; below the compass rose it is crowded.
@@ -167,7 +167,7 @@ TEST(ShippedContracts, AClutteredDesignIsNotCalm) {
                                             {"contour_interval_m = 100", "contour_interval_m = 20"},
                                             {"line_color = \"#4a4230\"", "line_color = \"#000000\""},
                                             {"heights_m = [300, 1500]", "heights_m = [100, 300, 600, 900, 1200, 1500]"}});
-    EXPECT_EQ(broken(flights().fly("cluttered", design, 84, 92, 4), "default"),
+    EXPECT_EQ(broken(flights().fly("cluttered", design, 116, 124, 4), "default"),
               (Names{"the picture is calm", "no region is crowded"}));
 }
 
@@ -175,7 +175,7 @@ TEST(ShippedContracts, ColorsThatOnlyHueTellsApartBreakTheirCondition) {
     const std::string design = flights().changed_design("approach", {{"color = \"#a89c88\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#e8e4d8\"", "color = \"#c86a2c\""},
                                                                      {"color = \"#60e0ff\"", "color = \"#8a9a2c\""}});
-    EXPECT_EQ(broken(flights().fly("alike", design, 360, 368, 4), "default"),
+    EXPECT_EQ(broken(flights().fly("alike", design, 383, 391, 4), "default"),
               Names{"obstacles, areas and traffic are told apart"});
 }
 
@@ -185,7 +185,7 @@ TEST(ShippedContracts, WarningsThatOnlyHueTellsApartBreakTheirCondition) {
         {{"enabled = false\nprofile = \"egpws\"",
           "enabled = true\nprofile = \"custom\"\n[[warning.band]]\nlower_ft = -100\ncolor = \"#e8a000\"\nstrength = 0.8\n"
           "[[warning.band]]\nlower_ft = -1000\ncolor = \"#a0c800\"\nstrength = 0.8"}});
-    EXPECT_EQ(broken(flights().fly("hues", design, 360, 368, 4), "default"), Names{"warnings are told apart without hue"});
+    EXPECT_EQ(broken(flights().fly("hues", design, 383, 391, 4), "default"), Names{"warnings are told apart without hue"});
 }
 
 TEST(ShippedContracts, ACruiseWithoutItsDataBreaksTheConditionOnThem) {
@@ -193,7 +193,7 @@ TEST(ShippedContracts, ACruiseWithoutItsDataBreaksTheConditionOnThem) {
     for (const char* role : {"storm_cell", "trajectory", "wind", "sample", "no_go"})
         changes.push_back({"role = \"" + std::string(role) + "\"\n", "layer = \"none\"\n"});
     const std::string design = flights().changed_design("cruise", changes);
-    EXPECT_EQ(broken(flights().fly("bare", design, 84, 92, 4), "default"), Names{"data draw the eye in cruise"});
+    EXPECT_EQ(broken(flights().fly("bare", design, 116, 124, 4), "default"), Names{"data draw the eye in cruise"});
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(PhaseDisagreement, is_lit_in_the_default_flight_only_where_scenarios_differ
 }
 
 TEST(PhaseDisagreement, is_lit_when_the_panel_is_left_at_cruise_through_the_approach) {
-    constexpr double kCruise_s = 90, kBusSaysDescent_s = 96.8, kEndOfGoodApproach_s = 260;
+    constexpr double kCruise_s = 120, kBusSaysDescent_s = 135.3, kEndOfGoodApproach_s = 252;
     Flown flown;
     flown.leave_the_panel_from(kCruise_s);
     double lit_s = 0;

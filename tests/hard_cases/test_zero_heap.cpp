@@ -13,7 +13,7 @@ namespace {
 
 using host_sim::HeapTrap;
 
-constexpr double kWholeFlight_s = 398;
+constexpr double kWholeFlight_s = 416;
 
 struct Setup {
     const char* backend;
@@ -41,7 +41,7 @@ void fly_whole_flight(const Setup& setup) {
     EXPECT_EQ(trap.counts().ours, 0u) << trap.first_of_ours();
     EXPECT_GT(trap.counts().driver, 0u) << "the control: this driver does allocate";
     const test_support::FlightLoop::Seen& seen = loop->seen();
-    EXPECT_EQ(seen.frames, 399u);
+    EXPECT_EQ(seen.frames, 417u);
     EXPECT_EQ(seen.good, seen.frames);
     EXPECT_GT(seen.frames_with_terrain, 200u);
     EXPECT_TRUE(seen.by_switch && seen.by_can && seen.by_motion) << "every source of the phase has spoken";

@@ -30,7 +30,7 @@ base::Error FramePlanner::take_designs(const DisplaySettings& settings, PlannerM
         const design::DesignSettings& asked = place == 0 ? settings.design : settings.phases->at(place);
         if (const auto order = effects::replacement_order(asked.effects.instead); !order.ok())
             return base::make_error("the design's ", order.error().view());
-        asked_of_[place] = effects::asked_effects(asked);
+        asked_of_[place] = effects::asked_effects(effects::design_on(settings_.device, asked));
         design::DesignSettings& kept = place == 0 ? design_ : phases_.at(place);
         kept = effects::possible_design(asked, settings_.device);
         if (kept.sky.air.is_shown != design_.sky.air.is_shown || stereo_margin_px(kept) != stereo_margin_px(design_))
@@ -52,7 +52,7 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
     phases_ = phases != nullptr ? *phases : design::PhaseDesigns();
     for (std::size_t place = 0; place <= count; ++place) {
         const design::DesignSettings& asked = place == 0 ? design : phases->at(place);
-        asked_of_[place] = effects::asked_effects(asked);
+        asked_of_[place] = effects::asked_effects(effects::design_on(settings_.device, asked));
         (place == 0 ? design_ : phases_.at(place)) = effects::possible_design(asked, settings_.device);
     }
     fit_palettes();

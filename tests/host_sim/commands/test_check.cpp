@@ -51,7 +51,7 @@ TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
                                         {"aircraft/jet.toml", "an aircraft"},
                                         {"buses/canaerospace.toml", "a bus"},
                                         {"switches/one_hot.toml", "a switch panel"},
-                                        {"scenarios/default.toml", "a scenario of 14 legs"},
+                                        {"scenarios/default.toml", "a scenario of 16 legs"},
                                         {"sheets/terrain-styles.toml", "a contact sheet of "},
                                         {"orderings/thesis.toml", "9 orderings of pictures"},
                                         {"contracts/default.toml", "a contract of 13 conditions"}}) {

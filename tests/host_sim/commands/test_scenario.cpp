@@ -37,7 +37,7 @@ TEST(ScenarioCommand, LeavesALogASwitchLogAndAManifest) {
     EXPECT_EQ(json, nlohmann::json::parse(place.read("a/b/scenario.json")));
     EXPECT_EQ(json["synthetic"], true) << "invented flights say so";
     EXPECT_EQ(json["seed"], 1);
-    EXPECT_EQ(json["legs"].size(), 14u);
+    EXPECT_EQ(json["legs"].size(), 16u);
     const std::string log = place.read("a/b/flight.log");
     bus::CandumpLogSource source({log.data(), log.size()});
     std::array<bus::CanFrame, 256> frames;

@@ -34,8 +34,8 @@ TEST(Scenario, ReadsTheShippedOne) {
     EXPECT_EQ(scenario.legs[1].phase, flight::kTakeoffStart);
     EXPECT_EQ(scenario.scene, test_support::source_dir() + "/configs/scenes/jacksboro.toml");
     ASSERT_TRUE(scenario.weather.has_value());
-    EXPECT_EQ(scenario.weather->storm.cells, 3);
-    EXPECT_EQ(scenario.traffic.size(), 3u);
+    EXPECT_EQ(scenario.weather->storm.cells, 9);
+    EXPECT_EQ(scenario.traffic.size(), 4u);
 }
 
 TEST(Scenario, NeedsNeitherSceneNorWeather) {
@@ -71,9 +71,9 @@ TEST(Scenario, NamesFileAndLineOfAFault) {
     refused(shipped().substr(0, shipped().find("[[leg]]")), "[[leg]]");
     refused(replaced(shipped(), "scene = \"jacksboro\"", "scene = \"nowhere\""),
             "configs/scenes/nowhere.toml; name a shipped one");
-    refused(replaced(shipped(), "storm_cells = 3", "storm_cells = -3"), "storm_cells");
+    refused(replaced(shipped(), "storm_cells = 9", "storm_cells = -9"), "storm_cells");
     refused(replaced(shipped(), "reach_m = 18000", "reach_m = 18000\nrech_m = 1"), "rech_m");
-    const std::string text = replaced(shipped(), "storm_cells = 3", "storm_cells = -3");
+    const std::string text = replaced(shipped(), "storm_cells = 9", "storm_cells = -9");
     const auto line = std::to_string(1 + std::count(text.begin(), text.begin() + text.find("storm_cells"), '\n'));
     refused(text, "s.toml:" + line + ": ");
 }

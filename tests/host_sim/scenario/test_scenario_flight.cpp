@@ -71,10 +71,10 @@ private:
     bool ok_ = false;
 };
 
-TEST(ScenarioFlight, TheDefaultFlightTakesAboutSixMinutes) {
+TEST(ScenarioFlight, TheDefaultFlightTakesAboutSevenMinutes) {
     const double duration = (default_flight().end() - default_flight().begin()).to_seconds();
-    EXPECT_GT(duration, 330);
-    EXPECT_LT(duration, 430);
+    EXPECT_GT(duration, 390);
+    EXPECT_LE(duration, 420);
 }
 
 TEST(ScenarioFlight, TheDefaultFlightKeepsClearOfTheTerrain) {
@@ -98,6 +98,57 @@ TEST(ScenarioFlight, TheDefaultFlightKeepsClearOfTheTerrain) {
     }
 }
 
+/// Descents of at most 1500 ft/min, and turns of at most 25 degrees but for turbulence.
+TEST(ScenarioFlight, TheDefaultFlightIsFlownGently) {
+    for (const auto& state : default_flight().states()) {
+        ASSERT_GT(state.up_mps, -1500 * base::kMetresPerFoot / 60);
+        ASSERT_LT(std::abs(state.roll_rad), base::radians(26));
+    }
+}
+
+/// 600 to 1000 ft above the crest, which is the highest ground within 1500 m.
+TEST(ScenarioFlight, TheDefaultFlightsCruiseFollowsARidge) {
+    const Elevations terrain;
+    ASSERT_TRUE(terrain.ok());
+    const auto& legs = default_flight().legs();
+    double along_s = 0;
+    for (double s = legs[5].begin_s; s < legs[6].end_s; s += 1) {
+        const ScenarioFlight::State& state = default_flight().states()[static_cast<std::size_t>(100 * s)];
+        double crest_m = 0;
+        for (int north = -15; north <= 15; ++north)
+            for (int east = -15; east <= 15; ++east)
+                if (std::hypot(north, east) <= 15)
+                    crest_m = std::max(crest_m, terrain.highest_at(state.latitude_rad + 100.0 * north / 6.36e6,
+                                                                   state.longitude_rad + 100.0 * east / 5.12e6));
+        const double above_ft = (state.altitude_msl_m - crest_m) / base::kMetresPerFoot;
+        EXPECT_GT(above_ft, 600) << s;
+        if (above_ft < 1000) along_s += 1;
+    }
+    EXPECT_GE(along_s, 50);
+}
+
+/// One that stands there until the approach has been broken off, and has gone before the second one.
+TEST(ScenarioFlight, AnotherAircraftIsTheReasonForTheGoAround) {
+    const Scenario scenario = shipped();
+    const auto from_centre_line_m = [&](double s) {
+        for (const ReceivedAircraft& aircraft : default_flight().traffic(at_second(s))) {
+            if (aircraft.report.callsign.view() != "N35TDV") continue;
+            const auto& place = aircraft.report.place;
+            const double north = (place.latitude_rad - scenario.strip.latitude_rad) * 6.36e6;
+            const double east = (place.longitude_rad - scenario.strip.longitude_rad) * 5.12e6;
+            EXPECT_LT(std::hypot(north, east), scenario.strip.length_m / 2 + 400) << s;
+            return std::abs(east * std::cos(scenario.strip.heading_rad) - north * std::sin(scenario.strip.heading_rad));
+        }
+        return -1.0;
+    };
+    const auto& legs = default_flight().legs();
+    EXPECT_LT(from_centre_line_m(legs[9].begin_s), scenario.strip.width_m / 2);
+    EXPECT_GE(from_centre_line_m(legs[9].begin_s), 0);
+    EXPECT_LT(from_centre_line_m(legs[9].end_s), scenario.strip.width_m / 2);
+    EXPECT_GT(from_centre_line_m(legs[13].begin_s), 150);
+    EXPECT_EQ(from_centre_line_m(20), -1) << "it does not stand in the way of the take-off";
+}
+
 TEST(ScenarioFlight, VisitsEveryScenarioOfAFlight) {
     std::set<flight::Scenario> seen;
     const Scenario scenario = shipped();
@@ -115,7 +166,7 @@ TEST(ScenarioFlight, VisitsEveryScenarioOfAFlight) {
 
 TEST(ScenarioFlight, PositionAndVelocityAreOneMotion) {
     const double h = 0.05;
-    for (double s = 1; s < 395; s += 0.73) {
+    for (double s = 1; s < 413; s += 0.73) {
         const SignalSample a = default_flight().at(at_second(s - h)).value(), b = default_flight().at(at_second(s + h)).value();
         const SignalSample mid = default_flight().at(at_second(s)).value();
         const earth::Geodetic from{a[Signal::latitude], a[Signal::longitude], {a[Signal::ellipsoid_height]}},
@@ -131,7 +182,7 @@ TEST(ScenarioFlight, PositionAndVelocityAreOneMotion) {
 
 TEST(ScenarioFlight, NothingJumps) {
     SignalSample last = default_flight().at(default_flight().begin()).value();
-    for (double s = 0.02; s < 399; s += 0.02) {
+    for (double s = 0.02; s < 417; s += 0.02) {
         const SignalSample next = default_flight().at(at_second(s)).value();
         EXPECT_LT(std::abs(next[Signal::roll] - last[Signal::roll]), base::radians(1)) << s;
         EXPECT_LT(std::abs(next[Signal::pitch] - last[Signal::pitch]), base::radians(0.5)) << s;
@@ -149,7 +200,7 @@ TEST(ScenarioFlight, AccelerometersFeelOneGAtRestAndTheTurn) {
     EXPECT_NEAR(rest[Signal::longitudinal_acceleration], 0, 1e-6);
     const SignalSample roll = default_flight().at(at_second(12)).value();
     EXPECT_NEAR(roll[Signal::longitudinal_acceleration], 3.2, 0.1);
-    for (double s = 106; s < 126; s += 0.5) {  // the long descending turn, before it levels off
+    for (double s = 78; s < 100; s += 0.5) {  // the long level turn to the ridge
         const SignalSample turn = default_flight().at(at_second(s)).value();
         EXPECT_LT(std::abs(turn[Signal::lateral_acceleration]), 0.6) << "coordinated but for turbulence";
         EXPECT_GT(turn[Signal::normal_acceleration], base::kStandardGravity) << s;

@@ -66,7 +66,7 @@ TEST(ScenarioScene, HoldsTheSceneFileWithTheWeatherInPlaceOfItsOwn) {
     for (const char* name : {"wind", "storm", "radar", "gusts", "flight"})
         EXPECT_EQ(layer_of(scene.draft, name).source, kGeneratedOrigin);
     EXPECT_EQ(layer_of(scene.draft, "wind").times_ns.size(), 3u);
-    EXPECT_EQ(layer_of(scene.draft, "storm").feature_count(), 3u);
+    EXPECT_EQ(layer_of(scene.draft, "storm").feature_count(), 9u);
 }
 
 /// The flight takes off from and lands on the runway that the scene shows.
@@ -85,6 +85,20 @@ TEST(ScenarioScene, HasItsRunwayWhereTheScenarioHasTheStrip) {
     const double east = earth::angle_difference(to.longitude_rad, from.longitude_rad) * std::cos(middle.latitude_rad);
     const double along = std::atan2(east, to.latitude_rad - from.latitude_rad);
     EXPECT_LT(std::fabs(std::sin(along - strip.heading_rad)), 0.01);
+}
+
+/// Else the approach lights would be all white while it is on its path.
+TEST(ScenarioScene, HasApproachLightsOfTheGlidePathThatIsFlown) {
+    const Scenario scenario = shipped();
+    const MadeScene scene = made(scenario, 1);
+    const double shown_rad = attribute_of(layer_of(scene.draft, "runways"), "glide_path").values.at(0);
+    std::size_t finals = 0;
+    for (const Leg& leg : scenario.legs) {
+        if (leg.kind != LegKind::final_leg) continue;
+        EXPECT_NEAR(leg.glide_rad, shown_rad, 1e-6);
+        ++finals;
+    }
+    EXPECT_EQ(finals, 2u);
 }
 
 TEST(ScenarioScene, IsTheSameBitForBitForEqualSeedsOnly) {

@@ -68,6 +68,23 @@ TEST_F(ScenarioTrafficTest, FliesStraightAlongTheGeodesic) {
     }
 }
 
+TEST_F(ScenarioTrafficTest, StandsUntilItMoves) {
+    TrafficSettings aircraft = straight();
+    const ScenarioTraffic moving({aircraft}, kStart, 1, geoid_);
+    aircraft.stands_before = true;
+    const ScenarioTraffic standing({aircraft}, kStart, 1, geoid_);
+    const auto report = [](const ScenarioTraffic& traffic, double second) { return traffic.at(at(second))[0].report; };
+    for (const double second : {20.0, 60.0, 99.9}) {
+        EXPECT_EQ(report(standing, second).place.latitude_rad, report(moving, 100).place.latitude_rad) << second;
+        EXPECT_EQ(report(standing, second).place.height_m, report(moving, 100).place.height_m) << second;
+        EXPECT_EQ(report(standing, second).ground_speed_mps, 0) << second;
+        EXPECT_EQ(report(standing, second).climb_mps, 0) << second;
+        EXPECT_NE(report(moving, second).place.latitude_rad, report(moving, 100).place.latitude_rad) << "control";
+    }
+    EXPECT_EQ(report(standing, 150).place.latitude_rad, report(moving, 150).place.latitude_rad);
+    EXPECT_EQ(report(standing, 150).ground_speed_mps, 60);
+}
+
 /// Whoever turns goes where its track and speed say.
 TEST_F(ScenarioTrafficTest, ATurnIsACircleAlongItsTrack) {
     TrafficSettings aircraft = straight();

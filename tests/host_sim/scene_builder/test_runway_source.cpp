@@ -69,9 +69,27 @@ TEST_F(RunwayFiles, AreKnownByTheirColumns) {
     EXPECT_TRUE(is_runway_table(kHead));
     EXPECT_FALSE(is_runway_table("kind,latitude_deg,longitude_deg\nle_latitude_deg\n"));
     EXPECT_FALSE(is_runway_table(""));
-    const std::vector<AttributeRecipe> usual = usual_attributes_of_runways();
+    const std::vector<AttributeRecipe> usual = usual_attributes_of_runways({});
     ASSERT_EQ(usual.size(), 2u);
     EXPECT_EQ(usual[0].variable, "length_m");
+}
+
+TEST_F(RunwayFiles, TheGlidePathIsOneMoreColumn) {
+    const std::string head =
+        "\"airport_ident\",\"le_latitude_deg\",\"le_longitude_deg\",\"he_latitude_deg\",\"he_longitude_deg\","
+        "\"glide_path_deg\"\n";
+    const auto with = [&](const std::string& angle) {
+        return read_runway_file(folder_.write("own.csv", head + "A,46,9,46.01,9," + angle + "\nB,46,9.1,46.01,9.1,\n"));
+    };
+    const SourceFeatures found = with("5.5");
+    EXPECT_EQ(found.features.at(0).fields.at("glide_path_deg"), "5.5");
+    EXPECT_EQ(found.features.at(1).fields.count("glide_path_deg"), 0u) << "the lights of this one assume 3 degrees";
+    const std::vector<AttributeRecipe> usual = usual_attributes_of_runways(found);
+    ASSERT_EQ(usual.size(), 3u);
+    EXPECT_EQ(usual[2].name, "glide_path");
+    EXPECT_NEAR(usual[2].factor * 180, 3.14159265358979, 1e-12);
+    expect_user_error([&] { (void)with("0.2"); }, "own.csv: row 1: '0.2' is no glide_path_deg; state degrees from 1 to 10");
+    expect_user_error([&] { (void)with("steep"); }, "'steep' is no glide_path_deg");
 }
 
 }  // namespace

@@ -72,6 +72,25 @@ TEST(ConfigReader, faults_name_file_line_key_and_range) {
     EXPECT_EQ(error_text_of("t = 1", [](ConfigSection s) { s.text("t"); }), "x.toml:1: 't' must be a text in quotes");
 }
 
+TEST(ConfigReader, a_key_may_be_a_boolean_or_one_word) {
+    enum class Kept { never, always, sometimes };
+    const auto read = [](const std::string& text, Kept before, std::string& fault) {
+        Kept kept = before;
+        fault = error_text_of(text, [&](ConfigSection s) { s.boolean_or("kept", "sometimes", kept); });
+        return kept;
+    };
+    std::string fault;
+    EXPECT_EQ(read("kept = true", Kept::never, fault), Kept::always);
+    EXPECT_EQ(read("kept = false", Kept::always, fault), Kept::never);
+    EXPECT_EQ(read("kept = 'sometimes'", Kept::never, fault), Kept::sometimes);
+    EXPECT_EQ(read("", Kept::sometimes, fault), Kept::sometimes) << "absent";
+    EXPECT_EQ(fault, "");
+    for (const char* wrong : {"kept = 1", "kept = 'true'", "kept = 'Sometimes'", "kept = ['sometimes']", "kept = ''"}) {
+        EXPECT_EQ(read(std::string("\n") + wrong, Kept::always, fault), Kept::never) << wrong;
+        EXPECT_EQ(fault, "x.toml:2: 'kept' must be true, false or \"sometimes\"") << wrong;
+    }
+}
+
 TEST(ConfigReader, nan_and_infinities_are_refused) {
     const auto number = [](ConfigSection s) { s.number("x", -1e300, 1e300, 0); };
     for (const char* value : {"nan", "-nan", "+nan", "inf", "-inf"})

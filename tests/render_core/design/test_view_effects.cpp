@@ -17,7 +17,7 @@ std::string read(const std::string& text, ViewEffects& effects) {
 TEST(ViewEffects, NothingIsAskedForByDefault) {
     ViewEffects effects;
     EXPECT_EQ(read("", effects), "");
-    EXPECT_FALSE(effects.antialiasing);
+    EXPECT_EQ(effects.antialiasing, Antialiasing::off);
     EXPECT_EQ(effects.depth_of_field.blur_px, 0);
 }
 
@@ -27,13 +27,26 @@ TEST(ViewEffects, AreWhatTheFileSays) {
                    "layers = \"data\"\nfocus_role = \"storm_cell\"\n",
                    effects),
               "");
-    EXPECT_TRUE(effects.antialiasing);
+    EXPECT_EQ(effects.antialiasing, Antialiasing::on);
     EXPECT_EQ(effects.depth_of_field.blur_px, 3);
     EXPECT_EQ(effects.depth_of_field.focus_near_m, 500);
     EXPECT_EQ(effects.depth_of_field.focus_far_m, 4000);
     EXPECT_EQ(effects.depth_of_field.focus_role, scene::LayerRole::storm_cell);
     EXPECT_FALSE(effects.depth_of_field.on_terrain);
     EXPECT_TRUE(effects.depth_of_field.on_data);
+}
+
+TEST(ViewEffects, AntialiasingMayBeLeftToTheDevice) {
+    ViewEffects effects;
+    EXPECT_EQ(read("antialiasing = \"device\"\n", effects), "");
+    EXPECT_EQ(effects.antialiasing, Antialiasing::by_device);
+    EXPECT_EQ(read("", effects), "");
+    EXPECT_EQ(effects.antialiasing, Antialiasing::by_device) << "as it was";
+    EXPECT_EQ(read("antialiasing = false\n", effects), "");
+    EXPECT_EQ(effects.antialiasing, Antialiasing::off);
+    for (const char* wrong : {"\"devices\"", "\"true\"", "2", "[true]"})
+        EXPECT_EQ(read(std::string("antialiasing = ") + wrong + "\n", effects),
+                  "d.toml:1: 'antialiasing' must be true, false or \"device\"");
 }
 
 TEST(ViewEffects, ThePanelsLightingHasItsColors) {

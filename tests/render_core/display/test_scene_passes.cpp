@@ -47,16 +47,26 @@ TEST_F(ScenePassesStart, PaysForThemAndGivesThemBack) {
 }
 
 TEST_F(ScenePassesStart, EffectsThatWereNotBuiltAreNotShown) {
-    design_.effects.antialiasing = true;
+    design_.effects.antialiasing = design::Antialiasing::on;
     ASSERT_EQ(start().message.view(), "");
     EXPECT_TRUE(passes_.shows(drawn()));
-    design_.effects.antialiasing = false;
+    design_.effects.antialiasing = design::Antialiasing::off;
     EXPECT_TRUE(passes_.shows(drawn())) << "less is no matter";
     design_.effects.depth_of_field.blur_px = 2;
     EXPECT_FALSE(passes_.shows(drawn()));
     design_.effects.depth_of_field.blur_px = 0;
     design_.sky.air.is_shown = true;
     EXPECT_FALSE(passes_.shows(drawn()));
+    passes_.destroy(session_.gl);
+}
+
+/// Undecided, it is off: a display's designs are those that possible_design() returns.
+TEST_F(ScenePassesStart, SmoothsOnlyWhatIsDecided) {
+    design_.effects.antialiasing = design::Antialiasing::by_device;
+    ASSERT_EQ(start().message.view(), "");
+    EXPECT_TRUE(passes_.shows(drawn()));
+    design_.effects.antialiasing = design::Antialiasing::on;
+    EXPECT_FALSE(passes_.shows(drawn())) << "it was not built";
     passes_.destroy(session_.gl);
 }
 

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/display/full_design.hpp"
+#include "tests/support/files/device_files.hpp"
 
 namespace tedavis::effects::test_design_effects {
 namespace {
 
+using design::Antialiasing;
 using test_support::design_with_everything;
 
 TEST(EffectsInReserve, AreThoseWhoseProgramsAreThere) {
@@ -50,6 +52,49 @@ TEST(AskedEffects, ABudgetOfClutterAsksForItsMeasure) {
     design.priority.is_stated = true;
     EXPECT_TRUE(asked_effects(design).has(Effect::clutter));
     EXPECT_EQ(without_effect(design, Effect::clutter).priority.clutter_budget, 1);
+}
+
+/// By the shipped devices; `asked` is what a display requests of its design there.
+TEST(DesignOn, SmoothsWhatIsLeftToTheDeviceWhereItCanAffordIt) {
+    struct Case {
+        const char* device;
+        Antialiasing stated, possible;
+        bool asked;
+    };
+    const Antialiasing on = Antialiasing::on, off = Antialiasing::off, by_device = Antialiasing::by_device;
+    const Case cases[] = {{"desktop", by_device, on, true},     {"desktop", on, on, true},    {"desktop", off, off, false},
+                          {"es3-mid", by_device, off, false},   {"es3-mid", on, on, true},    {"es3-mid", off, off, false},
+                          {"es2-small", by_device, off, false}, {"es2-small", on, off, true}, {"sc2", by_device, off, false}};
+    for (const Case& one : cases) {
+        const DeviceSettings device = test_support::shipped_device(one.device);
+        design::DesignSettings design;
+        design.effects.antialiasing = one.stated;
+        const design::DesignSettings decided = design_on(device, design);
+        EXPECT_NE(decided.effects.antialiasing, by_device) << one.device;
+        EXPECT_EQ(asked_effects(decided).has(Effect::antialiasing), one.asked) << one.device;
+        EXPECT_EQ(possible_design(design, device).effects.antialiasing, one.possible) << one.device;
+    }
+}
+
+TEST(DesignOn, ShippedDesignsOfThePhasesAndMapsLeaveItToTheDevice) {
+    DeviceSettings desktop = test_support::shipped_device("desktop");
+    for (const char* name :
+         {"default", "takeoff", "approach", "cruise", "replanning", "map_north_up", "map_track_up", "orthographic"}) {
+        const design::DesignSettings design = test_support::shipped_design(name);
+        EXPECT_EQ(design.effects.antialiasing, Antialiasing::by_device) << name;
+        EXPECT_EQ(possible_design(design, desktop).effects.antialiasing, Antialiasing::on) << name;
+    }
+    desktop.forbidden.add(Effect::antialiasing);
+    EXPECT_EQ(possible_design(test_support::shipped_design("default"), desktop).effects.antialiasing, Antialiasing::off)
+        << "a device that must not";
+}
+
+TEST(WithEffect, StandsForWhatIsLeftToTheDevice) {
+    design::DesignSettings design;
+    design.effects.antialiasing = Antialiasing::by_device;
+    EXPECT_FALSE(asked_effects(design).has(Effect::antialiasing)) << "nobody has decided";
+    EXPECT_EQ(with_effect(design, Effect::antialiasing).effects.antialiasing, Antialiasing::on);
+    EXPECT_EQ(without_effect(design, Effect::antialiasing).effects.antialiasing, Antialiasing::off);
 }
 
 /// Brightness stands for blur where the device has no second picture, or its alpha is another's.
@@ -105,15 +150,15 @@ TEST(PossibleDesign, IsTheDesignWithWhatStandsIn) {
 
 TEST(PossibleDesign, HasNoViewEffectsWhereThereIsNoSecondPicture) {
     design::DesignSettings design;
-    design.effects.antialiasing = true;
+    design.effects.antialiasing = Antialiasing::on;
     design.effects.depth_of_field.blur_px = 4;
     DeviceSettings device;
     device.capability.gl.calls = CallClass::es3;
     device.capability.off_screen_pictures = 2;
-    EXPECT_TRUE(possible_design(design, device).effects.antialiasing);
+    EXPECT_EQ(possible_design(design, device).effects.antialiasing, Antialiasing::on);
     EXPECT_EQ(possible_design(design, device).effects.depth_of_field.blur_px, 4);
     device.capability.off_screen_pictures = 1;
-    EXPECT_FALSE(possible_design(design, device).effects.antialiasing);
+    EXPECT_EQ(possible_design(design, device).effects.antialiasing, Antialiasing::off);
     EXPECT_EQ(possible_design(design, device).effects.depth_of_field.blur_px, 0);
     design.effects.stereo.mode = design::StereoMode::anaglyph;
     EXPECT_EQ(possible_design(design, device).effects.stereo.mode, design::StereoMode::none);

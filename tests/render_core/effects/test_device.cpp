@@ -66,6 +66,19 @@ TEST(Device, ForbidsEffectsByName) {
     EXPECT_NE(refusal(with("\"warning_colors\"")).find("always stands"), std::string::npos);
 }
 
+TEST(Device, AffordsAntialiasingWhereItsFileSaysSo) {
+    EXPECT_TRUE(shipped_device("desktop").affords_antialiasing);
+    for (const char* board : {"es2-small", "es3-mid", "sc2"}) EXPECT_FALSE(shipped_device(board).affords_antialiasing) << board;
+    const std::string desktop = source_file("configs/devices/desktop.toml"), key = "affords_antialiasing = true";
+    const auto with = [&](const std::string& other) { return refusal(replaced(desktop, key, other)); };
+    EXPECT_EQ(with(key), "") << "a control";
+    EXPECT_NE(with("affords_antialiasing = \"yes\"").find("'affords_antialiasing' must be true or false"), std::string::npos);
+    EXPECT_NE(with(key + "\nforbid = [\"antialiasing\"]").find("'affords_antialiasing' is beside a 'forbid'"), std::string::npos);
+    const std::string needs = "'affords_antialiasing' needs calls = \"es3\" and off_screen_pictures = 2";
+    EXPECT_NE(refusal(replaced(desktop, "off_screen_pictures = 2", "off_screen_pictures = 1")).find(needs), std::string::npos);
+    EXPECT_NE(refusal(replaced(good(), "[gl]", "[effects]\n" + key + "\n\n[gl]")).find(needs), std::string::npos);
+}
+
 TEST(Device, NamesFaultsOfDriversThatItIgnores) {
     const auto with = [](const std::string& names) { return replaced(good(), "[gl]", "[gl]\nignore_faults = [" + names + "]"); };
     const auto device = read_device_settings(with("\"adreno-program-binaries\""), "x.toml");

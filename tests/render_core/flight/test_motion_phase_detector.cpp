@@ -232,6 +232,30 @@ TEST(MotionPhaseDetector, levelling_off_high_up_leaves_the_descent_for_cruise) {
     EXPECT_EQ(phases.back(), "cruise");
 }
 
+TEST(MotionPhaseDetector, a_climb_that_is_level_below_the_height_of_cruise_has_ended_until_it_goes_on) {
+    const std::vector<Leg> to_630_m = {{20, 0, 0}, {25, 0, 60}, {30, 6, 80}, {50, 9, 80}};
+    const auto last_after = [&](std::vector<Leg> more) {
+        MotionPhaseState state;
+        (void)fly({joined({to_630_m, more})}, state);
+        return state.stage;
+    };
+    EXPECT_EQ(last_after({}), MotionStage::second_climb);
+    EXPECT_EQ(last_after({{8, 0, 80}}), MotionStage::second_climb) << "eight seconds prove nothing";
+    EXPECT_EQ(last_after({{30, 0, 80}}), MotionStage::low_flight);
+    EXPECT_EQ(fly({joined({to_630_m, {{30, 0, 80}}})}).back(), "unknown") << "level at 630 m may be anything";
+    EXPECT_EQ(last_after({{30, 0, 80}, {30, 6, 80}}), MotionStage::second_climb);
+    EXPECT_EQ(last_after({{30, 0, 80}, {60, -4, 70}}), MotionStage::initial) << "as from any height";
+}
+
+TEST(MotionPhaseDetector, a_go_around_that_is_level_in_the_circuit_has_ended) {
+    const std::vector<Leg> to_final = joined({kToCruise, kDownToFinal});
+    const auto phases = fly({joined({to_final, {{40, 4, 60}, {30, 0, 60}, {13, -2, 58}}})});
+    ASSERT_GE(phases.size(), 3u);
+    EXPECT_EQ(phases[phases.size() - 3], "go_around.abort");
+    EXPECT_EQ(phases[phases.size() - 2], "unknown") << "level at 340 m may be anything";
+    EXPECT_EQ(phases.back(), "approach.initial");
+}
+
 TEST(MotionPhaseDetector, finds_its_place_in_the_middle_of_a_flight) {
     const auto begun_at = [](double height, double vertical_speed) {
         MotionPhaseState state;

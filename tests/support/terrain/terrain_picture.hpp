@@ -27,6 +27,7 @@ inline design::DesignSettings garish_design(double tau_px = 1, bool conservative
     design.terrain.unknown = blue;  // of the ground beyond the database as well
     design.warning_colors = false;
     design.data.elements.clear();
+    design.effects.antialiasing = design::Antialiasing::off;  // it mixes colors across edges
     return design;
 }
 

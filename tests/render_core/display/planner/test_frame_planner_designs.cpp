@@ -165,6 +165,55 @@ TEST(DisplayDesigns, NeedWhatTheyHaveInCommon) {
     }
 }
 
+/// What a display does with antialiasing, in a word of its record; "": nobody asks for it.
+std::string antialiasing_of(const Display& display) {
+    for (const EffectRecord& effect : display.record().effects)
+        if (effect.name.view() == "antialiasing") return effect.state == EffectState::run ? "run" : "not run";
+    return "";
+}
+
+TEST(DisplayDesigns, SmoothEdgesWhereTheDeviceCanAffordIt) {
+    using design::Antialiasing;
+    struct Case {
+        const char* device;
+        Antialiasing stated;
+        const char* expected;
+    };
+    const Case cases[] = {{"desktop", Antialiasing::by_device, "run"}, {"desktop", Antialiasing::off, ""},
+                          {"es3-mid", Antialiasing::by_device, ""},    {"es3-mid", Antialiasing::on, "run"},
+                          {"es2-small", Antialiasing::by_device, ""},  {"es2-small", Antialiasing::on, "not run"}};
+    test_support::MemoryBytes bytes{test_support::hills().image};
+    for (const Case& one : cases) {
+        design::DesignSettings design = own_design("own");
+        design.effects.antialiasing = one.stated;
+        HeadlessDisplay headless("egl", one.device, kWidth, kHeight, &bytes, design);
+        static_cast<void>(
+            test_support::settled_pixels(headless, test_support::aircraft_over_hills(1600), test_support::kHillsNow));
+        EXPECT_EQ(antialiasing_of(headless.display()), one.expected) << one.device;
+    }
+}
+
+/// Bytes of off-screen pictures that a desktop's display of this design takes at its start.
+std::uint64_t started_targets(const design::DesignSettings& design, std::uint32_t width_px, std::uint32_t height_px) {
+    test_support::MemoryBytes bytes{test_support::hills().image};
+    HeadlessDisplay headless("egl", test_support::shipped_device("desktop"), width_px, height_px, &bytes, design);
+    return headless.display().planner().budget().find(effects::kRenderTargets)->use.in_use;
+}
+
+/// Besides the pictures of silhouettes and of the fade: in its own size with a map of shadows, and at four times as many pixels.
+TEST(DisplayDesigns, TheDesktopsBudgetHoldsSmoothedEdges) {
+    const effects::DeviceSettings desktop = test_support::shipped_device("desktop");
+    const std::uint32_t width_px = desktop.width_px, height_px = desktop.height_px;
+    design::DesignSettings design = own_design("own");
+    ASSERT_EQ(design.effects.antialiasing, design::Antialiasing::by_device);
+    EXPECT_LE(started_targets(design, 2 * width_px, 2 * height_px), desktop.budget.find(effects::kRenderTargets)->bytes);
+    design.effects.shadows.on_ground = 0.5;
+    const std::uint64_t smoothed = started_targets(design, width_px, height_px);
+    design.effects.antialiasing = design::Antialiasing::off;
+    const std::uint64_t picture = std::uint64_t{8} * width_px * height_px;
+    EXPECT_EQ(smoothed - started_targets(design, width_px, height_px), picture) << "color and depth";
+}
+
 TEST(DisplayDesigns, OthersMayBeTakenWhereTheirProgramsAreThere) {
     PhasedHills hills("es3-mid", 0);
     hills.settle(kCruise);
