@@ -25,6 +25,7 @@ constexpr double kBelievedShare = 0.1;  // of the speed, plus
 constexpr double kBelieved_mps = 5.0;   // how far a recorded velocity may differ from the positions'
 constexpr double kBelievedVertical_mps = 4.0;
 constexpr double kSmallestCosine = 1e-4;  // of the latitude, near the poles
+constexpr double kFarApart_s = 8.0;       // between fixes in the median: their curve knows the velocities best
 
 std::vector<double> unwrapped(std::vector<double> angles) {
     for (std::size_t i = 1; i < angles.size(); ++i) angles[i] = angles[i - 1] + earth::angle_difference(angles[i], angles[i - 1]);
@@ -71,6 +72,26 @@ double hermite(const std::vector<double>& times, const std::vector<double>& valu
     const std::size_t i = interval_of(times, time);
     const double h = times[i + 1] - times[i], t = (time - times[i]) / h, s = 1 - t;
     return values[i] * s * s * (1 + 2 * t) + values[i + 1] * t * t * (3 - 2 * t) + h * t * s * (rates[i] * s - rates[i + 1] * t);
+}
+
+double median_step(const std::vector<double>& times) {
+    std::vector<double> steps;
+    for (std::size_t n = 1; n < times.size(); ++n) steps.push_back(times[n] - times[n - 1]);
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+/// Its derivative by time.
+double hermite_rate(const std::vector<double>& times, const std::vector<double>& values, const std::vector<double>& rates,
+                    double time) {
+    const std::size_t i = interval_of(times, time);
+    const double h = times[i + 1] - times[i], t = (time - times[i]) / h, s = 1 - t;
+    return 6 * t * s * (values[i + 1] - values[i]) / h + rates[i] * s * (s - 2 * t) + rates[i + 1] * t * (t - 2 * s);
+}
+
+double east_m_per_rad(double latitude_rad) {
+    return earth::prime_vertical_radius_m(latitude_rad) * std::max(kSmallestCosine, std::cos(latitude_rad));
 }
 
 void set_geometric_altitude(double msl_m, double undulation_m, SignalSample& sample) {
@@ -146,6 +167,7 @@ ResampledFlight::Segment ResampledFlight::build_segment(const RecordedFlight& fl
         segment.longitudes.push_back(fix.longitude_rad);
     }
     segment.longitudes = unwrapped(std::move(segment.longitudes));
+    segment.is_sparse = median_step(segment.times) >= kFarApart_s;
     Motion motion;
     add_heights(flight, fixes, segment, motion);
     add_velocity(fixes, segment, motion);
@@ -199,8 +221,7 @@ void ResampledFlight::add_velocity(const std::vector<RecordedFix>& fixes, Segmen
     double held_track = 0;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
         const double north_scale = earth::meridian_radius_m(fixes[i].latitude_rad);
-        const double east_scale =
-            earth::prime_vertical_radius_m(fixes[i].latitude_rad) * std::max(kSmallestCosine, std::cos(fixes[i].latitude_rad));
+        const double east_scale = east_m_per_rad(fixes[i].latitude_rad);
         double north = latitude.slopes[i] * north_scale, east = longitude.slopes[i] * east_scale;
         if (fixes[i].ground_speed_mps && fixes[i].true_track_rad) {
             const double speed = *fixes[i].ground_speed_mps;
@@ -232,11 +253,8 @@ void ResampledFlight::add_velocity(const std::vector<RecordedFix>& fixes, Segmen
 }
 
 void ResampledFlight::add_attitude(const std::vector<RecordedFix>& fixes, Segment& segment, const Motion& motion) {
-    if (all_have(fixes, &RecordedFix::true_heading_rad)) {
+    if (all_have(fixes, &RecordedFix::true_heading_rad))
         segment.heading = MonotoneCurve(segment.times, unwrapped(values_of(fixes, &RecordedFix::true_heading_rad)));
-    } else {
-        segment.heading = segment.track;
-    }
     const std::vector<double> turn_rates = fit_locally(segment.times, motion.track_rad, settings_.turn_half_window_s).slopes;
     std::vector<double> rolls, pitches;
     for (std::size_t i = 0; i < fixes.size(); ++i) {
@@ -267,7 +285,8 @@ void ResampledFlight::describe(const RecordedFlight& flight) {
     } else {
         d.height = "none recorded";
     }
-    d.velocity = recorded_speed ? "recorded where the positions agree, else derived from them" : "derived from the positions";
+    d.velocity = recorded_speed ? "recorded where the positions agree and lie less than 8 s apart, else derived from them"
+                                : "derived from the positions";
     d.vertical_speed = any_has(flight, &RecordedFix::vertical_speed_mps)
                            ? "recorded where the heights agree, else derived from them"
                            : "derived from the heights";
@@ -294,13 +313,27 @@ std::optional<SignalSample> ResampledFlight::at(base::Time time) const {
     SignalSample sample;
     sample[Signal::latitude] = hermite(segment->times, segment->latitudes, segment->latitude_rates, t);
     sample[Signal::longitude] = earth::wrap_longitude(hermite(segment->times, segment->longitudes, segment->longitude_rates, t));
-    sample[Signal::ground_speed] = segment->ground_speed.at(t);
-    sample[Signal::true_track] = earth::wrap_heading(segment->track.at(t));
-    sample[Signal::true_heading] = earth::wrap_heading(segment->heading.at(t));
+    add_ground_motion(*segment, t, sample);
     sample[Signal::roll] = segment->roll.at(t);
     sample[Signal::pitch] = segment->pitch.at(t);
     add_altitudes(*segment, t, sample);
     return sample;
+}
+
+void ResampledFlight::add_ground_motion(const Segment& segment, double t, SignalSample& sample) const {
+    double speed_mps = segment.ground_speed.at(t), track_rad = segment.track.at(t);
+    if (segment.is_sparse) {
+        const double latitude_rad = sample[Signal::latitude];
+        const double north_mps =
+            hermite_rate(segment.times, segment.latitudes, segment.latitude_rates, t) * earth::meridian_radius_m(latitude_rad);
+        const double east_mps =
+            hermite_rate(segment.times, segment.longitudes, segment.longitude_rates, t) * east_m_per_rad(latitude_rad);
+        speed_mps = std::hypot(north_mps, east_mps);
+        if (speed_mps >= kSlowest_mps) track_rad = std::atan2(east_mps, north_mps);
+    }
+    sample[Signal::ground_speed] = speed_mps;
+    sample[Signal::true_track] = earth::wrap_heading(track_rad);
+    sample[Signal::true_heading] = earth::wrap_heading(segment.heading.empty() ? track_rad : segment.heading.at(t));
 }
 
 void ResampledFlight::add_altitudes(const Segment& segment, double t, SignalSample& sample) const {

@@ -2,8 +2,16 @@
 ///
 /// Positions: cubic Hermite curves through the fixes; the tangents are limited so that a piece never leaves its chord by
 /// more than 8/27 of the chord's length, and stands still where the fixes do. Everything else: monotone curves, which
-/// never overshoot. Heading is the track; bank that of a coordinated turn, tan(bank) = V omega / g, at most 60 degrees;
-/// pitch the flight-path angle, at most 25 degrees. Between fixes further apart than the gap limit there is nothing.
+/// never overshoot. Heading is the track; bank that of a coordinated turn, tan(bank) = V omega / g, at most 60 degrees; pitch the
+/// flight-path angle, at most 25 degrees. Between fixes further apart than the gap limit there is nothing.
+///
+/// Where fixes lie 8 s or more apart (the median of a piece without gaps), ground speed and track are those of the position
+/// curve, so that they never contradict the positions. Error of the velocity at fixes that were left out, two ADS-B recordings
+/// and one IGC recording with a fix each second:
+///
+///     kept          quantile   of the position curve    of curves through the recorded velocities
+///     each tenth    95 %       2.7, 7.3, 8.1 m/s        5.5, 11.5, 10.4 m/s
+///     each fifth    50 %       1.0, 2.0 m/s (ADS-B)     0.4, 0.5 m/s (ADS-B)
 #pragma once
 
 #include <cstddef>
@@ -57,7 +65,9 @@ private:
         std::vector<double> times;
         std::vector<double> latitudes, longitudes;            ///< longitudes unwrapped
         std::vector<double> latitude_rates, longitude_rates;  ///< rad/s, limited
-        MonotoneCurve ellipsoid_height, pressure_altitude, ground_speed, track, vertical_speed, heading, roll, pitch, undulation;
+        MonotoneCurve ellipsoid_height, pressure_altitude, ground_speed, track, vertical_speed, roll, pitch, undulation;
+        MonotoneCurve heading;   ///< empty: it is the track
+        bool is_sparse = false;  ///< its fixes are far apart: ground speed and track are those of the position curve
     };
     struct Motion;
 
@@ -69,6 +79,7 @@ private:
     [[nodiscard]] MonotoneCurve smoothed_heights(const std::vector<double>& times, const std::vector<double>& heights);
     void describe(const RecordedFlight& flight);
     [[nodiscard]] const Segment* segment_at(double time_s) const;
+    void add_ground_motion(const Segment& segment, double t, SignalSample& sample) const;
     void add_altitudes(const Segment& segment, double t, SignalSample& sample) const;
 
     ResampleSettings settings_;

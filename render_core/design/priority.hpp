@@ -71,6 +71,10 @@ struct PrioritySettings {
     double stale_uncertainty = 0.6;  ///< weight to which stale data raise the aspect uncertainty
 
     /// The budget that is held: none where the design states no weights, because no aspect then comes first.
+    [[nodiscard]] bool puts_terrain_first() const {
+        return !is_stated || (weights.of[kTerrainAspect] >= weights.of[kDataAspect] &&
+                              weights.of[kTerrainAspect] >= weights.of[kUncertaintyAspect]);
+    }
     [[nodiscard]] double held_clutter() const { return is_stated ? clutter_budget : 1; }
     [[nodiscard]] std::size_t count() const { return kMainAspects + parts.size(); }
     /// Returns the aspect of an element of the data: the first part that has its role, else the data.

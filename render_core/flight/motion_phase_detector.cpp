@@ -76,7 +76,7 @@ bool is_level(const Motion& m, const Settings& s) {
     return std::abs(m.vertical_speed) < limit && m.height > s.cruise_height_m;
 }
 bool levels_low(const Motion& m, const Settings& s) {
-    return std::abs(m.vertical_speed) < s.level_mps && m.height <= s.cruise_height_m;
+    return m.vertical_speed < s.level_mps && m.vertical_speed >= -s.approach_descent_mps && m.height <= s.cruise_height_m;
 }
 bool descends(const Motion& m, const Settings& s) { return m.vertical_speed < -s.descent_mps && m.height >= s.initial_height_m; }
 bool descends_low(const Motion& m, const Settings& s) {

@@ -10,7 +10,9 @@
 /// - Below `terrain_priority_height_m` no transition may take priority away from terrain, and a phase that gives priority to
 ///   another aspect is left: the statement is then `unknown`, which shows terrain.
 /// - A climb or a go-around that is level for `vertical` below the height of cruise has ended: the statement is `unknown` until
-///   it climbs again or descends.
+/// the
+///   aircraft climbs above the height of the second climb, which is the second climb again, or descends. Level flight that low
+///   may be anything: `unknown` contradicts no phase that the bus or a switch states.
 ///
 /// Thread  any, with one state each. Memory  the state. Failure  no statement.
 #pragma once
@@ -45,7 +47,7 @@ struct MotionPhaseSettings {
     double initial_height_m = 900;             ///< initial approach below this
     double final_height_m = 300;               ///< final approach below this
     double not_climbing_mps = 0.5;             ///< final approach and landing only below this vertical speed
-    double go_around_climb_mps = 2.5;          ///< go-around climbs faster than this
+    double go_around_climb_mps = 2.5;          ///< go-around, and a climb after level flight, faster than this
     double go_around_rise_m = 30;              ///< and has gained this height since it began to
     double replanning_height_m = 500;          ///< re-planning above this, after a go-around
     double terrain_priority_height_m = 457.2;  ///< 1500 ft: terrain keeps its priority below this
@@ -55,7 +57,7 @@ struct MotionPhaseSettings {
     base::Duration usual = base::Duration::seconds(2);  ///< between consecutive phases
     base::Duration standing = base::Duration::seconds(3);
     base::Duration go_around = base::Duration::seconds(3);
-    base::Duration vertical = base::Duration::seconds(10);  ///< climb and descent from another phase
+    base::Duration vertical = base::Duration::seconds(10);  ///< climb, descent and level flight from another phase
     base::Duration level = base::Duration::seconds(30);
     base::Duration level_after_replanning = base::Duration::seconds(120);
     base::Duration smoothing = base::Duration::seconds(2);  ///< time constant for the vertical speed
@@ -76,7 +78,7 @@ enum class MotionStage : std::uint8_t {
     landing,
     abort,
     replanning,
-    low_flight,  ///< near the ground in a phase that belongs to greater heights: states `unknown`
+    low_flight,  ///< near the ground in a phase that belongs to greater heights, or level after a climb: `unknown`
 };
 
 inline constexpr std::size_t kMaxMotionRules = 24;

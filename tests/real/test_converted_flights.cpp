@@ -196,6 +196,65 @@ TEST_F(ConvertedFlight, NoiseIsRejectedAndCounted) {
     EXPECT_LT(leaps, 5) << "the recording itself has 87 of more than 60 m";
 }
 
+struct OwnShipFindings {
+    int instants = 0, not_valid = 0;
+    double farthest_m = 0;  ///< from the position that the bus stated last, less what is flown in a tenth of a second
+};
+
+OwnShipFindings listen(const std::string& log, base::Time begin, int from_s, int to_s) {
+    Listener listener(log);
+    OwnShipFindings found;
+    for (int tenth = from_s * 10; tenth <= to_s * 10; ++tenth) {
+        const flight::AircraftState state = listener.at(begin + base::Duration::milliseconds(100 * tenth));
+        ++found.instants;
+        if (state.own_ship.state != base::SignalState::valid) ++found.not_valid;
+        const double off_m = distance_m(state, state[Signal::latitude].value_or(0), state[Signal::longitude].value_or(0));
+        found.farthest_m = std::max(found.farthest_m, off_m - 0.1 * state[Signal::ground_speed].value_or(0));
+    }
+    return found;
+}
+
+/// The log without the lines that `leave_out` chooses by their time and identifier.
+template <class LeaveOut>
+std::string thinned(const std::string& log, LeaveOut leave_out) {
+    std::string kept;
+    kept.reserve(log.size());
+    for (std::size_t line = 0, next = 0; line < log.size(); line = next) {
+        next = std::min(log.find('\n', line), log.size() - 1) + 1;
+        const std::string text = log.substr(line, next - line);
+        if (!leave_out(std::stod(text.substr(1)), text.substr(text.find('#') - 3, 3))) kept += text;
+    }
+    return kept;
+}
+
+/// A position is sent each tenth of a second: it is never stale, wherever the flight bends.
+TEST_F(ConvertedFlight, OverTheMountainsThePositionIsNeverStale) {
+    for (const char* aircraft : {"4b1c22", "4b088c"}) {
+        ConvertOptions options;
+        options.aircraft = aircraft;
+        options.assume_geometric = true;
+        const CommandRun run = convert("adsb_switzerland_map.json.gz", options);
+        ASSERT_EQ(run.code, 0);
+        const double begin_s = run.json()["begin_s"].get<double>();
+        const base::Time begin{static_cast<std::int64_t>(begin_s * 1e9)};
+        const int length_s = static_cast<int>(run.json()["end_s"].get<double>() - begin_s);
+        const std::string log = place_.read("f.log");
+        const OwnShipFindings all = listen(log, begin, 1, length_s);
+        EXPECT_GT(all.instants, 180000);
+        EXPECT_EQ(all.not_valid, 0) << aircraft << " of " << all.instants;
+        EXPECT_LT(all.farthest_m, 10) << aircraft;
+        // Nor where the bus states no velocity.
+        const std::string still =
+            thinned(log, [](double, const std::string& identifier) { return identifier == "40F" || identifier == "410"; });
+        EXPECT_EQ(listen(still, begin, 1, length_s).not_valid, 0) << aircraft;
+        const std::string silent =
+            thinned(log.substr(0, log.rfind('\n', log.size() / 8) + 1), [&](double time_s, const std::string& identifier) {
+                return std::abs(time_s - begin_s - 1000.25) < 0.25 && (identifier == "40C" || identifier == "40D");
+            });
+        EXPECT_NEAR(listen(silent, begin, 990, 1010).not_valid, 3, 1) << "control: half a second without positions";
+    }
+}
+
 TEST_F(ConvertedFlight, ARecordingWithoutPositionsIsRefused) {
     test_support::expect_user_error([&] { (void)convert("adsb_fuelflow_a320.json.gz"); },
                                     "none of its 11808 rows has a latitude and a longitude");

@@ -145,6 +145,7 @@ private:
     [[nodiscard]] LookOf asked_look() const { return {memory_->shown, memory_->weights}; }
     void fit_palettes();
     void show_design(std::size_t place);
+    [[nodiscard]] std::size_t place_of_phase() const;
     void follow_phase();
     void follow_foci();
     [[nodiscard]] bool has_warning() const;

@@ -98,6 +98,13 @@ void FramePlanner::take_look(const LookOf& of) {
     if (elements_.is_started()) set_elements(of.shown);
 }
 
+/// A design that puts data or their uncertainty first waits for a scene: without one the ground would lose its detail for
+/// nothing.
+std::size_t FramePlanner::place_of_phase() const {
+    const std::size_t place = phases_.place_of(frame_->phase.presented);
+    return data_.has_scene() || design_at(place).priority.puts_terrain_first() ? place : 0;
+}
+
 /// While there is a warning the picture turns at once: nobody shall look for it in a picture that is half another.
 void FramePlanner::follow_phase() {
     if (memory_->transition.keeps) {
@@ -105,7 +112,7 @@ void FramePlanner::follow_phase() {
         begin_fade(memory_->transition.at);
         show_design(memory_->transition.to);
     }
-    const std::size_t place = phases_.place_of(frame_->phase.presented);
+    const std::size_t place = place_of_phase();
     const bool is_new = memory_->transition.is_first;
     memory_->transition.is_first = false;
     if (place == memory_->shown) return;

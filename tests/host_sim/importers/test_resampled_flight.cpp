@@ -211,6 +211,62 @@ TEST(ResampledFlight, KeepsRecordedAttitude) {
     EXPECT_NEAR(sample[Signal::true_heading], 6.2, 1e-12);
 }
 
+/// What the positions do, by their difference over a tenth of a second.
+struct FlownVelocity {
+    double north_mps, east_mps;
+};
+FlownVelocity flown(const ResampledFlight& resampled, double s) {
+    const SignalSample before = resampled.at(second(s - 0.05)).value(), after = resampled.at(second(s + 0.05)).value();
+    const double latitude = 0.5 * (before[Signal::latitude] + after[Signal::latitude]);
+    return {(after[Signal::latitude] - before[Signal::latitude]) * earth::meridian_radius_m(latitude) / 0.1,
+            (after[Signal::longitude] - before[Signal::longitude]) * earth::prime_vertical_radius_m(latitude) *
+                std::cos(latitude) / 0.1};
+}
+
+/// Straight north, from the fifth fix on north-east along a straight line, while the recorded track still turns slowly.
+RecordedFlight bent_flight(double interval_s) {
+    RecordedFlight flight = circle_flight(interval_s, 12);
+    for (std::size_t i = 0; i < flight.fixes.size(); ++i) {
+        const double along = static_cast<double>(i) * interval_s * 87, beyond = i < 5 ? 0 : along - 5 * interval_s * 87;
+        RecordedFix& fix = flight.fixes[i];
+        fix.latitude_rad = base::radians(kLatitude) + along / earth::meridian_radius_m(base::radians(kLatitude));
+        fix.longitude_rad = base::radians(kLongitude) + 0.28 * beyond / 4.4e6;
+        fix.ground_speed_mps = 88;
+        fix.true_track_rad = i < 5 ? 0 : 0.03 * static_cast<double>(i - 5);
+    }
+    return flight;
+}
+
+TEST(ResampledFlight, FarApartFixesHaveTheVelocityOfTheirPositions) {
+    const ResampledFlight bent(bent_flight(10), {}, geoid(), "bent"), circle(circle_flight(10, 12), {}, geoid(), "circle");
+    for (double s = 1.03; s < 109; s += 0.31) {
+        for (const ResampledFlight* resampled : {&bent, &circle}) {
+            const FlownVelocity positions = flown(*resampled, s);
+            const SignalSample sample = resampled->at(second(s)).value();
+            const double speed = sample[Signal::ground_speed], track = sample[Signal::true_track];
+            EXPECT_NEAR(speed * std::cos(track), positions.north_mps, 0.25) << s;
+            EXPECT_NEAR(speed * std::sin(track), positions.east_mps, 0.25) << s;
+            EXPECT_EQ(sample[Signal::true_heading], track);
+        }
+        EXPECT_NEAR(circle.at(second(s)).value()[Signal::ground_speed], kSpeed, 4) << s;
+    }
+    const SignalSample from = bent.at(second(50)).value(), to = bent.at(second(60)).value();
+    const auto east = [](const SignalSample& sample) {
+        return sample[Signal::ground_speed] * std::sin(sample[Signal::true_track]);
+    };
+    EXPECT_GT(flown(bent, 55).east_mps - 0.5 * (east(from) + east(to)), 8) << "control: halfway between those of its fixes";
+}
+
+/// Positions of each second jitter, and their own velocities do so more: the recorded one is stated.
+TEST(ResampledFlight, NearFixesKeepTheirRecordedVelocity) {
+    RecordedFlight flight = bent_flight(1);
+    flight.fixes.resize(5);
+    flight.fixes[2].latitude_rad += 3 / earth::meridian_radius_m(base::radians(kLatitude));
+    const ResampledFlight resampled(flight, {}, geoid(), "near");
+    EXPECT_EQ(resampled.at(second(1.5)).value()[Signal::ground_speed], 88);
+    EXPECT_GT(flown(resampled, 1.5).north_mps, 89) << "control";
+}
+
 TEST(ResampledFlight, DoesNotBelieveASpeedThatThePositionsContradict) {
     RecordedFlight flight = circle_flight(1.0, 60);
     for (std::size_t i = 0; i < flight.fixes.size(); ++i) {

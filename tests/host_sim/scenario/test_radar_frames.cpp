@@ -49,7 +49,8 @@ Middle middle_of(const LayerDraft& layer, double reach_m, std::size_t frame) {
 }
 
 TEST(RadarFrames, ShowACellThatMovesBySpeedTimesTime) {
-    const Scenario scenario = shipped();
+    Scenario scenario = shipped();
+    scenario.weather->storm.distance_m = 8000;  // so that the radar sees the whole cell at each time
     const std::vector<StormCell> cells = cells_of(scenario, 1);
     const LayerDraft layer = frames(scenario, cells, 370);
     ASSERT_EQ(layer.times_ns.size(), 3u);

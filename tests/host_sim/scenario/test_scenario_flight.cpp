@@ -137,6 +137,9 @@ TEST(ScenarioFlight, AnotherAircraftIsTheReasonForTheGoAround) {
             const double north = (place.latitude_rad - scenario.strip.latitude_rad) * 6.36e6;
             const double east = (place.longitude_rad - scenario.strip.longitude_rad) * 5.12e6;
             EXPECT_LT(std::hypot(north, east), scenario.strip.length_m / 2 + 400) << s;
+            EXPECT_NEAR(double{place.height_m} - geoid().undulation(place.latitude_rad, place.longitude_rad).m,
+                        scenario.strip.elevation_msl_m, 3)
+                << "it stands on the runway";
             return std::abs(east * std::cos(scenario.strip.heading_rad) - north * std::sin(scenario.strip.heading_rad));
         }
         return -1.0;

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/scene_builder/sdb_writer.hpp"
 #include "render_core/display/display.hpp"
 #include "render_core/display/preroll.hpp"
 #include "tests/support/display/drawn_pixels.hpp"
 #include "tests/support/display/hills_display.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_frame_planner_designs {
 namespace {
@@ -41,11 +43,14 @@ design::DesignSettings sketched() {
 }
 
 struct PhasedHills {
-    explicit PhasedHills(const char* device = "es3-mid", double fade_s = 0.2) : own(own_design("own")), other(sketched()) {
+    explicit PhasedHills(const char* device = "es3-mid", double fade_s = 0.2, const design::PrioritySettings& priority = {},
+                         base::ByteSource* scene = nullptr)
+        : own(own_design("own")), other(sketched()) {
         own.effects.fade_s = other.effects.fade_s = fade_s;
+        other.priority = priority;
         EXPECT_TRUE(phases->add({kCruise, "sketched"}, other));
         headless = std::make_unique<HeadlessDisplay>("egl", test_support::shipped_device(device), kWidth, kHeight, &bytes, own,
-                                                     test_support::as_it_is, nullptr, phases.get());
+                                                     test_support::as_it_is, scene, phases.get());
     }
     void update(FlightPhase phase, double seconds) {
         const flight::PhaseStatus status = flight::stated_phase(phase, flight::PhaseSource::can);
@@ -98,6 +103,26 @@ TEST(DisplayDesigns, EachPhaseHasThePictureOfItsDesignAlone) {
         EXPECT_GT(greatest_difference(own, other), 50) << "control: the designs differ on " << device;
         EXPECT_EQ(hills.headless->display().gl().denied().total, 0u);
     }
+}
+
+/// Without data the ground would be plain for nothing.
+TEST(DisplayDesigns, OneThatPutsDataFirstWaitsForAScene) {
+    const std::vector<std::uint8_t> bytes = host_sim::sdb_bytes(test_support::small_scene());
+    test_support::MemoryBytes scene(bytes);
+    design::PrioritySettings data_first, terrain_first;
+    data_first.is_stated = terrain_first.is_stated = true;
+    data_first.weights.of = {0.3, 1, 0.3, 1, 1, 1, 1, 1};
+    terrain_first.weights.of = {1, 0.3, 0.3, 1, 1, 1, 1, 1};
+    const auto changes = [](const design::PrioritySettings& priority, base::ByteSource* with) {
+        PhasedHills hills("es3-mid", 0, priority, with);
+        hills.settle(kCruise);
+        (void)hills.at(kCruise, 0.01);
+        return hills.headless->display().record().design.view() == "sketched";
+    };
+    EXPECT_FALSE(changes(data_first, nullptr));
+    EXPECT_TRUE(changes(data_first, &scene));
+    EXPECT_TRUE(changes(terrain_first, nullptr));
+    EXPECT_TRUE(changes({}, nullptr)) << "without priorities none comes before terrain";
 }
 
 TEST(DisplayDesigns, ATurnBeginsWithTheFrameAsItWasAndFadesIntoTheNext) {
