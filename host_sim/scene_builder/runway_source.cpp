@@ -62,7 +62,7 @@ private:
 
     /// Of the approach lights; empty: the file states none.
     [[nodiscard]] std::string glide_path(const Row& row) const {
-        const std::string stated = text(row, kGlidePathColumn);
+        std::string stated = text(row, kGlidePathColumn);
         if (stated.empty()) return "";
         const std::optional<double> angle = stated_number(stated);
         if (!angle || *angle < kMinGlidePath_deg || *angle > kMaxGlidePath_deg)
