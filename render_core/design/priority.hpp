@@ -70,11 +70,12 @@ struct PrioritySettings {
     double clutter_budget = 1;       ///< largest clutter of a region of the picture, 0..1; 1: no budget
     double stale_uncertainty = 0.6;  ///< weight to which stale data raise the aspect uncertainty
 
-    /// The budget that is held: none where the design states no weights, because no aspect then comes first.
+    /// True where neither data nor uncertainty has a larger weight, and where the design states no weights.
     [[nodiscard]] bool puts_terrain_first() const {
         return !is_stated || (weights.of[kTerrainAspect] >= weights.of[kDataAspect] &&
                               weights.of[kTerrainAspect] >= weights.of[kUncertaintyAspect]);
     }
+    /// The budget that is held: none where the design states no weights, because no aspect then comes first.
     [[nodiscard]] double held_clutter() const { return is_stated ? clutter_budget : 1; }
     [[nodiscard]] std::size_t count() const { return kMainAspects + parts.size(); }
     /// Returns the aspect of an element of the data: the first part that has its role, else the data.

@@ -10,9 +10,8 @@
 /// - Below `terrain_priority_height_m` no transition may take priority away from terrain, and a phase that gives priority to
 ///   another aspect is left: the statement is then `unknown`, which shows terrain.
 /// - A climb or a go-around that is level for `vertical` below the height of cruise has ended: the statement is `unknown` until
-/// the
-///   aircraft climbs above the height of the second climb, which is the second climb again, or descends. Level flight that low
-///   may be anything: `unknown` contradicts no phase that the bus or a switch states.
+///   the aircraft climbs above the height of the second climb, which is the second climb again, or descends. Level flight that
+///   low may be anything: `unknown` contradicts no phase that the bus or a switch states.
 ///
 /// Thread  any, with one state each. Memory  the state. Failure  no statement.
 #pragma once

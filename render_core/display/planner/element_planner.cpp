@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render_core/display/planner/approach_frame.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/feature_sight.hpp"
 #include "render_core/draw/data/ground_strips.hpp"
@@ -12,7 +13,6 @@
 #include "render_core/draw/data/obstacle_solids.hpp"
 #include "render_core/draw/data/pathway_solids.hpp"
 #include "render_core/draw/data/place_ellipsoids.hpp"
-#include "render_core/draw/data/planned_track.hpp"
 #include "render_core/draw/data/runway_strips.hpp"
 #include "render_core/effects/device.hpp"
 
@@ -333,34 +333,12 @@ void ElementPlanner::build(draw::SolidBatch& batch, bool moving, const ElementFr
         if (moves(*report.element, *report.layer) != moving) continue;
         const draw::ElementInput input = input_of(n, frame);
         if (is_runway_solid(*report.element, *report.layer))
-            report.count = draw::add_runways(batch, mesh_, input, approach_frame(frame));
+            report.count = draw::add_runways(batch, mesh_, input, approach_frame(frame, scene_));
         else if (!is_billboard_technique(report.element->technique))
             report.count = build_element(batch, input);
         static_cast<void>(draw::add_place_ellipsoids(batch, mesh_, input));
     }
     build_cues(batch, moving, frame);
-}
-
-/// Nothing of a position that is not valid: a light that shows an old angle would mislead.
-draw::ApproachFrame ElementPlanner::approach_frame(const ElementFrame& frame) const {
-    constexpr double kFarthestPlan_m = 20'000;
-    draw::ApproachFrame approach;
-    approach.forward = frame.view.forward;
-    approach.metres_per_px_m = 1 / frame.view.focal_px;
-    const flight::AircraftState* const aircraft = frame.own.aircraft;
-    if (aircraft == nullptr || aircraft->own_ship.state != base::SignalState::valid) return approach;
-    approach.has_own_ship = true;
-    approach.own_ship = aircraft->own_ship.position;
-    if (!aircraft->own_ship.height_is_geometric)
-        approach.own_ship.height.m += frame.ground.undulation_m(approach.own_ship.latitude_rad, approach.own_ship.longitude_rad);
-    if (scene_ == nullptr) return approach;
-    const draw::PlannedTrack way = draw::planned_track(*scene_, approach.own_ship, time_.utc.ns, time_.is_date, kFarthestPlan_m);
-    if (way.layer == nullptr) return approach;
-    const scene::ScenePoint& last = way.layer->points[way.run.first + way.run.count - 1];
-    approach.has_destination = true;
-    approach.destination_latitude_rad = last.latitude_rad;
-    approach.destination_longitude_rad = last.longitude_rad;
-    return approach;
 }
 
 /// In the room that all elements have left. Lines that travel are built every frame, whatever they stand on.

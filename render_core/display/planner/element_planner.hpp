@@ -142,7 +142,6 @@ private:
     void count_out_of_view(const ElementFrame& frame);
     void take_foci(const ElementFrame& frame);
     void take_alerts(const ElementFrame& frame);
-    [[nodiscard]] draw::ApproachFrame approach_frame(const ElementFrame& frame) const;
     [[nodiscard]] std::uint16_t layer_number(const scene::Layer& layer) const;
     [[nodiscard]] draw::ElementInput input_of(std::size_t report, const ElementFrame& frame) const;
     void build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame);

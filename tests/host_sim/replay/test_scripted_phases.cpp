@@ -1,13 +1,16 @@
 // A flight through all phases, as a bus and a panel of switches state them, with all that goes wrong on the way.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
+#include "host_sim/scene_builder/sdb_writer.hpp"
 #include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_scripted_phases {
 namespace {
@@ -72,6 +75,17 @@ std::string switch_log() {
     return text;
 }
 
+/// One place, so that the designs that put data first have data: without a scene they wait.
+std::string write_scene(const test_support::TemporaryFolder& folder) {
+    LayerDraft layer;
+    layer.name = "places";
+    layer.role = scene::LayerRole::place;
+    layer.points = {test_support::scene_point(47.06, 9.66, std::numeric_limits<float>::quiet_NaN())};
+    layer.names = {"Ort"};
+    const std::vector<std::uint8_t> bytes = sdb_bytes({"one place", "a test", 1, {layer}});
+    return folder.write("place.sdb", std::string(bytes.begin(), bytes.end()));
+}
+
 struct Shown {
     double s = 0;
     display::FrameRecord record;
@@ -83,6 +97,7 @@ const std::vector<Shown>& flown() {
         static const test_support::FlownFiles kFiles{ScriptedFlight()};
         ReplayOptions o = kFiles.options("unused");
         o.picture.size = PictureSize{160, 120};
+        o.picture.scene = write_scene(kFiles.folder);
         o.switches = kFiles.folder.write("flight.switches", switch_log());
         DisplaySession session(o.picture, false);
         FlightPlayer player({o.log, o.picture.bus, o.switches, o.switch_config}, session.display());

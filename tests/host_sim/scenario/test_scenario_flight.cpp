@@ -107,7 +107,7 @@ TEST(ScenarioFlight, TheDefaultFlightIsFlownGently) {
 }
 
 /// 600 to 1000 ft above the crest, which is the highest ground within 1500 m.
-TEST(ScenarioFlight, TheDefaultFlightsCruiseFollowsARidge) {
+TEST(ScenarioFlight, TheDefaultFlightFollowsARidge) {
     const Elevations terrain;
     ASSERT_TRUE(terrain.ok());
     const auto& legs = default_flight().legs();
