@@ -1,5 +1,7 @@
 #include "host_sim/console.hpp"
 
+#include <string>
+
 #include "host_sim/time_left.hpp"
 
 namespace tedavis::host_sim {
@@ -21,31 +23,48 @@ void Console::note(std::string_view message) {
 }
 
 void Console::progress(std::string_view what, std::uint64_t done, std::uint64_t total) {
-    if (!live_ || total == 0) return;
+    if (total == 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (shown_percent_ < 0 || what != shown_what_) {
         shown_what_ = what;
         shown_percent_ = -1;
         begun_ = now;
+        if (!live_) drawn_ = now;
     }
     const double share = static_cast<double>(done) / static_cast<double>(total);
     const int percent = static_cast<int>(static_cast<double>(done) * 100.0 / static_cast<double>(total));
-    if (percent == shown_percent_ && now - drawn_ < std::chrono::seconds(1)) return;
+    const bool is_new = live_ && percent != shown_percent_;
     shown_percent_ = percent;
+    if (!is_new && now - drawn_ < (live_ ? std::chrono::milliseconds(1000) : between_lines_)) return;
     drawn_ = now;
     const std::string left = time_left(std::chrono::duration<double>(now - begun_).count(), share);
-    std::string line = shown_what_ + ' ' + std::to_string(percent) + " %" + (left.empty() ? "" : ", " + left);
-    const std::size_t length = line.size();
-    if (length < shown_length_) line.append(shown_length_ - length, ' ');  // covers what stood there
-    shown_length_ = length;
-    *notes_ << '\r' << line << std::flush;
+    const std::string line = shown_what_ + ' ' + std::to_string(percent) + " %" + (left.empty() ? "" : ", " + left);
+    if (live_)
+        redraw(line);
+    else
+        write_line(*notes_, line);
+}
+
+void Console::redraw(const std::string& line) {
+    const std::size_t covered = line.size() < shown_length_ ? shown_length_ - line.size() : 0;
+    shown_length_ = line.size();
+    *notes_ << '\r' << line << std::string(covered, ' ') << std::flush;
 }
 
 void Console::progress_done() {
     if (shown_percent_ < 0) return;
     shown_percent_ = -1;
     shown_length_ = 0;
-    *notes_ << '\n' << std::flush;
+    if (live_) *notes_ << '\n' << std::flush;
+}
+
+std::optional<bool> Console::confirm(std::string_view question) {
+    if (answers_ == nullptr) return std::nullopt;
+    progress_done();
+    *notes_ << question << " [y/N] " << std::flush;
+    std::string answer;
+    std::getline(*answers_, answer);
+    return !answer.empty() && (answer[0] == 'y' || answer[0] == 'Y');
 }
 
 void Console::write_line(std::ostream& stream, std::string_view text) {

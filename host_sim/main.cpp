@@ -7,5 +7,7 @@
 
 int main(int argc, char** argv) {
     std::ios::sync_with_stdio(false);
-    return tedavis::host_sim::run_command_line(argc, argv, std::cout, std::cerr, isatty(STDERR_FILENO) != 0);
+    const bool is_live = isatty(STDERR_FILENO) != 0;
+    std::istream* const answers = is_live && isatty(STDIN_FILENO) != 0 ? &std::cin : nullptr;
+    return tedavis::host_sim::run_command_line(argc, argv, std::cout, std::cerr, is_live, answers);
 }

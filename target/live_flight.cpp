@@ -32,7 +32,8 @@ LiveFlight::LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, s
       has_switches_(settings.has_switches),
       switch_config_(settings.switches),
       panel_(std::move(gpio)),
-      memory_(settings.bus, has_switches_ ? &switch_config_ : nullptr, {}),
+      memory_(settings.bus, has_switches_ ? &switch_config_ : nullptr, {},
+              {flight::motion_phase_settings(settings.aircraft.aircraft_class), {}}),
       tracker_(memory_, {can_, &panel_, node_.answer_identification ? this : nullptr}) {}
 
 void LiveFlight::start(base::Time now) {

@@ -22,8 +22,9 @@ double shown_angle_rad(const flight::AircraftState& aircraft, flight::Signal ang
 
 }  // namespace
 
-TrackerMemory::TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step)
-    : assembler(settings), next_step(first_step) {
+TrackerMemory::TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step,
+                             const flight::PhaseSettings& phases)
+    : assembler(settings), monitor(phases), next_step(first_step) {
     if (panel != nullptr) switches.emplace(*panel);
 }
 

@@ -33,7 +33,8 @@ namespace tedavis::bus {
 struct TrackerMemory {
     TrackerMemory() = default;
     /// `panel` is null where there are no phase switches. `first_step` is the first step of the grid.
-    TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step);
+    TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step,
+                  const flight::PhaseSettings& phases = flight::PhaseSettings());
 
     StateAssembler assembler;
     std::optional<SwitchToPhase> switches;

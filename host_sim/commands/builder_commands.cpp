@@ -11,14 +11,7 @@ void add_convert(CLI::App& app, CommandLine& line) {
                     [&o](Console& console) { return run_convert(o, console); });
     command->add_option("FLIGHT", o.flight, "the recording; may be gzip-compressed")->required();
     command->add_option("-o", o.output, "the log to write")->required();
-    command->add_option("--aircraft", o.aircraft, "identity or callsign where the file holds several");
-    add_optional(
-        command, "--qnh", o.qnh_hpa,
-        "QNH in hPa: pressure altitudes become altitudes on that setting; no geometric heights without --assume-geometric");
-    command->add_flag(
-        "--assume-geometric", o.assume_geometric,
-        "without GNSS heights, take barometric altitudes for heights above sea level: with --qnh those on that setting, "
-        "else pressure altitudes as they are");
+    add_flight_options(command, o);
 }
 
 void add_scenario(CLI::App& app, CommandLine& line) {
@@ -45,30 +38,11 @@ void add_scene(CLI::App& app, CommandLine& line) {
     CLI::App* info =
         add_command(*group, line, "info", "what a database holds", [&i](Console& console) { return run_scene_info(i, console); });
     info->add_option("DATABASE", i.database, "database (.sdb)")->required();
-}
-
-void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
-    command->add_option("--crs", o.crs,
-                        "coordinate system of the rasters where they do not state it, such as EPSG:4326; with a vertical part "
-                        "(EPSG:4326+5773, EPSG:4979) also what heights are above");
-    command->add_option("--extent", o.extent,
-                        "W,S,E,N: outer edges of a raster that does not say where it lies, in units of --crs, else in degrees");
-    command->add_option("--bounds", o.bounds, "W,S,E,N in degrees: leaves out what lies outside");
-    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid; default: what the rasters state, else egm96")
-        ->check(CLI::IsMember({"egm96", "ellipsoid"}));
-    command
-        ->add_option("--encoding", o.encoding,
-                     "how the colours of RGB rasters hold heights: terrain-rgb (Mapbox) or terrarium (Mapzen)")
-        ->check(CLI::IsMember({"terrain-rgb", "terrarium"}));
-    command->add_option("--drape", o.drape, "image to drape the terrain with: colour, grey or palette, georeferenced");
-    command->add_option("--drape-crs", o.drape_crs, "coordinate system of that image where it does not state it");
-    command->add_option(
-        "--drape-extent", o.drape_extent,
-        "W,S,E,N: outer edges of an image that does not say where it lies, in units of --drape-crs, else in degrees");
-    add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
-    add_optional(command, "--accuracy", o.accuracy_m,
-                 "vertical accuracy of the source, LE90 in metres; a check without it believes the database")
-        ->check(from_zero());
+    SceneLookOptions& l = line.scene_look;
+    CLI::App* look = add_command(*group, line, "look", "what a source holds, and a layer for a scene file to begin with",
+                                 [&l](Console& console) { return run_scene_look(l, console); });
+    look->add_option("FILE", l.files, "grids, tables, maps, obstacles, runways, airspaces, recorded flights")->required();
+    look->add_option("--crs", l.crs, "coordinate system of files that do not state it, such as EPSG:2056");
 }
 
 void add_terrain(CLI::App& app, CommandLine& line) {
@@ -102,6 +76,41 @@ void add_terrain(CLI::App& app, CommandLine& line) {
 }
 
 }  // namespace
+
+void add_flight_options(CLI::App* command, ConvertOptions& o) {
+    command->add_option("--aircraft", o.aircraft, "identity or callsign where the file holds several");
+    add_optional(
+        command, "--qnh", o.qnh_hpa,
+        "QNH in hPa: pressure altitudes become altitudes on that setting; no geometric heights without --assume-geometric");
+    command->add_flag(
+        "--assume-geometric", o.assume_geometric,
+        "without GNSS heights, take barometric altitudes for heights above sea level: with --qnh those on that setting, "
+        "else pressure altitudes as they are");
+}
+
+void add_raster_options(CLI::App* command, TerrainBuildOptions& o) {
+    command->add_option("--crs", o.crs,
+                        "coordinate system of the rasters where they do not state it, such as EPSG:4326; with a vertical part "
+                        "(EPSG:4326+5773, EPSG:4979) also what heights are above");
+    command->add_option("--extent", o.extent,
+                        "W,S,E,N: outer edges of a raster that does not say where it lies, in units of --crs, else in degrees");
+    command->add_option("--bounds", o.bounds, "W,S,E,N in degrees: leaves out what lies outside");
+    command->add_option("--vertical-datum", o.vertical_datum, "egm96 or ellipsoid; default: what the rasters state, else egm96")
+        ->check(CLI::IsMember({"egm96", "ellipsoid"}));
+    command
+        ->add_option("--encoding", o.encoding,
+                     "how the colours of RGB rasters hold heights: terrain-rgb (Mapbox) or terrarium (Mapzen)")
+        ->check(CLI::IsMember({"terrain-rgb", "terrarium"}));
+    command->add_option("--drape", o.drape, "image to drape the terrain with: colour, grey or palette, georeferenced");
+    command->add_option("--drape-crs", o.drape_crs, "coordinate system of that image where it does not state it");
+    command->add_option(
+        "--drape-extent", o.drape_extent,
+        "W,S,E,N: outer edges of an image that does not say where it lies, in units of --drape-crs, else in degrees");
+    add_optional(command, "--void", o.void_value, "the value that marks voids where the raster does not state it");
+    add_optional(command, "--accuracy", o.accuracy_m,
+                 "vertical accuracy of the source, LE90 in metres; a check without it believes the database")
+        ->check(from_zero());
+}
 
 void add_builders(CLI::App& app, CommandLine& line) {
     add_convert(app, line);

@@ -15,9 +15,11 @@
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
 #include "host_sim/commands/evaluate.hpp"
+#include "host_sim/commands/fly.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/scene.hpp"
+#include "host_sim/commands/scene_look.hpp"
 #include "host_sim/commands/shaders.hpp"
 #include "host_sim/commands/sheet.hpp"
 #include "host_sim/commands/shot.hpp"
@@ -35,11 +37,13 @@ struct CommandLine {
     ScenarioBuildOptions scenario;
     SceneBuildOptions scene_build;
     SceneInfoOptions scene_info;
+    SceneLookOptions scene_look;
     TerrainBuildOptions terrain_build;
     TerrainCheckOptions terrain_check;
     TerrainInfoOptions terrain_info;
     TerrainFractalOptions terrain_fractal;
     ReplayOptions replay;
+    FlyOptions fly;
     ShotOptions shot;
     TraceOptions trace;
     SheetOptions sheet;
@@ -63,6 +67,8 @@ struct CommandLine {
 
 /// --strict: warnings end the command with kCheckFailedExitCode.
 void add_strict(CLI::App* command, bool& strict);
+/// --class; `otherwise`: what counts without it.
+void add_class(CLI::App* command, std::optional<flight::AircraftClass>& aircraft, const std::string& otherwise);
 
 template <class T>
 CLI::Option* add_optional(CLI::App* command, const std::string& name, std::optional<T>& target, const std::string& help) {
@@ -83,6 +89,12 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 void add_builders(CLI::App& app, CommandLine& line);
 /// shot, trace, sheet, sweep, calibrate, accuracy, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);
+/// Options of a raster that becomes a terrain database.
+void add_raster_options(CLI::App* command, TerrainBuildOptions& options);
+/// How a recording's aircraft is chosen and its altitudes are taken.
+void add_flight_options(CLI::App* command, ConvertOptions& options);
+/// fly, which is made of commands of all groups.
+void add_fly(CLI::App& app, CommandLine& line);
 /// accuracy, which add_displays() adds among its own.
 void add_accuracy(CLI::App& app, CommandLine& line);
 

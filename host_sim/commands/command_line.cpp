@@ -21,6 +21,16 @@ CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& na
     return command;
 }
 
+void add_class(CLI::App* command, std::optional<flight::AircraftClass>& aircraft, const std::string& otherwise) {
+    static const std::map<std::string, flight::AircraftClass> kClasses{{"light", flight::AircraftClass::light},
+                                                                       {"jet", flight::AircraftClass::jet},
+                                                                       {"helicopter", flight::AircraftClass::helicopter},
+                                                                       {"glider", flight::AircraftClass::glider}};
+    command->add_option_function<std::string>(
+        "--class", [&aircraft](const std::string& word) { aircraft = choice_from("--class", word, kClasses); },
+        "light, jet, helicopter or glider: by it the motion tells the flight phase; default: " + otherwise);
+}
+
 void add_strict(CLI::App* command, bool& strict) {
     command->add_flag("--strict", strict, "exit code 1 where there is a warning");
 }
@@ -91,11 +101,13 @@ bool has_command(const CLI::App& app, const std::string& name) {
     return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) { return command->check_name(name); });
 }
 
-int parse_and_run(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live) {
+int parse_and_run(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live,
+                  std::istream* answers) {
     CommandLine line;
     CLI::App app("tedavis: recorded flights through a synthetic-vision display. Not certified for use in flight.", "tedavis");
     app.set_version_flag("--version", std::string("tedavis ") + version());
     app.require_subcommand(1);
+    add_fly(app, line);
     add_builders(app, line);
     add_displays(app, line);
     add_comparisons(app, line);
@@ -112,14 +124,16 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
         return kWrongUsage;
     }
     Console console(results, notes, line.json, live);
+    console.set_answers(answers);
     return line.run(console);
 }
 
 }  // namespace
 
-int run_command_line(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live) {
+int run_command_line(int argc, const char* const* argv, std::ostream& results, std::ostream& notes, bool live,
+                     std::istream* answers) {
     try {
-        return parse_and_run(argc, argv, results, notes, live);
+        return parse_and_run(argc, argv, results, notes, live, answers);
     } catch (const UserError& error) {
         notes << "tedavis: " << one_sentence(error.what()) << '\n';
     } catch (const Interrupted& interrupted) {

@@ -80,32 +80,37 @@ Json report(const ConvertOptions& options, const ImportedFile& file, const Recor
     return json;
 }
 
-void say_what_was_done(Console& console, const ImportedFile& file, const CleaningCounts& cleaning, const Derivation& d,
-                       const ConvertOptions& options) {
-    for (const std::string& note : file.notes) console.note("note: " + note);
+std::vector<std::string> what_was_done(const ImportedFile& file, const CleaningCounts& cleaning, const Derivation& d,
+                                       const ConvertOptions& options) {
+    std::vector<std::string> said = file.notes;
     const std::size_t rejected =
         cleaning.duplicates + cleaning.position_jumps + cleaning.gnss_height_jumps + cleaning.pressure_jumps;
     if (rejected > 0) {
-        console.note("note: rejected as impossible: " + std::to_string(cleaning.position_jumps) + " positions, " +
-                     std::to_string(cleaning.gnss_height_jumps) + " GNSS heights, " + std::to_string(cleaning.pressure_jumps) +
-                     " pressure altitudes, " + std::to_string(cleaning.duplicates) + " duplicates");
+        said.push_back("rejected as impossible: " + std::to_string(cleaning.position_jumps) + " positions, " +
+                       std::to_string(cleaning.gnss_height_jumps) + " GNSS heights, " + std::to_string(cleaning.pressure_jumps) +
+                       " pressure altitudes, " + std::to_string(cleaning.duplicates) + " duplicates");
     }
     if (d.segments > 1) {
-        console.note("note: the recording has gaps (the longest " + std::to_string(static_cast<int>(d.longest_gap_s)) +
-                     " s); nothing is sent there");
+        said.push_back("the recording has gaps (the longest " + std::to_string(static_cast<int>(d.longest_gap_s)) +
+                       " s); nothing is sent there");
     }
-    console.note("note: height: " + d.height);
-    console.note("note: heading " + d.heading + "; bank " + d.roll + "; pitch " + d.pitch);
+    said.push_back("height: " + d.height);
+    said.push_back("heading " + d.heading + "; bank " + d.roll + "; pitch " + d.pitch);
     if (!d.height_is_geometric && !options.qnh_hpa) {
-        console.note(
-            "note: terrain will be shown as degraded and flagged; give --qnh HPA, or --assume-geometric to take the altitude as "
-            "it is");
+        said.emplace_back(
+            "terrain will be shown as degraded and flagged; give --qnh HPA, or --assume-geometric to take the altitude as it is");
     }
+    return said;
 }
 
 }  // namespace
 
 int run_convert(const ConvertOptions& options, Console& console) {
+    std::vector<std::string> said;
+    return run_convert(options, console, said);
+}
+
+int run_convert(const ConvertOptions& options, Console& console, std::vector<std::string>& said) {
     check_options(options);
     require_other_file(options.output, {options.flight});
     require_replaceable_log(options.output);
@@ -133,7 +138,10 @@ int run_convert(const ConvertOptions& options, Console& console) {
     companion.stream() << json_text(json, 2) << '\n';
     for (AtomicFile* written : {&log, &companion}) written->seal();
     for (AtomicFile* written : {&log, &companion}) written->commit();
-    say_what_was_done(console, about, cleaning, resampled.derivation(), options);
+    for (std::string& done : what_was_done(about, cleaning, resampled.derivation(), options)) {
+        console.note("note: " + done);
+        said.push_back(std::move(done));
+    }
     if (counts.interrupted) console.note("note: interrupted; the log is valid and ends early");
     console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight" +
                        (flight.aircraft.empty() ? "" : " " + flight.aircraft),

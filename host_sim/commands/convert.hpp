@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host_sim/console.hpp"
 
@@ -18,5 +19,8 @@ struct ConvertOptions {
 
 /// Returns the exit code; throws UserError.
 int run_convert(const ConvertOptions& options, Console& console);
+
+/// The same, as a part of another command: what it has to say is also added to `said`.
+int run_convert(const ConvertOptions& options, Console& console, std::vector<std::string>& said);
 
 }  // namespace tedavis::host_sim

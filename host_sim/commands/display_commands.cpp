@@ -301,6 +301,7 @@ void use_replay_config(CommandLine& line) {
     line.replay.output = given.output;
     line.replay.window = given.window;
     line.replay.strict = given.strict;
+    line.replay.yes = given.yes;
     line.replay.tour = given.tour;
     line.replay.video = given.video;
     line.replay.save_config = given.save_config;
@@ -318,6 +319,13 @@ void add_replay_instants(CLI::App* command, ReplayOptions& o) {
     add_optional(command, "--to", o.to_s, "latest frame; not before --from, also when going backwards; default: the log's end");
     add_optional(command, "--step", o.step_s,
                  "seconds between frames; negative: backwards from --to down to --from; default: the device's rate");
+    add_optional(
+        command, "--spread", o.spread,
+        "about so many frames, evenly from --from to --to, and one where a phase or a terrain alert begins; instead of --step")
+        ->check(CLI::Range(2u, kMaxSpread))
+        ->excludes("--step");
+    command->add_flag("--over-terrain", o.over_terrain,
+                      "from where the flight first comes over the terrain to where it last leaves it, between --from and --to");
     static const std::map<std::string, FrameOutput> kOutputs{
         {"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
     command->add_option_function<std::string>(
@@ -332,6 +340,10 @@ void add_replay(CLI::App& app, CommandLine& line) {
     command->add_option("LOG", o.log, "candump log");
     command->add_option("--switches", o.switches, "switch log");
     command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
+    command->add_option_function<std::string>(
+        "--phase", [&o](const std::string& text) { o.phase = text == kNoPhase ? text : phase_from(text); },
+        "flight phase of the whole run, as if a switch stated it; none: motion states none; default: as recorded");
+    add_class(command, o.aircraft_class, "that of the aircraft file");
     add_replay_instants(command, o);
     command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
     add_picture_options(command, o.picture);
@@ -344,6 +356,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
         [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
     command->add_option("-o", o.output, "folder to write to")->required();
     add_strict(command, o.strict);
+    command->add_flag("--yes", o.yes, "begins a run of more than 20,000 frames or 4 GB without a question");
     command->add_option("--save-config", o.save_config,
                         "writes data, design and parameters of this replay to a file, after --window with its switches");
     CLI::Option* video = command->add_option(
@@ -352,11 +365,14 @@ void add_replay(CLI::App& app, CommandLine& line) {
     CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below")
                               ->excludes(ledger)
                               ->excludes(layers)
-                              ->excludes(video);
+                              ->excludes(video)
+                              ->excludes("--over-terrain")
+                              ->excludes("--spread");
+    video->excludes("--spread");
     command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
     command->add_option(
         "--config", line.replay_config,
-        "a file that --save-config wrote; beside it only -o, --strict, --save-config, --video, --window and --tour");
+        "a file that --save-config wrote; beside it only -o, --strict, --yes, --save-config, --video, --window and --tour");
     command->footer(window_keys_help());
 }
 

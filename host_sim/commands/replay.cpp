@@ -1,7 +1,9 @@
 #include "host_sim/commands/replay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "host_sim/accuracy/accuracy_overlay.hpp"
@@ -10,12 +12,15 @@
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/effect_ledger.hpp"
+#include "host_sim/replay/flight_events.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/generated_flight.hpp"
 #include "host_sim/replay/ledger_report.hpp"
+#include "host_sim/replay/run_estimate.hpp"
 #include "host_sim/replay/run_recorder.hpp"
+#include "host_sim/replay/terrain_span.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/window/live_window.hpp"
@@ -61,21 +66,8 @@ std::unique_ptr<VideoFile> opened_video(const ReplayOptions& options, const Disp
     return video;
 }
 
-int run_batch(const ReplayOptions& options, Console& console) {
-    const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
-    DisplaySession session(options.picture, is_generated_flight(options.log));
-    FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
-    const FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
-    const InterruptGuard interrupt;  // before anything is written
-    const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
-    RunRecorder recorder(options, session, player);
-    if (video) recorder.set_video(*video);
-    if (options.accuracy.any())
-        recorder.set_overlay([&overlay](DisplaySession& drawn, FrameResult& result) { return overlay.over(drawn, result); });
-    if (!options.save_config.empty()) save_replay_config(options, options.save_config);
-    EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
-                        options.ledger ? times.count() : 0);
-    FramePreroll preroll(player, session, session.device().frame_rate_hz);
+void fly(const ReplayOptions& options, const FrameInstants& times, FramePreroll& preroll, RunRecorder& recorder,
+         EffectLedger& ledger, DisplaySession& session, const InterruptGuard& interrupt, Console& console) {
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
         preroll.preroll(times.at(n));
         const FrameResult& drawn = recorder.draw(times.at(n));
@@ -84,6 +76,55 @@ int run_batch(const ReplayOptions& options, Console& console) {
         console.progress("replay", n + 1, times.count());
     }
     console.progress_done();
+}
+
+/// The options with the part of the flight that they ask for.
+ReplayOptions cut_to_terrain(const ReplayOptions& options, const FlightPlayer& player, DisplaySession& session) {
+    if (!options.over_terrain) return options;
+    return over_terrain(options, player.outline(), player.first(), session.display().planner().terrain_database());
+}
+
+constexpr std::uint64_t kFramesForEachEvent = 4;  // so that a restless flight has a quarter more frames at most
+
+/// Where the options spread frames over the flight, its events have frames too.
+FrameInstants instants_of(const ReplayOptions& options, FlightPlayer& player, DisplaySession& session, FramePreroll& preroll) {
+    FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
+    if (!options.spread) return times;
+    const std::uint64_t most = std::max<std::uint64_t>(*options.spread / kFramesForEachEvent, 1);
+    times.add(event_instants(player, preroll, {times.earliest(), times.latest()}, most));
+    return times;
+}
+
+void require_consent_to(const ReplayOptions& options, const FrameInstants& times, FlightPlayer& player, DisplaySession& session,
+                        Console& console) {
+    if (times.count() > kFramesWithoutAWord) require_consent(estimate_run(options, times, player, session), options, console);
+}
+
+IndexPolicy index_policy(const ReplayOptions& options) {
+    IndexPolicy policy;
+    if (!options.keeps_index) policy.smallest_kept_log = std::numeric_limits<std::uint64_t>::max();
+    return policy;
+}
+
+int run_batch(const ReplayOptions& asked, Console& console) {
+    const AccuracyOverlay overlay({asked.accuracy}, asked.picture.terrain);
+    DisplaySession session(asked.picture, is_generated_flight(asked.log));
+    FlightPlayer player(player_files(asked), session.display(), &console, index_policy(asked));
+    const ReplayOptions options = cut_to_terrain(asked, player, session);
+    FramePreroll preroll(player, session, session.device().frame_rate_hz);
+    const FrameInstants times = instants_of(options, player, session, preroll);
+    require_consent_to(options, times, player, session, console);
+    const InterruptGuard interrupt;  // before anything is written
+    const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
+    RunRecorder recorder(options, session, player);
+    if (video) recorder.set_video(*video);
+    if (options.accuracy.any())
+        recorder.set_overlay([&overlay](DisplaySession& drawn, FrameResult& result) { return overlay.over(drawn, result); });
+    for (const std::string& note : options.notes) recorder.note(note);
+    if (!options.save_config.empty()) save_replay_config(options, options.save_config);
+    EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
+                        options.ledger ? times.count() : 0);
+    fly(options, times, preroll, recorder, ledger, session, interrupt, console);
     const int code = recorder.finish(interrupt.requested(), console);
     if (options.ledger && (code == 0 || code == kCheckFailedExitCode))
         price_effects(ledger, options, session, interrupt, console);

@@ -220,6 +220,12 @@ void state(const std::string& name, Console& console) {
 
 }  // namespace
 
+std::string terrain_build_identity(const TerrainBuildOptions& options) {
+    std::ostringstream text;
+    text << identity_of(options) << '\n' << std::hexfloat << options.accuracy_m.value_or(0);
+    return text.str();
+}
+
 int run_terrain_build(const TerrainBuildOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const TerrainSources sources = sources_of(options, console);

@@ -40,6 +40,9 @@ struct TerrainFractalOptions {
     std::string numbers = "float32";  ///< or "int16"
 };
 
+/// What a build depends on but the program: names, sizes and times of the files, and options. Equal text, equal database.
+[[nodiscard]] std::string terrain_build_identity(const TerrainBuildOptions& options);
+
 /// Each returns the exit code and throws UserError for bad input.
 [[nodiscard]] int run_terrain_build(const TerrainBuildOptions& options, Console& console);
 [[nodiscard]] int run_terrain_check(const TerrainCheckOptions& options, Console& console);

@@ -1,8 +1,12 @@
 #include "host_sim/importers/flight_importer.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -87,6 +91,16 @@ ImportedFile import_flight_file(const std::string& path) {
                         (format == "IGC" ? ", which begins with a line A... and has lines B... of fixes" : "") +
                         "; give the file as it was recorded");
     return import_csv(text, path);
+}
+
+bool is_bus_log_file(const std::string& path) {
+    require_regular_file(path);
+    std::array<char, 4096> beginning{};
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);  // it reads plain files, too
+    const int count = file != nullptr ? gzread(file.get(), beginning.data(), static_cast<unsigned>(beginning.size())) : 0;
+    std::string_view text(beginning.data(), static_cast<std::size_t>(std::max(count, 0)));
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    return start != std::string_view::npos && looks_like_bus_log(text.substr(start));
 }
 
 RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, const std::string& path) {

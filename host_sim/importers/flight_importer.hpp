@@ -9,6 +9,8 @@ namespace tedavis::host_sim {
 
 /// Reads the file (gzip or plain) and tells the format by its content, not its name. Throws UserError.
 [[nodiscard]] ImportedFile import_flight_file(const std::string& path);
+/// Whether the file (gzip or plain) is a bus log, by the beginning of its first line. Throws UserError where there is none.
+[[nodiscard]] bool is_bus_log_file(const std::string& path);
 /// The flight of `aircraft` (its identity or callsign, case does not matter; empty: the only one). Throws UserError that
 /// lists the choices where the file holds several, or none of that name.
 [[nodiscard]] RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, const std::string& path);

@@ -13,6 +13,7 @@
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
+#include "render_core/flight/flight_phase.hpp"
 #include "render_core/scene/focus_region.hpp"
 
 namespace tedavis::host_sim {
@@ -120,9 +121,13 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.path("log", options.log);
     toml.path("switches", options.switches);
     toml.config("switch_config", options.switch_config, "switches");
+    if (!options.phase.empty()) toml.word("phase", options.phase);
+    if (options.aircraft_class)
+        toml.word("class", std::string(flight::kAircraftClassNames[static_cast<std::size_t>(*options.aircraft_class)]));
     toml.number("from_s", options.from_s);
     toml.number("to_s", options.to_s);
     toml.number("step_s", options.step_s);
+    if (options.spread) toml.integer("spread", static_cast<std::uint32_t>(*options.spread));
     if (options.frames) toml.word("frames", kFrameNames[static_cast<std::size_t>(*options.frames)]);
     if (options.accuracy.figures) toml.truth("show_accuracy");
     if (options.accuracy.error_map) toml.truth("error_map");
@@ -165,9 +170,15 @@ ReplayOptions load_replay_config(const std::string& path) {
     options.log = text_of(root, "log", "");
     options.switches = text_of(root, "switches", "");
     options.switch_config = text_of(root, "switch_config", options.switch_config);
+    options.phase = text_of(root, "phase", "");
+    if (!options.phase.empty() && options.phase != kNoPhase && !flight::phase_from_name(options.phase).ok)
+        throw UserError(path + ": phase \"" + options.phase +
+                        "\": no such phase; say for example takeoff.first_climb, cruise or none");
+    if (root.has("class")) root.choose("class", flight::kAircraftClassNames, options.aircraft_class.emplace());
     options.from_s = optional_number(root, "from_s");
     options.to_s = optional_number(root, "to_s");
     options.step_s = optional_number(root, "step_s");
+    if (root.has("spread")) options.spread = static_cast<std::uint64_t>(root.integer("spread", 2, kMaxSpread));
     if (root.has("frames")) root.choose("frames", kFrameNames, options.frames.emplace());
     options.accuracy = {root.boolean("show_accuracy", false), root.boolean("error_map", false)};
     read_picture(root.section("picture"), options.picture);

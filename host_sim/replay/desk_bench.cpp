@@ -54,7 +54,7 @@ std::string design_calling_for(Effect effect) {
 }
 
 DeskBench::DeskBench(const PictureOptions& picture, Events events)
-    : picture_(picture), events_(std::move(events)), device_(load_device(picture)), aircraft_(load_aircraft(picture)) {
+    : picture_(picture), events_(std::move(events)), device_(load_device(picture)), aircraft_(load_aircraft(picture.aircraft)) {
     for (const char* const design : {picture.design.c_str(), kGlyphDesign, kElementDesign, kBlurDesign}) load(design);
     for (const CallingDesign& calling : kCallingDesigns) load(calling.design);
     const PictureSize size = picture.size.value_or(PictureSize{device_.width_px, device_.height_px});

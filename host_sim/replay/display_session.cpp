@@ -33,9 +33,9 @@ effects::DeviceSettings load_device(const PictureOptions& options) {
     return device.value();
 }
 
-design::AircraftSettings load_aircraft(const PictureOptions& options) {
-    if (options.aircraft.empty()) return {};
-    const std::string path = resolve_config(options.aircraft, "aircraft");
+design::AircraftSettings load_aircraft(const std::string& name) {
+    if (name.empty()) return {};
+    const std::string path = resolve_config(name, "aircraft");
     const auto aircraft = design::load_aircraft(read_file(path), path);
     if (!aircraft.ok()) throw UserError(std::string(aircraft.error().message.view()));
     return aircraft.value();
@@ -106,7 +106,7 @@ void DisplaySession::open(const PictureOptions& options, bool generated_flight, 
     platform::DisplayHostSettings settings = host_settings(options, device_);
     settings.display.design = designs->design;
     settings.display.phases = &designs->phases;
-    settings.display.aircraft = load_aircraft(options);
+    settings.display.aircraft = load_aircraft(options.aircraft);
     settings.display.generated_flight = generated_flight;
     settings.display.programs = programs;
     settings.surface = surface;

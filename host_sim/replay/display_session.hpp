@@ -17,8 +17,8 @@ using SurfaceMaker = std::function<base::Result<std::unique_ptr<base::Surface>, 
 
 /// The device of the options, without the effects that they forbid. Throws UserError.
 [[nodiscard]] effects::DeviceSettings load_device(const PictureOptions& options);
-/// The aircraft of the options; none where they name no file. Throws UserError.
-[[nodiscard]] design::AircraftSettings load_aircraft(const PictureOptions& options);
+/// The aircraft of a file or shipped name; none where `name` is empty. Throws UserError.
+[[nodiscard]] design::AircraftSettings load_aircraft(const std::string& name);
 /// The palette of the symbology; the standard one where the options name no file. Throws UserError.
 [[nodiscard]] design::SymbologyPalettes load_symbology_palettes(const PictureOptions& options);
 /// What a display without a screen is started with, but for designs, aircraft and programs. The options must outlive it.

@@ -8,7 +8,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr char kMagic[] = "TEDAVIS flight index 4\n";
+constexpr char kMagic[] = "TEDAVIS flight index 5\n";
 
 class ByteWriter {
 public:
@@ -129,6 +129,31 @@ LogFacts get_facts(ByteReader& reader) {
     return facts;
 }
 
+template <class T>
+void put_list(const std::vector<T>& list, ByteWriter& writer) {
+    writer.put(std::uint64_t{list.size()});
+    for (const T& one : list) writer.put(one);
+}
+
+template <class T>
+std::vector<T> get_list(ByteReader& reader) {
+    std::vector<T> list;
+    for (auto left = reader.get<std::uint64_t>(); left > 0 && reader.good(); --left) list.push_back(reader.get<T>());
+    return list;
+}
+
+void put_outline(const FlightOutline& outline, ByteWriter& writer) {
+    writer.put(outline.stride());
+    put_list(outline.places(), writer);
+    put_list(outline.phase_changes(), writer);
+}
+
+FlightOutline get_outline(ByteReader& reader) {
+    const auto stride = reader.get<std::int64_t>();
+    auto places = get_list<OutlinePlace>(reader);
+    return {stride, std::move(places), get_list<base::Time>(reader)};
+}
+
 }  // namespace
 
 std::string pack_index(const FlightIndex& index, const IndexKey& key) {
@@ -145,6 +170,7 @@ std::string pack_index(const FlightIndex& index, const IndexKey& key) {
         writer.put(checkpoint.steps_run);
         writer.put_text(checkpoint.bytes);
     }
+    put_outline(index.outline, writer);
     writer.put(checksum(writer.bytes()));
     return writer.take();
 }
@@ -164,6 +190,7 @@ UnpackedIndex unpack_index(std::string_view bytes, const IndexKey& key, const Ch
     index.facts = get_facts(reader);
     const auto stride = reader.get<std::uint64_t>();
     index.track = CheckpointTrack(spacing, stride, get_checkpoints(reader));
+    index.outline = get_outline(reader);
     if (!reader.good() || reader.left() != 0 || index.track.checkpoints().empty()) return {{}, "is damaged"};
     return {std::move(index), {}};
 }

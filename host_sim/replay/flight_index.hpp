@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host_sim/replay/checkpoint_track.hpp"
+#include "host_sim/replay/flight_outline.hpp"
 #include "host_sim/replay/index_key.hpp"
 
 namespace tedavis::host_sim {
@@ -18,6 +19,7 @@ namespace tedavis::host_sim {
 struct FlightIndex {
     LogFacts facts;
     CheckpointTrack track;
+    FlightOutline outline;
 };
 
 [[nodiscard]] std::string pack_index(const FlightIndex& index, const IndexKey& key);

@@ -8,6 +8,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
+#include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/open_log.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
@@ -40,11 +41,17 @@ std::string index_name(const std::string& log) { return log + ".tdx"; }
 
 }  // namespace
 
+PlayerFiles player_files(const ReplayOptions& options) {
+    return {options.log, options.picture.bus, options.switches, options.switch_config, options.picture.aircraft,
+            options.phase, options.aircraft_class};
+}
+
 FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console, const IndexPolicy& policy)
     : heights_(display.planner()), console_(console), policy_(policy) {
     open_bus(files);
     open_log(files);
     open_switches(files);
+    take_phases(files);
     bus_name_ = files.bus;
     key_.parts[IndexKey::program] = program_identity();
     key_.parts[IndexKey::terrain] = terrain_identity(display.planner().terrain_database());
@@ -69,6 +76,15 @@ void FlightPlayer::open_bus(const PlayerFiles& files) {
     bus_settings_ = settings.value();
     quiet_ = quiet_after(bus_settings_);
     key_.parts[IndexKey::bus] = text_identity(text);
+}
+
+void FlightPlayer::take_phases(const PlayerFiles& files) {
+    const flight::AircraftClass aircraft = files.aircraft_class.value_or(load_aircraft(files.aircraft).aircraft_class);
+    phases_.motion = flight::motion_phase_settings(aircraft);
+    phases_.motion.is_enabled = files.phase != kNoPhase;
+    if (!files.phase.empty() && files.phase != kNoPhase) phases_.stated = {flight::phase_from_name(files.phase).phase, true};
+    const bool is_usual = aircraft == flight::AircraftClass::unstated && files.phase.empty();
+    key_.parts[IndexKey::phases] = is_usual ? 0 : text_identity(std::to_string(static_cast<int>(aircraft)) + files.phase);
 }
 
 void FlightPlayer::open_log(const PlayerFiles& files) {
@@ -134,10 +150,12 @@ void FlightPlayer::make_index() {
         throw UserError(log_name_ + ": no CAN frame in this file; give a log as candump -L writes it");
     first_ = frame.time;
     index_.track = CheckpointTrack(policy_.spacing);
+    index_.outline = FlightOutline();
     start();
     const InterruptGuard interrupt;
     while (source_->health() != bus::SourceHealth::ended && next_step_is_by(kEnd)) {
         run_step();
+        outline_step();
         if (console_ != nullptr) console_->progress("indexing " + log_name_, source_->position().offset, log_bytes_->size());
         if (interrupt.requested()) throw Interrupted(log_name_ + ": interrupted while it was indexed; nothing was written");
     }
@@ -148,7 +166,7 @@ void FlightPlayer::make_index() {
 void FlightPlayer::start() {
     progress_ = FlightProgress();
     progress_.position = start_;
-    progress_.tracker = bus::TrackerMemory(bus_settings_, &switch_config_, first_);
+    progress_.tracker = bus::TrackerMemory(bus_settings_, &switch_config_, first_, phases_);
     progress_.reached = first_ - base::Duration::seconds(1);
     source_->seek(start_);
     index_.track.offer(progress_);
@@ -200,6 +218,13 @@ void FlightPlayer::run_step() {
     ++progress_.steps_run;
     progress_.position = source_->position();
     index_.track.offer(progress_);
+}
+
+void FlightPlayer::outline_step() {
+    const base::Time time = progress_.reached;
+    const bus::TrackerMemory& tracker = progress_.tracker;
+    index_.outline.add_phase(tracker.monitor.status().presented, time);
+    if (index_.outline.wants_place(time)) index_.outline.add_place(tracker.assembler.snapshot(time).state.own_ship, time);
 }
 
 flight::FrameInput FlightPlayer::at(base::Time time) {

@@ -16,6 +16,7 @@
 
 #include "bus/candump/candump_log_source.hpp"
 #include "host_sim/console.hpp"
+#include "host_sim/options/replay_options.hpp"
 #include "host_sim/replay/flight_index.hpp"
 #include "host_sim/replay/played_edges.hpp"
 #include "host_sim/replay/read_switch_log.hpp"
@@ -25,7 +26,11 @@ namespace tedavis::host_sim {
 
 struct PlayerFiles {
     std::string log, bus, switches, switch_config;  ///< switches may be empty
+    std::string aircraft{};                         ///< aircraft file, whose class motion is judged by; empty: none is stated
+    std::string phase{};                            ///< as ReplayOptions::phase
+    std::optional<flight::AircraftClass> aircraft_class{};  ///< in place of the file's
 };
+[[nodiscard]] PlayerFiles player_files(const ReplayOptions& options);
 
 struct IndexPolicy {
     std::uint64_t smallest_kept_log = 32u << 20;  ///< shorter logs are read again each time; it takes a moment
@@ -60,11 +65,14 @@ public:
     [[nodiscard]] std::vector<std::string> notes() const;
     /// Of the whole log.
     [[nodiscard]] const LogFacts& facts() const { return index_.facts; }
+    /// Of the whole log, with the switches that it was opened with.
+    [[nodiscard]] const FlightOutline& outline() const { return index_.outline; }
     /// What is wrong with the log and the switch log.
     [[nodiscard]] Findings findings() const;
 
 private:
     void open_bus(const PlayerFiles& files);
+    void take_phases(const PlayerFiles& files);
     void open_log(const PlayerFiles& files);
     void open_switches(const PlayerFiles& files);
     [[nodiscard]] FileIdentity identify_log();
@@ -76,6 +84,7 @@ private:
     [[nodiscard]] bool next_step_is_by(base::Time time);
     [[nodiscard]] base::Time next_event();
     void run_step();
+    void outline_step();
     void receive(base::Span<const bus::CanFrame> frames) override;
     void check_log() const;
     void say(const std::string& message);
@@ -89,6 +98,7 @@ private:
     std::unique_ptr<bus::CandumpLogSource> source_;
     bus::LogPosition start_;
     bus::BusSettings bus_settings_;
+    flight::PhaseSettings phases_;
     base::Duration quiet_;  ///< this long after the last frame or edge nothing changes any more
     std::vector<bus::SwitchEdge> edges_;
     bus::SwitchConfig switch_config_;

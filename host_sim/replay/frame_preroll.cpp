@@ -111,6 +111,17 @@ void FramePreroll::reach_interval(base::Time time) {
     shown_interval_ = wanted;
 }
 
+void FramePreroll::look_ahead(base::Time until, const ToldAlert& told) {
+    if (!display_.planner().has_intervals()) return;
+    const std::int64_t first = flight::decision_interval_of(player_.first()), last = flight::decision_interval_of(until);
+    restore_interval(first - 1);
+    for (std::int64_t interval = first; interval <= last; ++interval) {
+        decide_interval(interval);
+        told(std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first()), decided_.boost.terrain_ahead());
+    }
+    if (display_.memory().budget.is_held()) forget();  // an interval follows from the governor of its time, which was not planned
+}
+
 /// Before the log's first interval there are none.
 void FramePreroll::restore_interval(std::int64_t interval) {
     const auto kept = intervals_.find(interval);

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -36,6 +37,11 @@ public:
 
     /// Call before the frame of this instant is drawn.
     void preroll(base::Time time);
+    /// Decides all intervals up to the one of this instant, those of them that are kept in passing, and tells `told` the
+    /// beginning of each and whether the terrain alert is on in it. For a look ahead before a run; nothing where the display has
+    /// no intervals.
+    using ToldAlert = std::function<void(base::Time begin, policy::TerrainAhead alert)>;
+    void look_ahead(base::Time until, const ToldAlert& told);
     /// What was decided holds no more: design, switches or camera are others.
     void forget();
 

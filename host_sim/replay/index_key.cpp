@@ -37,8 +37,9 @@ void add_sample(base::Fnv1a64& hash, base::ByteSource& content, std::uint64_t of
 }  // namespace
 
 const char* first_difference(const IndexKey& a, const IndexKey& b) {
-    static constexpr const char* kNames[] = {"the program",    "the log",           "the bus settings",
-                                             "the switch log", "the switch config", "the terrain database"};
+    static constexpr const char* kNames[] = {"the program",         "the log",           "the bus settings",
+                                             "the switch log",      "the switch config", "the aircraft or the phase",
+                                             "the terrain database"};
     static_assert(std::size(kNames) == IndexKey::count_);
     for (std::size_t n = 0; n < a.parts.size(); ++n)
         if (a.parts[n] != b.parts[n]) return kNames[n];

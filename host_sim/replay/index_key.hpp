@@ -13,7 +13,7 @@
 namespace tedavis::host_sim {
 
 struct IndexKey {
-    enum Part : std::uint8_t { program, log, bus, switch_log, switch_config, terrain, count_ };
+    enum Part : std::uint8_t { program, log, bus, switch_log, switch_config, phases, terrain, count_ };
     std::array<std::uint64_t, count_> parts{};
 };
 static_assert(std::is_trivially_copyable_v<IndexKey>);

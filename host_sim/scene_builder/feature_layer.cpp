@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host_sim/name_choices.hpp"
 #include "host_sim/scene_builder/feature_filter.hpp"
 #include "host_sim/scene_builder/feature_value.hpp"
 #include "host_sim/scene_builder/stated_number.hpp"
@@ -79,7 +80,7 @@ private:
     void require_stated() const {
         const auto require = [this](const std::string& variable) {
             if (variable.empty() || source_.features.empty() || is_stated(source_, variable)) return;
-            refuse("'" + variable + "' is not in " + recipe_.source + ", which states " + stated_names());
+            refuse("'" + variable + "' is not in " + recipe_.source + ", which states " + stated_names() + hint());
         };
         require(recipe_.height_variable);
         require(recipe_.time_variable);
@@ -91,7 +92,8 @@ private:
         const std::string& keep = recipe_.prepare.keep_attribute;
         if (!keep.empty() && kept_by() == nullptr)
             refuse("keep_attribute '" + keep +
-                   "' is none of the attributes that the source states; bind it in an [[layer.attribute]]");
+                   "' is none of the attributes that the source states; bind it in an [[layer.attribute]] (bound are " +
+                   bound_names() + ")" + hint());
     }
     [[nodiscard]] std::string stated_names() const {
         std::set<std::string> names = source_.columns;
@@ -99,10 +101,14 @@ private:
             for (const auto& [name, text] : feature.fields) names.insert(name);
             for (const auto& [name, values] : feature.point_values) names.insert(name);
         }
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-        return list.empty() ? "nothing beside places" : list;
+        return names.empty() ? "nothing beside places" : name_choices(names);
     }
+    [[nodiscard]] std::string bound_names() const {
+        std::vector<std::string> names;
+        for (const AttributeRecipe& attribute : recipe_.attributes) names.push_back(attribute.name);
+        return name_choices(names);
+    }
+    [[nodiscard]] std::string hint() const { return look_hint(source_.file.empty() ? recipe_.source : source_.file); }
     [[nodiscard]] const AttributeRecipe* kept_by() const {
         for (const AttributeRecipe& attribute : recipe_.attributes)
             if (attribute.name == recipe_.prepare.keep_attribute) return &attribute;

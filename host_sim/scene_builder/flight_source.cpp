@@ -10,6 +10,7 @@
 #include "host_sim/importers/fix_cleaner.hpp"
 #include "host_sim/importers/flight_importer.hpp"
 #include "host_sim/importers/resampled_flight.hpp"
+#include "host_sim/name_choices.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 
@@ -40,15 +41,16 @@ public:
     SourceFeatures read() {
         ImportedFile file = import_flight_file(path_);
         found_.notes = std::move(file.notes);
-        std::string names;
+        std::vector<std::string> names;
         for (RecordedFlight& flight : file.flights) {
-            names += (names.empty() ? "" : ", ") + (flight.aircraft.empty() ? "one without a name" : flight.aircraft);
-            if (!flight.callsign.empty()) names += " (" + flight.callsign + ")";
+            names.push_back(flight.aircraft.empty() ? "one without a name" : flight.aircraft);
+            if (!flight.callsign.empty()) names.back() += " (" + flight.callsign + ")";
             if (aircraft_.empty() || is_named(flight.aircraft, aircraft_) || is_named(flight.callsign, aircraft_))
                 add(std::move(flight));
         }
         if (found_.features.empty())
-            throw UserError(path_ + ": no aircraft '" + aircraft_ + "'; it holds " + names + "; name one in 'aircraft'");
+            throw UserError(path_ + ": no aircraft '" + aircraft_ + "'; it holds " + name_choices(names) +
+                            "; name one in 'aircraft'" + look_hint(path_));
         return std::move(found_);
     }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "host_sim/calendar_time.hpp"
+#include "host_sim/name_choices.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -27,6 +30,24 @@ bool is_wanted(const GridPlane& plane, const PlaneChoice& choice) {
            (!choice.until_ns || *plane.time_ns <= *choice.until_ns);
 }
 
+/// "levels 300, 400, 500; times 2020-01-01T00:00:00Z to 2020-01-31T23:00:00Z (744)".
+std::string stated_axes(const std::vector<GridPlane>& planes) {
+    std::vector<double> levels;
+    std::vector<std::int64_t> times_ns;
+    for (const GridPlane& plane : planes) {
+        if (plane.level) levels.push_back(*plane.level);
+        if (plane.time_ns) times_ns.push_back(*plane.time_ns);
+    }
+    sort_once(levels);
+    sort_once(times_ns);
+    std::vector<std::string> names;
+    for (const double level : levels) names.push_back(printed("%.9g", level));
+    std::string text = "it has levels " + name_choices(names);
+    if (times_ns.empty()) return text + " and no times";
+    return text + " and times from " + utc_text({times_ns.front()}) + " to " + utc_text({times_ns.back()}) + " (" +
+           std::to_string(times_ns.size()) + ")";
+}
+
 }  // namespace
 
 GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& choice, const std::string& file) {
@@ -47,10 +68,12 @@ GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& ch
         if (members.empty())
             throw UserError(
                 file +
-                ": has no grid at every time and level that is asked for; choose others with 'from', 'until' and 'levels'");
+                ": has no grid at every time and level that is asked for; choose others with 'from', 'until' and 'levels': " +
+                stated_axes(planes) + look_hint(file));
         if (members.size() > 1 && !choice.has_members)
             throw UserError(file + ": has " + std::to_string(members.size()) +
-                            " grids of one time and level; choose one with variable = \"band N\", or say members = \"bands\"");
+                            " grids of one time and level; choose one with variable = \"band N\", or say members = \"bands\"" +
+                            look_hint(file));
     }
     return axes;
 }

@@ -31,7 +31,7 @@ struct PlaneChoice {
 [[nodiscard]] std::optional<std::int64_t> data_time_of(const GridAxes& axes);
 
 /// Throws UserError, beginning with `file`, where none is left, a level is missing at a
-/// time, or several planes share one while the recipe wants no members.
+/// time, or several planes share one while the recipe wants no members; the sentence names the levels and times that there are.
 [[nodiscard]] GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& choice, const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "host_sim/name_choices.hpp"
+#include "host_sim/printed_text.hpp"
 #include "host_sim/scene_builder/bound_attribute.hpp"
 #include "host_sim/scene_builder/ensemble.hpp"
 #include "host_sim/scene_builder/grid_axes.hpp"
@@ -18,8 +20,6 @@ namespace tedavis::host_sim {
 namespace {
 
 using scene::ValueState;
-
-constexpr std::uint64_t kMaxPosts = 1u << 26;
 
 bool are_alike(const GridPlaces& a, const GridPlaces& b) {
     const double tolerance_deg = 1e-6 * a.step_lon_deg;
@@ -70,7 +70,7 @@ private:
         layer_.shape = scene::LayerShape::grid;
         const std::uint64_t posts =
             std::uint64_t{window_.columns.size()} * window_.rows.size() * axes_.level_count() * axes_.time_count();
-        if (posts > kMaxPosts)
+        if (posts > kMaxGridPosts)
             throw UserError(recipe_.name + ": " + std::to_string(posts) +
                             " posts are too many for a scene; choose a region, or times");
         layer_.grid = {base::radians(window_.west_deg),
@@ -100,11 +100,16 @@ private:
         if (heights_m.size() != levels)
             throw UserError(recipe_.name + ": " + file_ + " has " + std::to_string(levels) + " levels and " +
                             std::to_string(heights_m.size()) +
-                            " heights are given; give one for each in heights_m (levels ascending as the file states them), or "
-                            "name the variable that holds them in height_variable");
+                            " heights are given; give one for each in heights_m (levels ascending: " + level_names() +
+                            "), or name the variable that holds them in height_variable" + look_hint(file_));
         std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return heights_m[a] < heights_m[b]; });
         for (const std::size_t level : order_) layer_.levels_m.push_back(static_cast<float>(heights_m[level]));
         if (levels == 1) layer_.levels_m.clear();
+    }
+    [[nodiscard]] std::string level_names() const {
+        std::vector<std::string> names;
+        for (const double level : axes_.levels) names.push_back(printed("%.9g", level));
+        return name_choices(names);
     }
     std::vector<double> mean_heights() {
         const GridSource source(file_, recipe_.height_variable, recipe_.crs, true);

@@ -1,9 +1,14 @@
 /// Makes a grid layer of a scene from a raster file, as its recipe states.
 #pragma once
 
+#include <cstdint>
+
 #include "host_sim/scene_builder/scene_recipe.hpp"
 
 namespace tedavis::host_sim {
+
+/// Posts of one attribute of a grid, over all levels and times.
+inline constexpr std::uint64_t kMaxGridPosts = 1U << 26U;
 
 /// A layer, and sentences about what the user should know of it; each begins with the layer's name.
 struct GridLayer {

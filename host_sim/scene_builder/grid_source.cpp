@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "host_sim/input_file.hpp"
+#include "host_sim/name_choices.hpp"
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/quiet_stdout.hpp"
 #include "host_sim/scene_builder/grid_times.hpp"
@@ -25,22 +26,39 @@ GdalDataset open_quietly(const std::string& name) {
     return GdalDataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
 }
 
+GdalDataset open_or_refuse(const std::string& file) {
+    GdalDataset dataset = open_quietly(file);
+    if (dataset == nullptr)
+        throw UserError(file + ": not a raster that GDAL can read (" + QuietGdal::last_message() +
+                        "); give GeoTIFF, netCDF, GRIB or HDF5");
+    return dataset;
+}
+
 bool ends_with(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// The name that opens a variable of a container: NETCDF:"file":u, HDF5:"file"://dataset1/data1/data.
-std::string name_of_variable(GDALDataset& container, const std::string& file, const std::string& variable) {
-    const CPLStringList names(container.GetMetadata("SUBDATASETS"), FALSE);
-    std::string choices;
+/// Names that open the variables of a container: NETCDF:"file":u, HDF5:"file"://dataset1/data1/data.
+std::vector<std::string> names_in(GDALDataset& container) {
+    const CPLStringList stated(container.GetMetadata("SUBDATASETS"), FALSE);
+    std::vector<std::string> names;
     for (int n = 1;; ++n) {
-        const char* const name = names.FetchNameValue(CPLSPrintf("SUBDATASET_%d_NAME", n));
-        if (name == nullptr) break;
-        if (ends_with(name, ":" + variable) || ends_with(name, "/" + variable)) return name;
-        const std::string whole(name);
-        choices += (choices.empty() ? "" : ", ") + whole.substr(whole.find_last_of(':') + 1);
+        const char* const name = stated.FetchNameValue(CPLSPrintf("SUBDATASET_%d_NAME", n));
+        if (name == nullptr) return names;
+        names.emplace_back(name);
     }
-    throw UserError(file + ": has no variable '" + variable + "'; choose one of " + (choices.empty() ? "none" : choices));
+}
+std::vector<std::string> short_names(std::vector<std::string> names) {
+    for (std::string& name : names) name.erase(0, name.find_last_of(':') + 1);
+    return names;
+}
+
+std::string name_of_variable(GDALDataset& container, const std::string& file, const std::string& variable) {
+    const std::vector<std::string> names = names_in(container);
+    for (const std::string& name : names)
+        if (ends_with(name, ":" + variable) || ends_with(name, "/" + variable)) return name;
+    throw UserError(file + ": has no variable '" + variable + "'; choose one of " + name_choices(short_names(names)) +
+                    look_hint(file));
 }
 
 std::optional<int> band_of(const std::string& variable) {
@@ -53,15 +71,75 @@ std::optional<double> number_of(GDALRasterBand& band, const char* key) {
     return text != nullptr ? std::optional(CPLAtof(text)) : std::nullopt;
 }
 
-/// GRIB's "50000-ISBL" is a pressure in Pa, given in hPa as netCDF does; other levels are as they are.
-std::optional<double> level_of(GDALRasterBand& band) {
-    for (const char* const key : {"NETCDF_DIM_level", "NETCDF_DIM_pressure_level", "NETCDF_DIM_height",
-                                  "NETCDF_DIM_isobaricInhPa", "NETCDF_DIM_z", "NETCDF_DIM_lev"})
-        if (const std::optional<double> level = number_of(band, key)) return level;
+constexpr const char* kLevelAxes[] = {"level", "pressure_level", "height", "isobaricInhPa", "z", "lev"};
+
+std::string text_or_empty(const char* text) { return text != nullptr ? text : ""; }
+
+/// "hPa" of "850[hPa] ISBL (Isobaric surface)", "m/s" of "[m/s]"; a dash states no unit.
+std::string in_brackets(const std::string& text) {
+    const std::size_t begin = text.find('['), end = text.find(']', begin);
+    if (begin == std::string::npos || end == std::string::npos) return "";
+    const std::string unit = text.substr(begin + 1, end - begin - 1);
+    return unit == "-" ? "" : unit;
+}
+
+/// Without the unit behind it; empty where GDAL does not know the variable.
+std::string grib_comment(GDALRasterBand& band) {
+    std::string text = text_or_empty(band.GetMetadataItem("GRIB_COMMENT"));
+    text = text.substr(0, text.rfind(" ["));
+    return text == "undefined" ? "" : text;
+}
+
+struct Level {
+    double value = 0;
+    std::string unit, kind;
+};
+
+/// GRIB 1 states pressures in hPa, GRIB 2 in Pa, and netCDF in either: each says so beside the number.
+std::optional<Level> stated_level(GDALDataset& dataset, GDALRasterBand& band) {
+    for (const char* const axis : kLevelAxes)
+        if (const std::optional<double> value = number_of(band, CPLSPrintf("NETCDF_DIM_%s", axis)))
+            return Level{*value, text_or_empty(dataset.GetMetadataItem((std::string(axis) + "#units").c_str())), ""};
     const char* const name = band.GetMetadataItem("GRIB_SHORT_NAME");
     if (name == nullptr) return std::nullopt;
-    const std::string text(name);
-    return ends_with(text, "-ISBL") ? std::optional(CPLAtof(name) / 100) : CPLAtof(name);
+    const std::string description = text_or_empty(band.GetDescription());
+    Level level{CPLAtof(name), in_brackets(description), ""};
+    const std::size_t begin = description.find_first_of("(\""), end = description.find_last_of(")\"");
+    if (begin != std::string::npos && end > begin) level.kind = description.substr(begin + 1, end - begin - 1);
+    return level;
+}
+/// Pressures in hPa, whatever the file's unit.
+std::optional<Level> level_of(GDALDataset& dataset, GDALRasterBand& band) {
+    std::optional<Level> level = stated_level(dataset, band);
+    if (!level) return level;
+    constexpr double kPascalsPerHectopascal = 100;
+    if (level->unit == "Pa") level->value /= kPascalsPerHectopascal;
+    for (const char* const pressure : {"Pa", "millibars", "millibar", "mbar", "mb"})
+        if (level->unit == pressure) level->unit = "hPa";
+    return level;
+}
+
+std::string variable_of(GDALRasterBand& band) {
+    for (const char* const key : {"GRIB_ELEMENT", "NETCDF_VARNAME"})
+        if (const char* const name = band.GetMetadataItem(key)) return name;
+    return "";
+}
+
+/// "CH1903+ / LV95 (EPSG:2056)".
+std::string system_text(const OGRSpatialReference& system) {
+    const std::string name = text_or_empty(system.GetName()), number = text_or_empty(system.GetAuthorityCode(nullptr));
+    return number.empty() ? name : name + " (" + text_or_empty(system.GetAuthorityName(nullptr)) + ":" + number + ")";
+}
+
+/// Of a radar composite (ODIM_H5, EUMETNET OPERA data model), as GDAL flattens its groups.
+std::optional<double> odim_number(GDALDataset& dataset, const std::string& key) {
+    const CPLStringList all(dataset.GetMetadata(), FALSE);
+    for (int n = 0; n < all.size(); ++n) {
+        const std::string line = all[n];
+        const std::size_t equals = line.find('=');
+        if (equals != std::string::npos && ends_with(line.substr(0, equals), "what_" + key)) return CPLAtof(&line[equals + 1]);
+    }
+    return std::nullopt;
 }
 
 /// netCDF's conventions name the units of its axes where they name no system.
@@ -97,10 +175,8 @@ GridSource::GridSource(const std::string& file, const std::string& variable, con
 }
 
 void GridSource::open(const std::string& file, const std::string& variable) {
-    dataset_ = open_quietly(file);
-    if (dataset_ == nullptr)
-        throw UserError(file + ": not a raster that GDAL can read (" + QuietGdal::last_message() +
-                        "); give GeoTIFF, netCDF, GRIB or HDF5");
+    dataset_ = open_or_refuse(file);
+    format_ = dataset_->GetDriverName();
     if (dataset_->GetRasterCount() > 0) return;
     const std::string name = name_of_variable(*dataset_, file, variable);
     container_ = std::move(dataset_);
@@ -112,6 +188,7 @@ void GridSource::open(const std::string& file, const std::string& variable) {
 
 void GridSource::warp_to_longitude_latitude(const std::string& crs, bool may_blend) {
     const OGRSpatialReference* const stated = dataset_->GetSpatialRef();
+    system_ = !crs.empty() ? crs : (stated != nullptr ? system_text(*stated) : "");
     double transform[6];
     const bool has_places = dataset_->GetGeoTransform(transform) == CE_None;
     if (stated == nullptr && crs.empty()) {
@@ -163,14 +240,49 @@ void GridSource::list_planes(const std::string& variable) {
     const std::optional<int> only = band_of(variable);
     const int bands = dataset_->GetRasterCount();
     if (only && (*only < 1 || *only > bands))
-        throw UserError(file_ + ": has no " + variable + "; its bands are 1 to " + std::to_string(bands));
-    const GridTimes times(unwarped_ != nullptr ? *unwarped_ : *dataset_, file_);
+        throw UserError(file_ + ": has no " + variable + "; its bands are 1 to " + std::to_string(bands) + look_hint(file_));
+    const GridTimes times(stating(), file_);
     for (int b = 1; b <= bands; ++b) {
         if (only && b != *only) continue;
-        GDALRasterBand& band = *(unwarped_ != nullptr ? unwarped_ : dataset_)->GetRasterBand(b);  // the warped one says less
-        planes_.push_back({b, times.of(band), level_of(band), times.reference_of(band)});
-        if (unit_.empty()) unit_ = band.GetUnitType();
+        GDALRasterBand& band = *stating().GetRasterBand(b);  // the warped one says less
+        const std::optional<Level> level = level_of(stating(), band);
+        planes_.push_back(
+            {b, times.of(band), level ? std::optional(level->value) : std::nullopt, times.reference_of(band), variable_of(band)});
     }
+    if (!only && !variable.empty()) keep_variable(variable);
+    for (const GridPlane& plane : planes_)
+        if (unit_.empty()) unit_ = texts_of(plane).unit;
+}
+
+/// Bands of one file may be of several variables.
+void GridSource::keep_variable(const std::string& variable) {
+    std::vector<std::string> names;
+    for (const GridPlane& plane : planes_)
+        if (std::find(names.begin(), names.end(), plane.variable) == names.end()) names.push_back(plane.variable);
+    if (names.size() < 2) return;
+    const auto is_other = [&variable](const GridPlane& plane) { return plane.variable != variable; };
+    planes_.erase(std::remove_if(planes_.begin(), planes_.end(), is_other), planes_.end());
+    if (planes_.empty())
+        throw UserError(file_ + ": has no variable '" + variable + "'; choose one of " + name_choices(names) + look_hint(file_));
+}
+
+PlaneTexts GridSource::texts_of(const GridPlane& plane) const {
+    GDALRasterBand& band = *stating().GetRasterBand(plane.band);
+    PlaneTexts texts;
+    texts.unit = text_or_empty(band.GetUnitType());
+    if (texts.unit.empty()) texts.unit = text_or_empty(band.GetMetadataItem("GRIB_UNIT"));
+    if (texts.unit.rfind('[', 0) == 0) texts.unit = in_brackets(texts.unit);
+    for (const char* const key : {"long_name", "standard_name"})
+        if (texts.description.empty()) texts.description = text_or_empty(band.GetMetadataItem(key));
+    if (texts.description.empty()) texts.description = grib_comment(band);
+    if (texts.description.empty() && plane.variable.empty()) texts.description = text_or_empty(band.GetDescription());
+    if (const std::optional<Level> level = level_of(stating(), band)) {
+        texts.level_unit = level->unit;
+        texts.level_kind = level->kind;
+    }
+    texts.missing = odim_number(stating(), "nodata");
+    texts.undetected = odim_number(stating(), "undetect");
+    return texts;
 }
 
 std::vector<float> GridSource::read(const GridPlane& plane) const {
@@ -202,6 +314,14 @@ std::vector<float> GridSource::read(const GridPlane& plane) const {
                 is_missing ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value * scale + offset);
         }
     return values;
+}
+
+std::vector<std::string> rasters_inside(const std::string& file) {
+    GDALAllRegister();
+    require_regular_file(file);
+    const QuietGdal quiet;
+    const GdalDataset dataset = open_or_refuse(file);
+    return dataset->GetRasterCount() > 0 ? std::vector<std::string>() : short_names(names_in(*dataset));
 }
 
 }  // namespace tedavis::host_sim

@@ -17,8 +17,16 @@ namespace tedavis::host_sim {
 struct GridPlane {
     int band = 1;
     std::optional<std::int64_t> time_ns;
-    std::optional<double> level;                   ///< as the file states it: hPa, m, ...
+    std::optional<double> level;                   ///< pressures in hPa, others as the file states them
     std::optional<std::int64_t> computed_ns = {};  ///< a forecast's reference time
+    std::string variable = {};                     ///< its name, where a band states one (GRIB, netCDF)
+};
+
+/// What the file says of a plane in words; empty where it says nothing.
+struct PlaneTexts {
+    std::string description, unit;              ///< of its values
+    std::string level_unit, level_kind;         ///< "hPa", "Isobaric surface"
+    std::optional<double> missing, undetected;  ///< numbers by which radar composites (ODIM) mean "no value", "no echo"
 };
 
 /// Degrees; of posts, which are pixels' centres.
@@ -29,8 +37,8 @@ struct GridPlaces {
 
 class GridSource {
 public:
-    /// `variable`: of a file with several; "band 2" for one band; empty or the file's only variable: all bands. `crs`: for files
-    /// that state none. Throws UserError where there is no such raster or it has no place on the Earth.
+    /// `variable`: of a file with several; "band 2" for one band; empty or of a file with one variable: all bands. `crs`: for
+    /// files that state none. Throws UserError where there is no such raster or it has no place on the Earth.
     GridSource(const std::string& file, const std::string& variable, const std::string& crs, bool may_blend);
 
     [[nodiscard]] const GridPlaces& places() const { return places_; }
@@ -41,19 +49,32 @@ public:
     [[nodiscard]] bool is_assumed() const { return is_assumed_; }
     /// As the file states it; may be empty.
     [[nodiscard]] const std::string& unit() const { return unit_; }
+    [[nodiscard]] PlaneTexts texts_of(const GridPlane& plane) const;
+    /// The reference system as the file or `crs` states it; empty where neither does.
+    [[nodiscard]] const std::string& system() const { return system_; }
+    /// GDAL's name of the file's format.
+    [[nodiscard]] const std::string& format() const { return format_; }
+    /// True where the file lies in another system and its values are interpolated in longitude and latitude.
+    [[nodiscard]] bool is_warped() const { return unwarped_ != nullptr; }
 
 private:
     void open(const std::string& file, const std::string& variable);
     void warp_to_longitude_latitude(const std::string& crs, bool may_blend);
     void read_places();
     void list_planes(const std::string& variable);
+    void keep_variable(const std::string& variable);
+    [[nodiscard]] GDALDataset& stating() const { return unwarped_ != nullptr ? *unwarped_ : *dataset_; }
 
     std::string file_;
     GdalDataset container_, unwarped_, dataset_;  ///< later ones need earlier ones
     GridPlaces places_;
     bool flips_rows_ = false, flips_columns_ = false, is_assumed_ = false;
     std::vector<GridPlane> planes_;
-    std::string unit_;
+    std::string unit_, system_, format_;
 };
+
+/// The variables of a file that keeps each in a raster of its own (netCDF, HDF5), as GridSource and scene files name them. Empty
+/// for other files: their bands state the variables, or are known by their numbers. Throws UserError where it is no raster.
+[[nodiscard]] std::vector<std::string> rasters_inside(const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -9,19 +9,15 @@
 #include "host_sim/input_file.hpp"
 #include "host_sim/scene_builder/area_raster.hpp"
 #include "host_sim/scene_builder/derived_attribute.hpp"
-#include "host_sim/scene_builder/dof_source.hpp"
 #include "host_sim/scene_builder/feature_layer.hpp"
-#include "host_sim/scene_builder/flight_source.hpp"
+#include "host_sim/scene_builder/feature_source.hpp"
 #include "host_sim/scene_builder/grid_layer.hpp"
 #include "host_sim/scene_builder/model_source.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
-#include "host_sim/scene_builder/openair_source.hpp"
 #include "host_sim/scene_builder/role_needs.hpp"
-#include "host_sim/scene_builder/runway_source.hpp"
 #include "host_sim/scene_builder/sdb_writer.hpp"
 #include "host_sim/scene_builder/source_kind.hpp"
 #include "host_sim/scene_builder/source_path.hpp"
-#include "host_sim/scene_builder/vector_source.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -41,29 +37,6 @@ void require_no_words_for_features(const LayerRecipe& recipe) {
     if (word != nullptr)
         throw UserError(recipe.name + ": '" + word + "' is for tables and flights, and " + recipe.source +
                         " is a grid; leave it out (an attribute's 'least' and 'most' choose values of a grid)");
-}
-
-struct Source {
-    SourceFeatures features;
-    std::vector<AttributeRecipe> usual_attributes;  ///< shown where the recipe binds none
-};
-
-Source runways_of(const std::string& path) {
-    Source source{read_runway_file(path), {}};
-    source.usual_attributes = usual_attributes_of_runways(source.features);
-    return source;
-}
-
-Source read_source(SourceKind kind, const LayerRecipe& recipe, const std::string& path) {
-    if (kind != SourceKind::flight && !recipe.aircraft.empty())
-        throw UserError(recipe.name + ": 'aircraft' chooses one of a file of flights, and " + recipe.source + " is none");
-    switch (kind) {
-        case SourceKind::flight: return {read_flight_file(path, recipe.aircraft), usual_attributes_of_flights()};
-        case SourceKind::runways: return runways_of(path);
-        case SourceKind::openair: return {read_openair(read_file(path), path), usual_attributes_of_airspaces()};
-        case SourceKind::dof: return {read_dof(read_file(path), path), usual_attributes_of_dof()};
-        default: return {read_vector_file(path, recipe.crs, recipe.raster_m > 0 ? Holes::joined : Holes::left_out), {}};
-    }
 }
 
 /// Of data of an unknown time nobody knows how far their uncertainty has grown.
@@ -111,7 +84,7 @@ LayerDraft make_layer(const LayerRecipe& recipe, const std::string& folder, std:
         notes.insert(notes.end(), made.notes.begin(), made.notes.end());
         return std::move(made.draft);
     }
-    Source source = read_source(kind, recipe, path);
+    FeatureSource source = read_feature_source(kind, recipe, path);
     LayerRecipe bound = without_derived(recipe);
     if (recipe.attributes.empty()) bound.attributes = std::move(source.usual_attributes);
     FeatureLayer made = make_feature_layer(bound, std::move(source.features));

@@ -32,6 +32,9 @@ struct SourceFeatures {
     scene::HeightDatum height_datum = scene::HeightDatum::msl;
     std::optional<std::int64_t> data_time_ns;  ///< of a file that states one for all of it
     std::vector<std::string> notes;
+    std::string file;    ///< that was read; empty: not from a file
+    std::string format;  ///< GDAL's name of it; empty: a format that GDAL does not read here
+    std::string system;  ///< reference system as the file states it; empty: none, or a format that is always in degrees
 };
 
 }  // namespace tedavis::host_sim

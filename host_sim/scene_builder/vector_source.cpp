@@ -60,6 +60,7 @@ public:
         options.AddString("Y_POSSIBLE_NAMES=lat*,y");
         options.AddString("KEEP_GEOM_COLUMNS=YES");
         const GdalDataset dataset = open_vector(file_, options);
+        found_.format = dataset->GetDriverName();
         for (int n = 0; n < dataset->GetLayerCount(); ++n) read(*dataset->GetLayer(n));
         if (holes_ > 0) found_.notes.push_back(file_ + ": " + std::to_string(holes_) + " holes in areas are not shown");
         if (others_ > 0)
@@ -89,14 +90,16 @@ private:
             add(*turned, read_one);
         }
     }
-    Transformation transformation_of(OGRLayer& layer) const {
+    Transformation transformation_of(OGRLayer& layer) {
         OGRSpatialReference wgs84 = wgs84_longitude_latitude(), from;
         const OGRSpatialReference* const stated = layer.GetSpatialRef();
         if (!crs_.empty()) {
             if (from.SetFromUserInput(crs_.c_str()) != OGRERR_NONE)
                 throw UserError(file_ + ": crs '" + crs_ + "' is unknown; name it as EPSG:4326");
+            found_.system = crs_;
         } else if (stated != nullptr) {
             from = *stated;
+            found_.system = stated->GetName() != nullptr ? stated->GetName() : "";
         } else {
             return nullptr;
         }

@@ -36,7 +36,7 @@ int run_live_window(const ReplayOptions& options, Console& console, const Window
         return std::unique_ptr<base::Surface>(std::move(made.value()));
     };
     DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
-    FlightPlayer player({options.log, options.picture.bus, options.switches, options.switch_config}, session.display(), &console);
+    FlightPlayer player(player_files(options), session.display(), &console);
     const InterruptGuard interrupt;  // before anything is written
     LiveRun run(options, session, player, *window, console);
     return run_until_closed(run, interrupt, console);

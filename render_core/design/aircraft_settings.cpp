@@ -109,8 +109,15 @@ void require_flap_order(ConfigSection& section, const FlapSetting& before, const
     if (setting.stall_mps > before.stall_mps) fault_of_speed(section, "stall", "must not be above that of the setting before it");
 }
 
+/// A helicopter has neither flaps nor a stall speed.
+void take_no_flaps(ConfigSection& root, AircraftSettings& aircraft) {
+    if (root.has("flaps")) fault_of(root, "flaps", "is for airplanes and gliders; a helicopter has none, remove it");
+    static_cast<void>(aircraft.flaps.try_push_back({{}, 0, aircraft.limit_mps, 0}));
+}
+
 void read_flap_settings(ConfigSection& root, AircraftSettings& aircraft) {
     const std::size_t count = root.table_count("flaps");
+    if (aircraft.aircraft_class == flight::AircraftClass::helicopter) return take_no_flaps(root, aircraft);
     if (count == 0)
         fault_of(root, "flaps", "must be stated, one [[flaps]] for each setting; a single one at position 0 without flaps");
     for (std::size_t n = 0; n < count; ++n) {
@@ -175,6 +182,7 @@ base::Result<AircraftSettings, base::Error> load_aircraft(std::string_view text,
     AircraftSettings aircraft;
     aircraft.name = root.text("name");
     if (aircraft.name.empty() || aircraft.name.cut()) fault_of(root, "name", "must be 1 to 31 characters long");
+    root.choose("class", flight::kAircraftClassNames, aircraft.aircraft_class);
     read_limit_speeds(root, aircraft);
     aircraft.caution_factor = root.section("low_speed").number("caution_factor", 1.01, 1.5, aircraft.caution_factor);
     read_flap_settings(root, aircraft);

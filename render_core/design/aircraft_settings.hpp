@@ -16,6 +16,7 @@
 #include "render_core/base/fixed_vector.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/base/units.hpp"
+#include "render_core/flight/motion_phase_settings.hpp"
 
 namespace tedavis::design {
 
@@ -45,13 +46,15 @@ struct EyePoint {
 };
 
 struct AircraftSettings {
-    base::FixedString<31> name;   ///< empty: there is no aircraft file
+    base::FixedString<31> name;                                              ///< empty: there is no aircraft file
+    flight::AircraftClass aircraft_class = flight::AircraftClass::unstated;  ///< by which its motion tells the flight phase
     double normal_limit_mps = 0;  ///< Vno: above it in smooth air only; 0: there is none
     double limit_mps = 0;         ///< Vne, or Vmo
     bool has_vmo = false;         ///< the limit is a maximum operating speed, which a pole in red and white marks
     /// Pressure altitude up to which Vmo is the limit, as above it a Mach number is, which the display does not know.
     double limit_up_to_m = std::numeric_limits<double>::infinity();
-    /// By rising position, the first at 0 and, where there are several, the last at 1. Limits and stall speeds never rise.
+    /// By rising position, the first at 0 and, where there are several, the last at 1. Limits and stall speeds never rise. A
+    /// helicopter has one with a stall speed of 0.
     base::FixedVector<FlapSetting, kMaxFlapSettings> flaps;
     base::FixedVector<SpeedFlag, kMaxSpeedFlags> flags;
     double caution_factor = 1.1;  ///< (1.01 .. 1.5) the low-speed cue is amber up to so many times the stall speed

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tedavis::flight {
 namespace {
@@ -13,11 +14,14 @@ using Stage = MotionStage;
 struct Motion {
     double ground_speed = 0;
     double vertical_speed = 0;
+    bool has_height = false;
     double height = 0;         // radio height where it is believed, else from the terrain database
-    double lowest_height = 0;  // the lower of both
+    double lowest_height = 0;  // the lower of both; infinite where neither is known
     double near_ground = 0;    // by how much heights near the ground may be too large
-    double acceleration = 0;   // 0 when it is not known
-    bool was_level = false;    // the level condition held at the last update
+    bool has_climbed = false;
+    double climbed = 0;       // above the place of the departure, where no height is known
+    double acceleration = 0;  // 0 when it is not known
+    bool was_level = false;   // the level condition held at the last update
 };
 
 bool read_valid(const AircraftState& aircraft, Signal signal, base::Time now, double& value) {
@@ -38,18 +42,44 @@ bool read_speeds(const AircraftState& aircraft, base::Time now, Motion& motion) 
     return (fast || estimated) && (vertical || estimated);
 }
 
-bool read_height(const AircraftState& aircraft, base::Time now, const Settings& settings, Motion& motion) {
+void read_height(const AircraftState& aircraft, base::Time now, const Settings& settings, Motion& motion) {
     double radio = 0, terrain = 0;
     const bool has_radio = read_valid(aircraft, Signal::radio_height, now, radio) && radio < settings.radio_height_limit_m;
     const bool has_terrain = read_valid(aircraft, Signal::height_above_terrain, now, terrain);
     motion.height = has_radio ? radio : terrain;
+    motion.has_height = has_radio || has_terrain;
     motion.lowest_height = has_radio && has_terrain ? std::min(radio, terrain) : motion.height;
+    if (!motion.has_height) motion.lowest_height = std::numeric_limits<double>::infinity();
     motion.near_ground = has_radio ? 0 : settings.terrain_height_margin_m;
-    return has_radio || has_terrain;
+}
+
+DepartureAltitude read_altitude(const AircraftState& aircraft, base::Time now, double& altitude) {
+    if (read_valid(aircraft, Signal::standard_altitude, now, altitude)) return DepartureAltitude::standard;
+    altitude = aircraft.own_ship.position.height.m;
+    const bool is_known = aircraft.own_ship.state == base::SignalState::valid && std::isfinite(altitude);
+    return is_known ? DepartureAltitude::own_ship : DepartureAltitude::none;
+}
+
+/// The altitude of the ground below is known while the aircraft stands; who is far below it has flown away from there.
+void follow_departure(const AircraftState& aircraft, base::Time now, const Settings& settings, MotionPhaseState& state,
+                      Motion& motion) {
+    constexpr double kFarBelow_m = 30;
+    double altitude = 0;
+    const DepartureAltitude source = read_altitude(aircraft, now, altitude);
+    if (state.stage == Stage::ground && motion.ground_speed < settings.standing_speed_mps) {
+        state.departure = source;
+        state.departure_m = altitude;
+    }
+    const bool departs = state.stage == Stage::ground || state.stage == Stage::takeoff_start || state.stage == Stage::first_climb;
+    motion.climbed = altitude - state.departure_m;
+    if (!departs || source != state.departure || motion.climbed < -kFarBelow_m) state.departure = DepartureAltitude::none;
+    motion.has_climbed = state.departure != DepartureAltitude::none;
 }
 
 bool stands(const Motion& m, const Settings& s) {
-    return m.ground_speed < s.standing_speed_mps && m.height < s.ground_height_m + m.near_ground;
+    const bool is_low =
+        m.has_height ? m.height < s.ground_height_m + m.near_ground : std::abs(m.vertical_speed) < s.standing_climb_mps;
+    return m.ground_speed < s.standing_speed_mps && is_low;
 }
 bool runs(const Motion& m, const Settings& s) {
     return m.ground_speed > s.takeoff_speed_mps ||
@@ -59,35 +89,49 @@ bool accelerates(const Motion& m, const Settings& s) {
     return m.ground_speed > s.takeoff_run_speed_mps && m.acceleration > s.takeoff_acceleration_mps2;
 }
 bool lifts_off(const Motion& m, const Settings& s) {
-    return m.height > s.lift_off_height_m + m.near_ground && m.vertical_speed > s.not_climbing_mps;
+    const bool is_above = m.has_height || m.has_climbed;
+    const double height = m.has_height ? m.height : m.climbed;
+    return is_above && height > s.lift_off_height_m + m.near_ground && m.vertical_speed > s.not_climbing_mps;
 }
 bool climbs_low(const Motion& m, const Settings& s) {
-    return m.vertical_speed > s.climb_mps && m.height > s.lift_off_height_m + m.near_ground && m.height < s.second_climb_height_m;
+    return m.has_height && m.vertical_speed > s.climb_mps && m.height > s.lift_off_height_m + m.near_ground &&
+           m.height < s.second_climb_height_m;
 }
 bool climbs_high(const Motion& m, const Settings& s) {
-    return m.vertical_speed > s.climb_mps && m.height > s.second_climb_height_m;
+    const bool is_above =
+        m.has_height ? m.height > s.second_climb_height_m : m.climbed > s.second_climb_height_m || !m.has_climbed;
+    return m.vertical_speed > s.climb_mps && is_above;
 }
 bool climbs_again(const Motion& m, const Settings& s) {
-    return m.vertical_speed > s.go_around_climb_mps && m.height > s.second_climb_height_m;
+    return m.vertical_speed > s.go_around_climb_mps && (!m.has_height || m.height > s.second_climb_height_m);
 }
 bool goes_around(const Motion& m, const Settings& s) { return m.vertical_speed > s.go_around_climb_mps; }
+/// Of who soars: flies at all.
 bool is_level(const Motion& m, const Settings& s) {
     const double limit = s.level_mps + (m.was_level ? s.level_hysteresis_mps : 0);
-    return std::abs(m.vertical_speed) < limit && m.height > s.cruise_height_m;
+    const bool is_steady = s.soars ? m.ground_speed > s.standing_speed_mps : std::abs(m.vertical_speed) < limit;
+    return is_steady && (m.has_height ? m.height > s.cruise_height_m : !m.has_climbed);
 }
 bool levels_low(const Motion& m, const Settings& s) {
-    return m.vertical_speed < s.level_mps && m.vertical_speed >= -s.approach_descent_mps && m.height <= s.cruise_height_m;
+    return m.has_height && m.vertical_speed < s.level_mps && m.vertical_speed >= -s.approach_descent_mps &&
+           m.height <= s.cruise_height_m;
 }
-bool descends(const Motion& m, const Settings& s) { return m.vertical_speed < -s.descent_mps && m.height >= s.initial_height_m; }
+bool descends(const Motion& m, const Settings& s) {
+    return m.vertical_speed < -s.descent_mps && (!m.has_height || m.height >= s.initial_height_m);
+}
 bool descends_low(const Motion& m, const Settings& s) {
-    return m.vertical_speed < -s.approach_descent_mps && m.height < s.initial_height_m;
+    return m.has_height && m.vertical_speed < -s.approach_descent_mps && m.height < s.initial_height_m;
 }
-bool is_initial(const Motion& m, const Settings& s) { return m.vertical_speed < 0 && m.height < s.initial_height_m; }
-bool is_final(const Motion& m, const Settings& s) { return m.vertical_speed < s.not_climbing_mps && m.height < s.final_height_m; }
+bool is_initial(const Motion& m, const Settings& s) {
+    return m.has_height && m.vertical_speed < 0 && m.height < s.initial_height_m;
+}
+bool is_final(const Motion& m, const Settings& s) {
+    return m.has_height && m.vertical_speed < s.not_climbing_mps && m.height < s.final_height_m;
+}
 bool touches_down(const Motion& m, const Settings& s) {
-    return m.vertical_speed < s.not_climbing_mps && m.height < s.ground_height_m + m.near_ground;
+    return m.has_height && m.vertical_speed < s.not_climbing_mps && m.height < s.ground_height_m + m.near_ground;
 }
-bool is_high_enough(const Motion& m, const Settings& s) { return m.height > s.replanning_height_m; }
+bool is_high_enough(const Motion& m, const Settings& s) { return m.has_height && m.height > s.replanning_height_m; }
 bool is_low(const Motion& m, const Settings& s) { return m.lowest_height < s.terrain_priority_height_m; }
 
 constexpr std::uint32_t bit(Stage stage) { return std::uint32_t{1} << static_cast<unsigned>(stage); }
@@ -123,8 +167,9 @@ constexpr Rule kRules[] = {
      Stage::initial, descends_low, &Settings::vertical},
     {from(Stage::none, Stage::low_flight, Stage::first_climb, Stage::second_climb, Stage::cruise, Stage::replanning),
      Stage::descent, descends, &Settings::vertical},
-    {from(Stage::none, Stage::low_flight, Stage::first_climb, Stage::second_climb, Stage::descent, Stage::initial), Stage::cruise,
-     is_level, &Settings::level},
+    {from(Stage::none, Stage::low_flight, Stage::takeoff_start, Stage::first_climb, Stage::second_climb), Stage::cruise, is_level,
+     &Settings::level},
+    {from(Stage::descent, Stage::initial), Stage::cruise, is_level, &Settings::level_after_descent},
     {from(Stage::replanning), Stage::cruise, is_level, &Settings::level_after_replanning},
     {from(Stage::second_climb, Stage::abort), Stage::low_flight, levels_low, &Settings::vertical},
     {from(Stage::none, Stage::descent, Stage::low_flight), Stage::second_climb, climbs_again, &Settings::vertical},
@@ -195,12 +240,15 @@ void smooth(Motion& motion, base::Duration step, const Settings& settings, Motio
 bool advance(base::Time now, const Settings& settings, MotionPhaseState& state) {
     if (state.any_update && now == state.last_update) return false;
     if (state.any_update && now < state.last_update) state = {};
-    if (!state.any_update) state.last_complete = now;
+    if (!state.any_update) {
+        state.last_complete = state.last_speeds = now;
+        state.last_height = now - settings.forget_after + settings.brief;  // one that was never there is not waited for
+    }
     if (state.any_update && now - state.last_update > settings.longest_step) {
         stop_timers(state);
         state.smoothed = false;
     }
-    if (now - state.last_complete > settings.forget_after) forget(state);
+    if (now - state.last_speeds > settings.forget_after) forget(state);
     return true;
 }
 
@@ -209,21 +257,36 @@ PhaseStatement statement_of(const MotionPhaseState& state) {
     return {phase_of(state.stage), complete && state.stage != Stage::none};
 }
 
+void rest(base::Time now, MotionPhaseState& state) {
+    stop_timers(state);
+    state.smoothed = false;
+    if (state.last_complete == now) state.last_complete = now - base::Duration{1};
+}
+
+/// True where the rules can be followed; without a height they can only once it is clear that there is none.
+bool read_motion(const AircraftState& aircraft, base::Time now, const Settings& settings, MotionPhaseState& state,
+                 Motion& motion) {
+    const bool has_speeds = read_speeds(aircraft, now, motion);
+    read_height(aircraft, now, settings, motion);
+    if (has_speeds) state.last_speeds = now;
+    if (motion.has_height) state.last_height = now;
+    if (!has_speeds || (!motion.has_height && now - state.last_height <= settings.forget_after)) return false;
+    follow_departure(aircraft, now, settings, state, motion);
+    return true;
+}
+
 }  // namespace
 
 PhaseStatement detect_motion_phase(const AircraftState& aircraft, base::Time now, const MotionPhaseSettings& settings,
                                    MotionPhaseState& state) {
+    if (!settings.is_enabled) return {};
     if (!advance(now, settings, state)) return statement_of(state);
     const base::Duration step = state.any_update ? now - state.last_update : base::Duration{};
     state.any_update = true;
     state.last_update = now;
     Motion motion;
-    const bool has_speeds = read_speeds(aircraft, now, motion);
-    const bool has_height = read_height(aircraft, now, settings, motion);
-    if (!has_speeds || !has_height) {
-        stop_timers(state);
-        state.smoothed = false;
-        if (state.last_complete == now) state.last_complete = now - base::Duration{1};
+    if (!read_motion(aircraft, now, settings, state, motion)) {
+        rest(now, state);
         return statement_of(state);
     }
     state.last_complete = now;

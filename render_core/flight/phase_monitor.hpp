@@ -10,16 +10,24 @@
 
 namespace tedavis::flight {
 
+struct PhaseSettings {
+    MotionPhaseSettings motion;
+    /// A phase that holds as if a switch stated it, whatever the panel says, for a desk; not stated: the panel's.
+    PhaseStatement stated;
+};
+
 class PhaseMonitor {
 public:
     static constexpr base::Duration kStep = base::Duration::milliseconds(20);
+
+    explicit PhaseMonitor(const PhaseSettings& settings = PhaseSettings()) : settings_(settings) {}
 
     /// `aircraft` contains height_above_terrain where it is known. `inputs.motion` is filled in by step().
     PhaseStatus step(const AircraftState& aircraft, PhaseInputs inputs, base::Time now);
     [[nodiscard]] const PhaseStatus& status() const { return status_; }
 
 private:
-    MotionPhaseSettings motion_settings_;
+    PhaseSettings settings_;
     PhaseArbiterSettings arbiter_settings_;
     MotionPhaseState motion_;
     PhaseArbiterState arbiter_;

@@ -50,6 +50,32 @@ TEST(Console, AnotherPieceOfWorkBeginsAnew) {
     EXPECT_EQ(notes.str(), "\rlonger work 50 %\rwork 50 %       \n") << "spaces cover the longer line";
 }
 
+TEST(Console, SaysLinesOfProgressWhereItCannotRedraw) {
+    std::ostringstream results, notes;
+    Console piped(results, notes, false, false);
+    piped.progress("work", 1, 4);
+    piped.progress("work", 2, 4);
+    EXPECT_EQ(notes.str(), "") << "some seconds have to pass";
+    piped.set_between_lines(std::chrono::milliseconds(0));
+    piped.progress("work", 3, 4);
+    piped.progress_done();
+    EXPECT_EQ(notes.str(), "work 75 %\n");
+}
+
+TEST(Console, AsksWhereSomebodyCanAnswer) {
+    std::ostringstream results, notes;
+    Console console(results, notes, false, true);
+    EXPECT_FALSE(console.confirm("sure?").has_value());
+    EXPECT_EQ(notes.str(), "") << "there is nobody to ask";
+    for (const auto& [typed, is_yes] :
+         {std::pair<const char*, bool>{"y\n", true}, {"Yes\n", true}, {"n\n", false}, {"\n", false}, {"", false}}) {
+        std::istringstream answers(typed);
+        console.set_answers(&answers);
+        EXPECT_EQ(console.confirm("sure?"), is_yes) << typed;
+    }
+    EXPECT_EQ(notes.str().substr(0, 12), "sure? [y/N] ");
+}
+
 TEST(Console, SurvivesATotalOfZero) {
     std::ostringstream results, notes;
     Console live(results, notes, false, true);

@@ -9,8 +9,10 @@
 #include <set>
 #include <sstream>
 
+#include "host_sim/commands/convert.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "tests/support/files/read_film.hpp"
+#include "tests/support/flights/flown_across.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/flights/frame_lines.hpp"
 #include "tests/support/programs/command_run.hpp"
@@ -93,6 +95,70 @@ TEST(Replay, TheOverlayIsTheSameTwiceAndLeavesHashesAlone) {
     }
     EXPECT_EQ(pictures[0], pictures[1]) << "no time is in it";
     EXPECT_NE(pictures[0], without);
+}
+
+/// A flight that comes over the terrain after 15.6 s and leaves it after 65.6 s.
+ReplayOptions across(const std::string& output) {
+    ReplayOptions options = files().options(output);
+    options.log = files().folder.file("across.log");
+    if (std::filesystem::exists(options.log)) return options;
+    ConvertOptions convert;
+    convert.flight = files().folder.write("across.igc", test_support::FlownAcross().igc());
+    convert.output = options.log;
+    convert.assume_geometric = true;
+    EXPECT_EQ(test_support::run_command([&](Console& console) { return run_convert(convert, console); }).code, 0);
+    return options;
+}
+
+TEST(Replay, OverTerrainIsWhereTheFlightIsOverIt) {
+    ReplayOptions options = across("over");
+    options.over_terrain = true;
+    options.step_s = 1;
+    replayed(options);
+    const auto lines = frame_lines(options.output);
+    ASSERT_GT(lines.size(), 40u);
+    EXPECT_NEAR(lines.front().at("time_s").get<double>(), test_support::FlownAcross().time_at(9.6), 2);
+    EXPECT_NEAR(lines.back().at("time_s").get<double>(), test_support::FlownAcross().time_at(9.76), 2);
+    for (const auto& line : lines) EXPECT_EQ(line.dump().find("terrain.outside_database"), std::string::npos);
+    // The control: without the option most of the flight is drawn, and some of it lies outside.
+    ReplayOptions whole = across("not_cut");
+    whole.step_s = 1;
+    replayed(whole);
+    EXPECT_NE(frame_lines(whole.output).at(5).dump().find("terrain.outside_database"), std::string::npos);
+}
+
+TEST(Replay, SpreadFramesAreThoseOfTheWholeRun) {
+    ReplayOptions options = files().options("spread");
+    options.step_s.reset();
+    options.spread = 5;
+    const auto spread = replayed(options);
+    EXPECT_GE(spread.size(), 4u) << "whole frames apart, of which the last may lie beyond the end";
+    options.output = files().folder.file("all");
+    options.spread.reset();
+    const auto all = replayed(options);
+    EXPECT_GE(all.size(), 240u);
+    for (const auto& [time, hash] : spread) EXPECT_EQ(all.at(time), hash) << time;
+    EXPECT_EQ(spread.count(0.0), 1u);
+}
+
+TEST(Replay, ALongerRunIsSpokenOf) {
+    ReplayOptions options = files().options("longer");
+    options.picture.size = PictureSize{64, 48};
+    options.step_s = 1.0 / 30;
+    options.to_s = 7;
+    options.frames = FrameOutput::none;
+    const auto said = test_support::run_command([&](Console& console) { return run_replay(options, console); });
+    EXPECT_EQ(said.code, 0);
+    EXPECT_THAT(said.notes, HasSubstr("note: " + options.output + ": 211 frames, about "));
+}
+
+TEST(Replay, ALongRunIsRefusedAndNothingIsWritten) {
+    ReplayOptions options = across("too_long");
+    options.step_s = 0.001;
+    test_support::expect_user_error([&] { replayed(options); }, ": 8000");
+    test_support::expect_user_error([&] { replayed(options); },
+                                    "; draw fewer, such as with --step 1, --from, --to, or confirm with --yes");
+    EXPECT_FALSE(std::filesystem::exists(options.output));
 }
 
 TEST(Replay, TheFrameAtTIsTheOneOfTheWholeRun) {

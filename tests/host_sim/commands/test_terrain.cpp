@@ -45,6 +45,18 @@ protected:
     TerrainBuildOptions build_;
 };
 
+TEST_F(TerrainCommand, TheIdentityOfABuildIsThatOfFilesAndOptions) {
+    const std::string identity = terrain_build_identity(build_);
+    TerrainBuildOptions other = build_;
+    other.output = place_.file("elsewhere.tdb");
+    EXPECT_EQ(terrain_build_identity(other), identity) << "wherever it is written";
+    other.accuracy_m = 16;
+    EXPECT_NE(terrain_build_identity(other), identity);
+    other = build_;
+    other.bounds = "9.6,46.5,10.2,47.1";
+    EXPECT_NE(terrain_build_identity(other), identity);
+}
+
 TEST_F(TerrainCommand, WhatIsBuiltIsDescribedAndHolds) {
     build_.accuracy_m = 16;
     const CommandRun built = build(true);

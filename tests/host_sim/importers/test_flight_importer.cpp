@@ -26,6 +26,20 @@ TEST(FlightImporter, TellsTheFormatByContent) {
     EXPECT_EQ(import_flight_file(folder.file("e.gz")).format, "ADS-B JSON");
 }
 
+TEST(FlightImporter, TellsABusLogByItsFirstLine) {
+    const test_support::TemporaryFolder folder;
+    const std::string log = "(1586684820.000000) can0 400#0000000000000000\n";
+    EXPECT_TRUE(is_bus_log_file(folder.write("a.log", log)));
+    EXPECT_TRUE(is_bus_log_file(folder.write("b.log", "\n" + log)));
+    gzFile packed = gzopen(folder.file("c.log.gz").c_str(), "wb");
+    gzputs(packed, log.c_str());
+    gzclose(packed);
+    EXPECT_TRUE(is_bus_log_file(folder.file("c.log.gz")));
+    for (const char* const text : {kIgc, kGpx, kJson, kCsv, "", "(no stamp\n"})
+        EXPECT_FALSE(is_bus_log_file(folder.write("d", text)));
+    test_support::expect_user_error([&] { (void)is_bus_log_file(folder.file("missing")); }, "missing");
+}
+
 TEST(FlightImporter, RefusesEmptyAndBinaryFiles) {
     const test_support::TemporaryFolder folder;
     test_support::expect_user_error([&] { (void)import_flight_file(folder.write("a", " \n")); }, "the file is empty");

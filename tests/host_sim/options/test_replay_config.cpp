@@ -51,9 +51,12 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.log = "/data/flight.log";
     options.switches = "/data/flight.switches";
     options.switch_config = "coded_parity";
+    options.phase = "takeoff.first_climb";
+    options.aircraft_class = flight::AircraftClass::jet;
     options.from_s = 0.1;
     options.to_s = 1e5 / 3;
     options.step_s = -1.0 / 30;
+    options.spread = 300;
     options.frames = FrameOutput::none;
     options.picture.terrain = "/data/alps.tdb";
     options.picture.design = "cruise";
@@ -81,9 +84,12 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.picture.foci, options.picture.foci);
     EXPECT_EQ(loaded.switches, options.switches);
     EXPECT_EQ(loaded.switch_config, options.switch_config);
+    EXPECT_EQ(loaded.phase, options.phase);
+    EXPECT_EQ(loaded.aircraft_class, options.aircraft_class);
     EXPECT_EQ(loaded.from_s, options.from_s);
     EXPECT_EQ(loaded.to_s, options.to_s);
     EXPECT_EQ(loaded.step_s, options.step_s);
+    EXPECT_EQ(loaded.spread, options.spread);
     EXPECT_EQ(loaded.frames, options.frames);
     EXPECT_EQ(loaded.picture.terrain, options.picture.terrain);
     EXPECT_EQ(loaded.picture.design, options.picture.design);

@@ -76,7 +76,7 @@ TEST(DisplaySession, WhatCannotBeOpenedIsOneSentence) {
     options.aircraft = files().folder.write("glider.toml", "name = \"glider\"\n[speeds]\nvne = 250\n");
     refused(options, "glider.toml:3: 'vne' has no unit; write 'vne_kt'");
     options.aircraft = "airship";
-    refused(options, "airship: no such file and no shipped one of aircraft; name a file, or one of these: jet, ");
+    refused(options, "airship: no such file and no shipped one of aircraft; name a file, or one of these: glider, ");
 }
 
 TEST(DisplaySession, AnAircraftFileIsTheDisplays) {
@@ -86,7 +86,7 @@ TEST(DisplaySession, AnAircraftFileIsTheDisplays) {
     DisplaySession session(options, false);
     const design::AircraftSettings& aircraft = session.display().planner().settings().aircraft;
     EXPECT_EQ(aircraft.name.view(), "turboprop");
-    EXPECT_EQ(aircraft.eye.forward_m, load_aircraft(options).eye.forward_m);
+    EXPECT_EQ(aircraft.eye.forward_m, load_aircraft(options.aircraft).eye.forward_m);
     EXPECT_NE(aircraft.eye.forward_m, 0);
 }
 

@@ -36,6 +36,7 @@ FlightIndex example() {
         progress.next_edge = static_cast<std::size_t>(n);
         index.track.offer(progress);
     }
+    index.outline = {4, {{base::Time{5}, 0.5, -0.25}, {base::Time{9}, 0.75, 3}}, {base::Time{6}, base::Time{7}, base::Time{8}}};
     return index;
 }
 
@@ -65,6 +66,12 @@ TEST(FlightIndex, ComesBackAsItWas) {
     EXPECT_EQ(facts.interfaces[1].name, "vcan1");
     EXPECT_EQ(facts.interfaces[1].frames, 14u);
     EXPECT_TRUE(facts.has_position);
+    EXPECT_EQ(back.outline.stride(), 4);
+    ASSERT_EQ(back.outline.places().size(), 2u);
+    EXPECT_EQ(back.outline.places()[1].time, base::Time{9});
+    EXPECT_EQ(back.outline.places()[1].latitude_rad, 0.75);
+    EXPECT_EQ(back.outline.places()[1].longitude_rad, 3);
+    EXPECT_EQ(back.outline.phase_changes(), index.outline.phase_changes());
     EXPECT_EQ(back.track.stride(), index.track.stride());
     ASSERT_EQ(back.track.checkpoints().size(), index.track.checkpoints().size());
     for (std::size_t n = 0; n < back.track.checkpoints().size(); ++n) {

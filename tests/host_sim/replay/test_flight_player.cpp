@@ -243,6 +243,9 @@ TEST(FlightPlayer, DoesNotTrustAnIndexOfOtherInputs) {
     EXPECT_THAT(note_of({log, "glider", switches, "one_hot"}), HasSubstr("the bus settings"));
     EXPECT_THAT(note_of({log, "glider", "", "coded_parity"}), HasSubstr("made when the switch"));
     EXPECT_EQ(note_of({log, "glider", "", "coded_parity"}), "") << "the new one fits";
+    EXPECT_THAT(note_of({log, "glider", "", "coded_parity", "jet"}), HasSubstr("the aircraft or the phase"));
+    EXPECT_THAT(note_of({log, "glider", "", "coded_parity", "jet", "cruise"}), HasSubstr("the aircraft or the phase"));
+    EXPECT_THAT(note_of({log, "glider", "", "coded_parity"}), HasSubstr("the aircraft or the phase"));
     test_support::DefaultTerrain terrain;
     test_support::HeadlessDisplay over_terrain("egl", "es2-small", 64, 48, &terrain.bytes);
     std::ostringstream results, notes;

@@ -79,6 +79,57 @@ TEST(FrameInstants, EndWithTheLog) {
     EXPECT_EQ(instants(0, 0.99, 1).count(), 1u);
 }
 
+/// Spread over the log, or over a part of it.
+FrameInstants spread(std::uint64_t frames, std::optional<double> from = {}, std::optional<double> to = {}, double rate_hz = 30) {
+    ReplayOptions options = asked(from, to, {});
+    options.spread = frames;
+    return {options, kFirst, kLast, rate_hz};
+}
+
+TEST(FrameInstants, SpreadAreEvenFramesOfTheDeviceFromEndToEnd) {
+    std::set<std::int64_t> whole;
+    const FrameInstants all = instants({}, {}, {});
+    for (std::uint64_t n = 0; n < all.count(); ++n) whole.insert(all.at(n).ns);
+    for (const std::uint64_t frames : {2, 7, 60, 300, 1801}) {
+        const FrameInstants times = spread(frames);
+        EXPECT_LE(times.count(), frames);
+        EXPECT_GE(times.count(), frames * 6 / 7) << "whole frames are no more than a seventh fewer";
+        EXPECT_EQ(times.earliest(), kFirst);
+        EXPECT_GT(times.latest(), kLast - times.step());
+        for (std::uint64_t n = 0; n < times.count(); ++n) EXPECT_EQ(whole.count(times.at(n).ns), 1u) << frames << ' ' << n;
+        for (std::uint64_t n = 2; n < times.count(); ++n)
+            EXPECT_NEAR((times.at(n) - times.at(n - 1)).to_seconds(), times.step().to_seconds(), 2e-9);
+    }
+    EXPECT_EQ(spread(5000).count(), 1801u) << "there are no more than the device draws";
+}
+
+TEST(FrameInstants, SpreadOverAPartBeginAtItsFirstFrame) {
+    const FrameInstants times = spread(11, 10.01, 20);
+    EXPECT_NEAR((times.earliest() - kFirst).to_seconds(), 301 / 30.0, 1e-8) << "the device's first frame after 10.01 s";
+    EXPECT_LE(times.latest(), kFirst + base::Duration::seconds(20));
+    EXPECT_EQ(spread(300, 7.0, 7.0).count(), 1u);
+}
+
+TEST(FrameInstants, EventsHaveTheirFramesOnce) {
+    FrameInstants times = instants(10, 20, 1);
+    const auto at = [](double s) { return kFirst + base::Duration::from_seconds(s); };
+    times.add({at(12), at(12.4), at(12.401), at(9), at(20.5), at(12.41), at(25)});
+    ASSERT_EQ(times.count(), 13u)
+        << "12 is one already; 9 and 25 lie outside; 12.4 is a frame, and 12.401 and 12.41 have the next";
+    EXPECT_EQ(times.at(3), at(12.4));
+    EXPECT_NEAR((times.at(4) - kFirst).to_seconds(), 373 / 30.0, 1e-8);
+    EXPECT_EQ(times.at(5), at(13));
+    EXPECT_EQ(times.latest(), at(20));
+    for (std::uint64_t n = 1; n < times.count(); ++n) EXPECT_LT(times.at(n - 1), times.at(n));
+}
+
+TEST(FrameInstants, NoEventsChangeNothing) {
+    FrameInstants times = instants(10, 20, -1);
+    times.add({});
+    EXPECT_EQ(times.count(), 11u);
+    EXPECT_EQ(times.at(0), kFirst + base::Duration::seconds(20)) << "backwards";
+}
+
 TEST(FrameInstants, ImpossibleTimesAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     using test_support::expect_user_error;

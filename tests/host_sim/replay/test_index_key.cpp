@@ -23,8 +23,9 @@ FileIdentity identity(const std::string& path) {
 TEST(IndexKey, NamesTheFirstPartThatDiffers) {
     IndexKey a;
     EXPECT_EQ(first_difference(a, a), nullptr);
-    const char* const names[] = {"the program",    "the log",           "the bus settings",
-                                 "the switch log", "the switch config", "the terrain database"};
+    const char* const names[] = {"the program",         "the log",           "the bus settings",
+                                 "the switch log",      "the switch config", "the aircraft or the phase",
+                                 "the terrain database"};
     for (std::size_t n = IndexKey::count_; n-- > 0;) {
         IndexKey b = a;
         b.parts[n] = 1;

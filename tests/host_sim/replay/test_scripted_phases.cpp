@@ -204,5 +204,38 @@ TEST(ScriptedPhases, WithoutAPlaceThereIsNoTerrainInAnyPhase) {
     EXPECT_EQ(found.design.view(), "approach");
 }
 
+/// The same flight, of which nobody states the phase.
+class SilentFlight final : public test_support::FlownCircle {
+public:
+    base::Time end() const override { return begin() + base::Duration::seconds(60); }
+};
+
+/// A minute after the beginning.
+flight::PhaseStatus phase_of_silent_flight(const std::string& phase, const std::string& aircraft) {
+    static const test_support::FlownFiles kFiles{SilentFlight()};
+    ReplayOptions o = kFiles.options("unused");
+    o.picture.size = PictureSize{160, 120};
+    o.picture.aircraft = aircraft;
+    o.phase = phase;
+    DisplaySession session(o.picture, false);
+    FlightPlayer player(player_files(o), session.display());
+    return player.at(player.last()).phase;
+}
+
+TEST(ScriptedPhases, ThePhaseOfARunIsThatOfItsOption) {
+    const flight::PhaseStatus by_motion = phase_of_silent_flight("", "");
+    EXPECT_EQ(by_motion.source, PhaseSource::motion);
+    EXPECT_EQ(by_motion.phase, flight::kTakeoffSecondClimb) << "it climbs at 4 m/s";
+    const flight::PhaseStatus stated = phase_of_silent_flight("approach.final", "");
+    EXPECT_EQ(stated.source, PhaseSource::switches);
+    EXPECT_EQ(stated.phase, flight::kApproachFinal);
+    EXPECT_EQ(phase_of_silent_flight(kNoPhase, "").source, PhaseSource::none);
+}
+
+TEST(ScriptedPhases, MotionIsJudgedByTheClassOfTheAircraft) {
+    EXPECT_EQ(phase_of_silent_flight("", "glider").phase, kCruise);
+    EXPECT_EQ(phase_of_silent_flight("", "light_piston").phase, flight::kTakeoffSecondClimb);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_scripted_phases

@@ -26,6 +26,11 @@ TEST(GridAxes, TimesAreChosenBothEndsIncluded) {
     const std::vector<GridPlane> planes{{1, 10, {}}, {2, 20, {}}, {3, 30, {}}, {4, 40, {}}};
     EXPECT_EQ(sort_planes(planes, {20, 30, {}, false}, "f").times_ns, (std::vector<std::int64_t>{20, 30}));
     expect_user_error([&] { (void)sort_planes(planes, {41, {}, {}, false}, "f"); }, "f: has no grid at every time");
+    expect_user_error(
+        [&] {
+            (void)sort_planes({{1, 0, 500.0}, {2, 0, 850.0}}, {{}, {}, {700}, false}, "f");
+        },
+        "it has levels 500, 850 and times from 1970-01-01T00:00:00Z to 1970-01-01T00:00:00Z (1); tedavis scene look f");
 }
 
 TEST(GridAxes, MembersShareATime) {

@@ -8,6 +8,7 @@
 
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/scene_builder/source_kind.hpp"
+#include "tests/host_sim/scene_builder/grib_file.hpp"
 #include "tests/support/files/raster_file.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
@@ -102,6 +103,34 @@ TEST_F(GridSourceOfFiles, OneBandOfSeveral) {
     EXPECT_EQ(second.read(second.planes()[0])[0], 6000);
     expect_user_error([&] { (void)source(raster, "band 4"); }, "has no band 4; its bands are 1 to 3");
     expect_user_error([&] { (void)source(raster, "band 0"); }, "has no band 0");
+}
+
+TEST_F(GridSourceOfFiles, VariablesOfBandsAreChosenByName) {
+    const std::string file = folder_.file("wind.grb2");
+    test_support::write_grib(file, {{2, 2, 100, 50000, 0, 10}, {2, 3, 100, 50000, 0, 20}, {2, 3, 100, 85000, 0, 30}});
+    EXPECT_EQ(GridSource(file, "", "", true).planes().size(), 3u);
+    const GridSource north(file, "VGRD", "", true);
+    ASSERT_EQ(north.planes().size(), 2u);
+    EXPECT_NEAR(double{north.read(north.planes()[0]).back()}, 20, 1e-3);
+    EXPECT_EQ(north.planes()[0].level, 500) << "hPa, although GRIB 2 states 50000 Pa";
+    EXPECT_EQ(north.planes()[1].level, 850);
+    EXPECT_EQ(north.texts_of(north.planes()[1]).level_unit, "hPa");
+    EXPECT_EQ(north.unit(), "m/s");
+    expect_user_error([&] { (void)GridSource(file, "GUST", "", true); },
+                      "has no variable 'GUST'; choose one of UGRD, VGRD; tedavis scene look " + file);
+}
+
+TEST_F(GridSourceOfFiles, RadarCompositesStateWhatTheirNumbersMean) {
+    RasterFile raster;
+    const std::string file = raster.write(folder_.file("radar.tif"));
+    GDALDataset* const dataset = GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE);
+    dataset->SetMetadataItem("dataset1_data1_what_nodata", "-9999000 ");
+    dataset->SetMetadataItem("dataset1_data1_what_undetect", "-8888000 ");
+    GDALClose(dataset);
+    const GridSource grid(file, "", "", true);
+    EXPECT_EQ(grid.texts_of(grid.planes()[0]).missing, -9999000);
+    EXPECT_EQ(grid.texts_of(grid.planes()[0]).undetected, -8888000);
+    EXPECT_TRUE(rasters_inside(file).empty());
 }
 
 TEST_F(GridSourceOfFiles, OtherSystemsAreWarped) {

@@ -191,6 +191,28 @@ TEST(AircraftSettings, TooManySettingsAndFlagsAreRefused) {
         << "an aircraft without flaps";
 }
 
+TEST(AircraftSettings, TheClassIsOneOfFour) {
+    EXPECT_EQ(sound().aircraft_class, flight::AircraftClass::unstated);
+    for (std::size_t n = 0; n < flight::kAircraftClassNames.size(); ++n) {
+        const std::string name(flight::kAircraftClassNames[n]);
+        if (name == "helicopter") continue;
+        const auto read = load_aircraft("class = '" + name + "'\n" + kSound, "own.toml");
+        ASSERT_TRUE(read.ok()) << read.error().message.view();
+        EXPECT_EQ(static_cast<std::size_t>(read.value().aircraft_class), n);
+    }
+    EXPECT_THAT(error_of("class = 'balloon'\n" + kSound), HasSubstr("light, jet, helicopter"));
+}
+
+TEST(AircraftSettings, AHelicopterHasNeitherFlapsNorAStallSpeed) {
+    const std::string helicopter = "name = 'x'\nclass = 'helicopter'\n[speeds]\nvne_kt = 150\n";
+    const auto read = load_aircraft(helicopter, "own.toml");
+    ASSERT_TRUE(read.ok()) << read.error().message.view();
+    ASSERT_EQ(read.value().flaps.size(), 1u);
+    EXPECT_EQ(read.value().flaps[0].stall_mps, 0);
+    EXPECT_DOUBLE_EQ(read.value().flaps[0].limit_mps, 150 * kKnot);
+    EXPECT_THAT(error_of("class = 'helicopter'\n" + kSound), HasSubstr("a helicopter has none, remove it"));
+}
+
 TEST(AircraftSettings, TheShippedAircraftAreSoundAndSaidToBeInvented) {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(test_support::source_dir() + "/configs/aircraft")) {
@@ -203,14 +225,14 @@ TEST(AircraftSettings, TheShippedAircraftAreSoundAndSaidToBeInvented) {
         EXPECT_FALSE(read.value().flags.empty());
         names.insert(std::string(read.value().name.view()));
     }
-    EXPECT_EQ(names, (std::set<std::string>{"jet", "light_piston", "turboprop"}));
+    EXPECT_EQ(names, (std::set<std::string>{"glider", "helicopter", "jet", "light_piston", "turboprop"}));
 }
 
 /// Keys that the reader asks for, and a page that must have a row for each.
 TEST(AircraftSettings, EveryKeyOfTheReaderIsInTheReadme) {
     const std::string source = source_file("render_core/design/aircraft_settings.cpp");
     const std::string readme = source_file("configs/aircraft/README.md");
-    const std::regex asked(R"re((?:\.(?:number|text|section|table_count)\(|read_speed\(\w+, )"([a-z_]+)")re");
+    const std::regex asked(R"re((?:\.(?:number|text|choose|section|table_count)\(|read_speed\(\w+, )"([a-z_]+)")re");
     std::set<std::string> keys;
     for (std::sregex_iterator at(source.begin(), source.end(), asked), end; at != end; ++at) keys.insert((*at)[1]);
     EXPECT_GE(keys.size(), 18u);

@@ -285,9 +285,8 @@ MotionPhaseState cruising(base::Time& now) {
     return state;
 }
 
-TEST(MotionPhaseDetector, any_missing_input_gives_no_statement) {
-    const Signal needed[] = {Signal::ground_speed, Signal::vertical_speed, Signal::height_above_terrain};
-    for (const Signal signal : needed) {
+TEST(MotionPhaseDetector, a_missing_speed_gives_no_statement) {
+    for (const Signal signal : {Signal::ground_speed, Signal::vertical_speed}) {
         base::Time now;
         MotionPhaseState state = cruising(now);
         EXPECT_FALSE(go_on(state, now, 1, [&](AircraftState& a) { a[signal] = {}; }).stated) << to_string(signal);
@@ -296,6 +295,93 @@ TEST(MotionPhaseDetector, any_missing_input_gives_no_statement) {
         EXPECT_FALSE(go_on(state, now, 1, kNoChange).stated) << "after a long gap the phase is found anew";
         EXPECT_EQ(name_of(go_on(state, now, 31, kNoChange)), "cruise");
     }
+}
+
+TEST(MotionPhaseDetector, a_missing_height_gives_no_statement_for_ten_seconds) {
+    base::Time now;
+    MotionPhaseState state = cruising(now);
+    const auto without = [](AircraftState& a) { a[Signal::height_above_terrain] = {}; };
+    EXPECT_FALSE(go_on(state, now, 1, without).stated);
+    EXPECT_EQ(name_of(go_on(state, now, 1, kNoChange)), "cruise");
+    EXPECT_FALSE(go_on(state, now, 9.9, without).stated);
+    EXPECT_EQ(name_of(go_on(state, now, 0.3, without)), "cruise") << "from then on it goes on without one";
+    EXPECT_EQ(name_of(go_on(state, now, 15, without, {150, -5, 0, 0})), "approach.descent");
+    EXPECT_EQ(name_of(go_on(state, now, 70, without, {150, 0, 0, 0})), "cruise");
+    EXPECT_EQ(name_of(go_on(state, now, 1.5, kNoChange, {150, 0, 400, 0})), "unknown") << "low over ground that is known again";
+}
+
+/// Height above the place of the departure is that of the pressure altitude.
+TEST(MotionPhaseDetector, without_a_height_a_flight_is_told_by_speed_climb_and_altitude) {
+    MotionPhaseState state;
+    std::vector<std::string> phases;
+    for (double t = 0; t < length_of(kWholeFlight); t += 0.1) {
+        const base::Time now{kStart + std::llround(t * 1e9)};
+        const Sample s = sample_at(kWholeFlight, t);
+        AircraftState aircraft = aircraft_at(s, now, HeightFrom::radio);
+        aircraft[Signal::radio_height] = aircraft[Signal::height_above_terrain] = {};
+        put(aircraft, Signal::standard_altitude, 700 + s.height, now);
+        const PhaseStatement found = detect_motion_phase(aircraft, now, {}, state);
+        if (found.stated && (phases.empty() || phases.back() != name_of(found))) phases.push_back(name_of(found));
+    }
+    const std::vector<std::string> expected = {
+        "ground", "takeoff.start", "takeoff.first_climb", "takeoff.second_climb", "cruise", "approach.descent", "ground"};
+    EXPECT_EQ(phases, expected);
+}
+
+TEST(MotionPhaseDetector, motion_that_is_not_asked_for_states_nothing) {
+    MotionPhaseState state;
+    MotionPhaseSettings settings;
+    settings.is_enabled = false;
+    const base::Time now{kStart};
+    EXPECT_FALSE(detect_motion_phase(aircraft_at({0, 0, 0, 0}, now, HeightFrom::radio), now, settings, state).stated);
+    EXPECT_FALSE(state.any_update);
+}
+
+/// Launch, thermals of two minutes with glides between them, a landing: climbs at 3 m/s, sinks at 1.5 m/s.
+TEST(MotionPhaseDetector, a_glider_that_circles_in_thermals_is_in_cruise) {
+    std::vector<Leg> legs = {{30, 0, 0}, {10, 0, 22}, {100, 7, 28}};
+    for (int n = 0; n < 6; ++n) legs.insert(legs.end(), {{120, 3, 25}, {200, -1.5, 32}});
+    legs.insert(legs.end(), {{800, -1.5, 30}, {60, 0, 1}, {60, 0, 0}});
+    const auto phases = [&](AircraftClass aircraft, bool has_height) {
+        MotionPhaseState state;
+        std::vector<std::string> found;
+        for (double t = 0; t < length_of(legs); t += 0.1) {
+            const base::Time now{kStart + std::llround(t * 1e9)};
+            const Sample s = sample_at(legs, t);
+            AircraftState a = aircraft_at(s, now, HeightFrom::terrain);
+            put(a, Signal::standard_altitude, 400 + s.height, now);
+            if (!has_height) a[Signal::height_above_terrain] = {};
+            const PhaseStatement stated = detect_motion_phase(a, now, motion_phase_settings(aircraft), state);
+            if (stated.stated && (found.empty() || found.back() != name_of(stated))) found.push_back(name_of(stated));
+        }
+        return found;
+    };
+    const std::vector<std::string> whole = {"ground",           "takeoff.start", "takeoff.first_climb", "takeoff.second_climb",
+                                            "cruise",           "unknown",       "approach.initial",    "approach.final",
+                                            "approach.landing", "ground"};
+    EXPECT_EQ(phases(AircraftClass::glider, true), whole) << "unknown: terrain keeps its priority below 1500 ft";
+    const std::vector<std::string> without = {"ground", "takeoff.start", "takeoff.first_climb", "takeoff.second_climb",
+                                              "cruise", "ground"};
+    EXPECT_EQ(phases(AircraftClass::glider, false), without);
+    EXPECT_GT(phases(AircraftClass::unstated, true).size(), whole.size()) << "control: as a powered aircraft it climbs anew";
+}
+
+/// Level at 700 m above ground: a light aircraft cruises there, a jet does not.
+TEST(MotionPhaseDetector, the_height_of_cruise_is_that_of_the_class) {
+    const auto found = [](AircraftClass aircraft) {
+        MotionPhaseState state;
+        base::Time now{kStart};
+        PhaseStatement stated;
+        for (int n = 0; n < 400; ++n) {
+            now = now + base::Duration::milliseconds(100);
+            stated = detect_motion_phase(aircraft_at({60, 0, 700, 0}, now, HeightFrom::terrain), now,
+                                         motion_phase_settings(aircraft), state);
+        }
+        return name_of(stated);
+    };
+    for (const AircraftClass aircraft : {AircraftClass::light, AircraftClass::helicopter, AircraftClass::glider})
+        EXPECT_EQ(found(aircraft), "cruise");
+    for (const AircraftClass aircraft : {AircraftClass::jet, AircraftClass::unstated}) EXPECT_EQ(found(aircraft), "-");
 }
 
 TEST(MotionPhaseDetector, stale_bad_and_nan_inputs_count_as_missing) {
@@ -342,6 +428,15 @@ TEST(MotionPhaseDetector, terrain_that_rises_below_a_cruise_ends_it) {
     EXPECT_EQ(name_of(go_on(state, now, 1.5, kNoChange, low)), "unknown") << "which shows terrain";
     EXPECT_EQ(name_of(go_on(state, now, 60, kNoChange, {150, 0, 800, 0})), "unknown") << "and cruise needs far more height again";
     EXPECT_EQ(name_of(go_on(state, now, 31, kNoChange, {150, 0, 1600, 0})), "cruise");
+}
+
+TEST(MotionPhaseDetector, no_class_takes_priority_from_terrain_below_1500_ft) {
+    for (const AircraftClass aircraft :
+         {AircraftClass::unstated, AircraftClass::light, AircraftClass::jet, AircraftClass::helicopter, AircraftClass::glider}) {
+        const MotionPhaseSettings settings = motion_phase_settings(aircraft);
+        EXPECT_GE(settings.terrain_priority_height_m, 457.2);
+        EXPECT_GT(settings.cruise_height_m, settings.terrain_priority_height_m);
+    }
 }
 
 TEST(MotionPhaseDetector, no_settings_take_priority_from_terrain_below_1500_ft) {

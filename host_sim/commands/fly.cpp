@@ -1,0 +1,168 @@
+#include "host_sim/commands/fly.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/made_files.hpp"
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/commands/scene.hpp"
+#include "host_sim/commands/terrain_cache.hpp"
+#include "host_sim/commands/weather_scene.hpp"
+#include "host_sim/importers/flight_importer.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/interrupt.hpp"
+#include "host_sim/json_text.hpp"
+#include "host_sim/new_folder.hpp"
+#include "host_sim/replay/display_session.hpp"
+#include "host_sim/reports/geo_extent.hpp"
+#include "host_sim/reports/run_findings.hpp"
+#include "host_sim/reports/run_folder.hpp"
+#include "host_sim/terrain_builder/verify_database.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/scene/sdb_format.hpp"
+#include "render_core/terrain/tdb_format.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kWithoutTerrain =
+    "no terrain was given (--terrain), so that no ground is shown and no terrain alert can be given";
+
+bool begins_with(const std::string& path, std::string_view magic) {
+    std::string beginning(magic.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    return file && beginning == magic;
+}
+
+/// Of a recording that is no bus log, the log beside the report; its notes go to the report.
+std::string log_of_flight(const FlyOptions& options, MadeFiles& made, Console& console, std::vector<std::string>& notes) {
+    if (is_bus_log_file(options.flight.flight)) {
+        if (!options.flight.aircraft.empty() || options.flight.qnh_hpa || options.flight.assume_geometric)
+            throw UserError(options.flight.flight +
+                            ": a bus log, which is replayed as it is; leave out --aircraft, --qnh and "
+                            "--assume-geometric");
+        return options.flight.flight;
+    }
+    ConvertOptions convert = options.flight;
+    convert.output = options.replay.output + "/flight.log";
+    made.add(convert.output);
+    made.add(convert.output + ".json");
+    if (run_convert(convert, console, notes) != 0) throw Interrupted("interrupted; nothing was written");
+    return convert.output;
+}
+
+std::string terrain_of_flight(const TerrainBuildOptions& terrain, Console& console) {
+    if (terrain.rasters.empty()) return {};
+    const auto is_database = [](const std::string& file) {
+        return begins_with(file, {terrain::kTdbMagic, sizeof terrain::kTdbMagic});
+    };
+    if (std::none_of(terrain.rasters.begin(), terrain.rasters.end(), is_database)) return cached_terrain(terrain, console);
+    if (terrain.rasters.size() > 1)
+        throw UserError("--terrain: one database, or rasters to build one from; not " + std::to_string(terrain.rasters.size()) +
+                        " files with a database among them");
+    return terrain.rasters.front();
+}
+
+/// The hours of a converted flight and the region of the terrain, as far as they are known.
+WeatherWindow window_of(const ReplayOptions& replay) {
+    constexpr double kAround_deg = 0.25;
+    WeatherWindow window;
+    const std::string companion = replay.log + ".json";
+    if (std::filesystem::exists(companion)) {
+        const Json flight = Json::parse(read_file(companion));
+        const auto time_of = [&](const char* key) {
+            return base::Time{} + base::Duration::from_seconds(flight.at(key).get<double>());
+        };
+        window.begin = time_of("begin_s");
+        window.end = time_of("end_s");
+    }
+    if (replay.picture.terrain.empty()) return window;
+    window.region = extent_of(OpenDatabase(replay.picture.terrain).database());
+    window.region.include(window.region.south_deg - kAround_deg, window.region.west_deg - kAround_deg);
+    window.region.include(window.region.north_deg + kAround_deg, window.region.east_deg + kAround_deg);
+    return window;
+}
+
+std::string weather_file(const FlyOptions& options, ReplayOptions& replay, MadeFiles& made, Console& console) {
+    const WeatherScene scene = weather_scene(options.weather, window_of(replay));
+    for (const std::string& note : scene.notes) {
+        console.note("note: " + note);
+        replay.notes.push_back(note);
+    }
+    std::string path = replay.output + "/scene.toml";
+    require_replaceable(path, "name = \"weather\"\n", "scene file of weather");
+    made.add(path);
+    write_file_atomically(path, scene.toml);
+    return path;
+}
+
+/// The database of the scene; empty where there is none.
+std::string scene_of_flight(const FlyOptions& options, ReplayOptions& replay, MadeFiles& made, Console& console) {
+    if (!options.weather.empty() && !options.scene.empty())
+        throw UserError("--weather and --scene: name the grids of the weather in the scene file, and leave out --weather");
+    if (options.weather.empty() && options.scene.empty()) return {};
+    if (begins_with(options.scene, {scene::kSdbMagic, sizeof scene::kSdbMagic})) return options.scene;
+    SceneBuildOptions build;
+    build.scene = options.scene.empty() ? weather_file(options, replay, made, console) : options.scene;
+    build.output = replay.output + "/scene.sdb";
+    made.add(build.output);
+    (void)run_scene_build(build, console);
+    return build.output;
+}
+
+/// An IGC file is the record of a glider, unless somebody says otherwise.
+void take_class(const FlyOptions& options, ReplayOptions& replay, Console& console) {
+    const bool is_stated = replay.aircraft_class.has_value() ||
+                           load_aircraft(replay.picture.aircraft).aircraft_class != flight::AircraftClass::unstated;
+    if (is_stated || is_bus_log_file(options.flight.flight) || import_flight_file(options.flight.flight).format != "IGC") return;
+    replay.aircraft_class = flight::AircraftClass::glider;
+    replay.notes.emplace_back("phases by motion are those of a glider, because the flight is an IGC file (--class)");
+    console.note("note: " + replay.notes.back());
+}
+
+ReplayOptions replay_of(const FlyOptions& options, MadeFiles& made, Console& console) {
+    ReplayOptions replay = options.replay;
+    replay.log = log_of_flight(options, made, console, replay.notes);
+    take_class(options, replay, console);
+    replay.keeps_index = replay.log == options.flight.flight;  // a log of this moment would not be trusted
+    replay.picture.terrain = terrain_of_flight(options.terrain, console);
+    replay.over_terrain = !replay.picture.terrain.empty();
+    if (!replay.over_terrain) {
+        console.note(std::string("note: ") + kWithoutTerrain);
+        replay.notes.emplace_back(kWithoutTerrain);
+    }
+    replay.picture.scene = scene_of_flight(options, replay, made, console);
+    return replay;
+}
+
+void say_where_it_is(const std::string& output, Console& console) {
+    const std::string report = output + "/" + kReportName;
+    const Json summary = Json::parse(read_file(output + "/" + kSummaryName));
+    const Json& warnings = summary.at("warnings");
+    const std::string frames = counted(summary.at("frames").get<std::uint64_t>(), "frame");
+    const bool is_interrupted = summary.at("interrupted").get<bool>();
+    console.result(report + ": " + frames + (is_interrupted ? " (interrupted), " : ", ") +
+                       (warnings.empty() ? "no warnings" : counted(warnings.size(), "warning")),
+                   json_text(Json{{"report", report}, {"summary", summary}}));
+}
+
+}  // namespace
+
+int run_fly(const FlyOptions& options, Console& console) {
+    NewFolder folder(options.replay.output);
+    MadeFiles made;
+    Console steps = console.without_result();
+    const int code = run_replay(replay_of(options, made, steps), steps);
+    made.keep();
+    folder.keep();
+    say_where_it_is(options.replay.output, console);
+    return code;
+}
+
+}  // namespace tedavis::host_sim

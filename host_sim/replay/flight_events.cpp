@@ -1,0 +1,39 @@
+#include "host_sim/replay/flight_events.hpp"
+
+#include <algorithm>
+
+namespace tedavis::host_sim {
+namespace {
+
+/// Evenly by their number.
+std::vector<base::Time> thinned_events(const std::vector<base::Time>& all, std::uint64_t most) {
+    if (all.size() <= most) return all;
+    std::vector<base::Time> kept;
+    for (std::uint64_t n = 0; n < most; ++n) kept.push_back(all[static_cast<std::size_t>(n * all.size() / most)]);
+    return kept;
+}
+
+}  // namespace
+
+std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRange& range) {
+    std::vector<base::Time> begins;
+    policy::TerrainAhead before = policy::TerrainAhead::none;
+    preroll.look_ahead(range.to, [&](base::Time begin, policy::TerrainAhead alert) {
+        if (alert > before && begin >= range.from) begins.push_back(begin);
+        before = alert;
+    });
+    return begins;
+}
+
+std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRange& range, std::uint64_t most) {
+    std::vector<base::Time> events = thinned_events(alert_instants(preroll, range), most);
+    std::vector<base::Time> changes;
+    for (const base::Time change : player.outline().phase_changes())
+        if (change >= range.from && change <= range.to) changes.push_back(change);
+    changes = thinned_events(changes, most - events.size());
+    events.insert(events.end(), changes.begin(), changes.end());
+    std::sort(events.begin(), events.end());
+    return events;
+}
+
+}  // namespace tedavis::host_sim

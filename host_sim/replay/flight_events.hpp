@@ -1,0 +1,27 @@
+/// The instants of a flight at which something happens, so that a run that draws few frames has one there.
+///
+/// Further kinds of events (closest points, for instance) are added in event_instants().
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host_sim/replay/flight_player.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
+
+namespace tedavis::host_sim {
+
+struct TimeRange {
+    base::Time from, to;  ///< both included
+};
+
+/// The first intervals of terrain alerts up to `range.to`: with a caution after none, or with a warning after less. Decides all
+/// intervals from the log's start on, which a run to `range.to` does as well.
+[[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRange& range);
+
+/// Beginnings of alerts and changes of the flight phase, in order of time. Of more than `most`, alerts come before changes of the
+/// phase, and of each kind they are some, evenly by their number.
+[[nodiscard]] std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRange& range,
+                                                     std::uint64_t most);
+
+}  // namespace tedavis::host_sim

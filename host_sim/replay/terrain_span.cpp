@@ -1,0 +1,58 @@
+#include "host_sim/replay/terrain_span.hpp"
+
+#include <algorithm>
+
+#include "host_sim/reports/geo_extent.hpp"
+#include "host_sim/reports/line_chart.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+GeoExtent extent_of_places(const std::vector<OutlinePlace>& places) {
+    GeoExtent extent;
+    for (const OutlinePlace& place : places)
+        extent.include(base::degrees(place.latitude_rad), base::degrees(place.longitude_rad));
+    return extent;
+}
+
+std::string never_over(const ReplayOptions& options, const std::vector<OutlinePlace>& asked,
+                       const terrain::TerrainDatabase& database) {
+    const std::string covered =
+        options.picture.terrain + ": the flight is never over it: it covers " + extent_of(database).words() + ", the flight ";
+    if (asked.empty()) return options.picture.terrain + ": no position of the flight is known; leave out --over-terrain";
+    return covered + extent_of_places(asked).words() + "; give terrain of that region";
+}
+
+}  // namespace
+
+std::vector<TerrainSpan> spans_over(const std::vector<OutlinePlace>& places, const terrain::Lattice& lattice) {
+    std::vector<TerrainSpan> spans;
+    bool was_inside = false;
+    for (const OutlinePlace& place : places) {
+        const bool is_inside = lattice.point(place.latitude_rad, place.longitude_rad).inside;
+        if (is_inside && !was_inside) spans.push_back({place.time, place.time});
+        if (is_inside) spans.back().last = place.time;
+        was_inside = is_inside;
+    }
+    return spans;
+}
+
+ReplayOptions over_terrain(const ReplayOptions& options, const FlightOutline& outline, base::Time first,
+                           const terrain::TerrainDatabase* database) {
+    if (database == nullptr) throw UserError("--over-terrain: there is no terrain; name a database with --terrain");
+    std::vector<OutlinePlace> asked;
+    for (const OutlinePlace& place : outline.places()) {
+        const double time_s = (place.time - first).to_seconds();
+        if (time_s >= options.from_s.value_or(time_s) && time_s <= options.to_s.value_or(time_s)) asked.push_back(place);
+    }
+    const std::vector<TerrainSpan> spans = spans_over(asked, database->lattice());
+    if (spans.empty()) throw UserError(never_over(options, asked, *database));
+    ReplayOptions narrowed = options;
+    narrowed.from_s = (spans.front().first - first).to_seconds();
+    narrowed.to_s = (spans.back().last - first).to_seconds();
+    return narrowed;
+}
+
+}  // namespace tedavis::host_sim

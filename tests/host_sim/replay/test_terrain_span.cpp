@@ -1,0 +1,101 @@
+#include "host_sim/replay/terrain_span.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host_sim/replay/display_session.hpp"
+#include "render_core/base/units.hpp"
+#include "tests/support/flights/flown_circle.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_terrain_span {
+namespace {
+
+using test_support::expect_user_error;
+
+const base::Time kFirst{1'700'000'000'000'000'000};
+
+/// Two degrees a side from 10 W to 8 W and 50 N to 48 N; `west_deg` moves it.
+terrain::Lattice lattice(double west_deg = -10) {
+    terrain::FileHeader header{};
+    header.columns = header.rows = 201;
+    header.west_deg = west_deg;
+    header.north_deg = 50;
+    header.step_lon_deg = header.step_lat_deg = 0.01;
+    header.levels = 1;
+    return terrain::Lattice(header);
+}
+
+/// A place each second along these longitudes, at 49 N.
+std::vector<OutlinePlace> along(const std::vector<double>& longitudes_deg) {
+    std::vector<OutlinePlace> places;
+    for (std::size_t n = 0; n < longitudes_deg.size(); ++n)
+        places.push_back({kFirst + base::Duration::seconds(static_cast<std::int64_t>(n)), base::radians(49),
+                          base::radians(longitudes_deg[n])});
+    return places;
+}
+
+std::vector<std::pair<double, double>> seconds_of(const std::vector<TerrainSpan>& spans) {
+    std::vector<std::pair<double, double>> seconds;
+    for (const TerrainSpan& span : spans)
+        seconds.emplace_back((span.first - kFirst).to_seconds(), (span.last - kFirst).to_seconds());
+    return seconds;
+}
+
+using Spans = std::vector<std::pair<double, double>>;
+
+TEST(TerrainSpan, AreThePlacesInARowThatLieInside) {
+    EXPECT_EQ(seconds_of(spans_over(along({-11, -10.1, -9.9, -9, -8.1, -7.9, -7}), lattice())), (Spans{{2, 4}}));
+    EXPECT_EQ(seconds_of(spans_over(along({-9, -11, -9, -9, -7}), lattice())), (Spans{{0, 0}, {2, 3}}));
+    EXPECT_EQ(seconds_of(spans_over(along({-11, -7}), lattice())), Spans());
+    EXPECT_EQ(seconds_of(spans_over({}, lattice())), Spans());
+}
+
+TEST(TerrainSpan, AcrossTheAntimeridianPlacesHaveTwoNames) {
+    EXPECT_EQ(seconds_of(spans_over(along({178, 179.5, -179.5, -178}), lattice(179))), (Spans{{1, 2}}));
+}
+
+struct OverTerrain : ::testing::Test {
+    static const test_support::FlownFiles& files() {
+        static const test_support::FlownFiles kFiles;
+        return kFiles;
+    }
+    ReplayOptions options = files().options("unused");
+    DisplaySession session{options.picture, false};
+    const terrain::TerrainDatabase* database = session.display().planner().terrain_database();
+
+    /// A flight at 47 N, a place a second; the terrain covers 9.6 .. 9.76 E.
+    static FlightOutline flown(const std::vector<double>& longitudes_deg) {
+        std::vector<OutlinePlace> places = along(longitudes_deg);
+        for (OutlinePlace& place : places) place.latitude_rad = base::radians(47);
+        return {1, places, {}};
+    }
+};
+
+TEST_F(OverTerrain, GoesFromTheFirstEnteringToTheLastLeaving) {
+    const ReplayOptions cut = over_terrain(options, flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.75, 9.8}), kFirst, database);
+    EXPECT_EQ(cut.from_s, 1.0);
+    EXPECT_EQ(cut.to_s, 5.0);
+    EXPECT_EQ(cut.log, options.log);
+}
+
+TEST_F(OverTerrain, StaysWithinWhatIsAskedFor) {
+    options.from_s = 2;
+    options.to_s = 4.5;
+    const ReplayOptions cut = over_terrain(options, flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.75, 9.8}), kFirst, database);
+    EXPECT_EQ(cut.from_s, 2.0);
+    EXPECT_EQ(cut.to_s, 4.0);
+}
+
+TEST_F(OverTerrain, NeverOverItIsRefusedWithNumbers) {
+    const FlightOutline flight = flown({9.5, 9.55, 9.8});
+    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, database); },
+                      "it covers 46.940 .. 47.100 N, 9.600 .. 9.760 E");
+    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, database); },
+                      "the flight 47.000 .. 47.000 N, 9.500 .. 9.800 E");
+    options.to_s = -1;
+    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, database); }, "no position of the flight is known");
+    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, nullptr); }, "--over-terrain: there is no terrain");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_terrain_span
