@@ -78,20 +78,21 @@ void fly(const ReplayOptions& options, const FrameInstants& times, FramePreroll&
     console.progress_done();
 }
 
-/// The options with the part of the flight that they ask for.
-ReplayOptions cut_to_terrain(const ReplayOptions& options, const FlightPlayer& player, DisplaySession& session) {
-    if (!options.over_terrain) return options;
-    return over_terrain(options, player.outline(), player.first(), session.display().planner().terrain_database());
+/// Empty where the options ask for no parts.
+TimeRanges parts_of(const ReplayOptions& options, const FlightPlayer& player, DisplaySession& session) {
+    if (!options.over_terrain) return {};
+    return terrain_spans(options, player.outline(), player.first(), session.display().planner().terrain_database());
 }
 
 constexpr std::uint64_t kFramesForEachEvent = 4;  // so that a restless flight has a quarter more frames at most
 
 /// Where the options spread frames over the flight, its events have frames too.
-FrameInstants instants_of(const ReplayOptions& options, FlightPlayer& player, DisplaySession& session, FramePreroll& preroll) {
-    FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz);
+FrameInstants instants_of(const ReplayOptions& options, const TimeRanges& parts, FlightPlayer& player, DisplaySession& session,
+                          FramePreroll& preroll) {
+    FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz, parts);
     if (!options.spread) return times;
     const std::uint64_t most = std::max<std::uint64_t>(*options.spread / kFramesForEachEvent, 1);
-    times.add(event_instants(player, preroll, {times.earliest(), times.latest()}, most));
+    times.add(event_instants(player, preroll, times.parts(), most));
     return times;
 }
 
@@ -106,13 +107,13 @@ IndexPolicy index_policy(const ReplayOptions& options) {
     return policy;
 }
 
-int run_batch(const ReplayOptions& asked, Console& console) {
-    const AccuracyOverlay overlay({asked.accuracy}, asked.picture.terrain);
-    DisplaySession session(asked.picture, is_generated_flight(asked.log));
-    FlightPlayer player(player_files(asked), session.display(), &console, index_policy(asked));
-    const ReplayOptions options = cut_to_terrain(asked, player, session);
+int run_batch(const ReplayOptions& options, Console& console) {
+    const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
+    DisplaySession session(options.picture, is_generated_flight(options.log));
+    FlightPlayer player(player_files(options), session.display(), &console, index_policy(options));
+    const TimeRanges parts = parts_of(options, player, session);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
-    const FrameInstants times = instants_of(options, player, session, preroll);
+    const FrameInstants times = instants_of(options, parts, player, session, preroll);
     require_consent_to(options, times, player, session, console);
     const InterruptGuard interrupt;  // before anything is written
     const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
@@ -120,6 +121,7 @@ int run_batch(const ReplayOptions& asked, Console& console) {
     if (video) recorder.set_video(*video);
     if (options.accuracy.any())
         recorder.set_overlay([&overlay](DisplaySession& drawn, FrameResult& result) { return overlay.over(drawn, result); });
+    if (!parts.empty()) recorder.note(words_of_spans(parts, player.first(), options.picture.terrain));
     for (const std::string& note : options.notes) recorder.note(note);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),

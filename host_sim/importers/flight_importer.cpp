@@ -68,6 +68,16 @@ std::string choices(const ImportedFile& file) {
     return list;
 }
 
+/// Of a plain or a gzip file, from its first printed character on; empty where it cannot be read.
+std::string beginning_of(const std::string& path) {
+    std::string text(std::size_t{64} << 10, ' ');
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);  // it reads plain files, too
+    const int count = file != nullptr ? gzread(file.get(), text.data(), static_cast<unsigned>(text.size())) : 0;
+    text.resize(static_cast<std::size_t>(std::max(count, 0)));
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    return start == std::string::npos ? std::string() : text.substr(start);
+}
+
 }  // namespace
 
 ImportedFile import_flight_file(const std::string& path) {
@@ -93,14 +103,17 @@ ImportedFile import_flight_file(const std::string& path) {
     return import_csv(text, path);
 }
 
+std::string recorded_format(const std::string& path) {
+    const std::string beginning = beginning_of(path);
+    if (beginning.empty() || beginning.find('\0') != std::string::npos) return {};
+    if (beginning[0] == '<') return "GPX";
+    if (beginning[0] == '[' || beginning[0] == '{') return "ADS-B JSON";
+    return looks_like_igc(beginning) ? "IGC" : "";
+}
+
 bool is_bus_log_file(const std::string& path) {
     require_regular_file(path);
-    std::array<char, 4096> beginning{};
-    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);  // it reads plain files, too
-    const int count = file != nullptr ? gzread(file.get(), beginning.data(), static_cast<unsigned>(beginning.size())) : 0;
-    std::string_view text(beginning.data(), static_cast<std::size_t>(std::max(count, 0)));
-    const std::size_t start = text.find_first_not_of(" \t\r\n");
-    return start != std::string_view::npos && looks_like_bus_log(text.substr(start));
+    return looks_like_bus_log(beginning_of(path));
 }
 
 RecordedFlight choose_aircraft(ImportedFile file, const std::string& aircraft, const std::string& path) {

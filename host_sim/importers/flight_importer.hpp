@@ -9,6 +9,9 @@ namespace tedavis::host_sim {
 
 /// Reads the file (gzip or plain) and tells the format by its content, not its name. Throws UserError.
 [[nodiscard]] ImportedFile import_flight_file(const std::string& path);
+/// The format of a recorded flight, "IGC", "GPX" or "ADS-B JSON", by its beginning; empty for what is none of them or missing.
+/// Tables (CSV) are not told apart from other text.
+[[nodiscard]] std::string recorded_format(const std::string& path);
 /// Whether the file (gzip or plain) is a bus log, by the beginning of its first line. Throws UserError where there is none.
 [[nodiscard]] bool is_bus_log_file(const std::string& path);
 /// The flight of `aircraft` (its identity or callsign, case does not matter; empty: the only one). Throws UserError that

@@ -127,6 +127,7 @@ std::string replay_config_text(const ReplayOptions& options) {
     toml.number("from_s", options.from_s);
     toml.number("to_s", options.to_s);
     toml.number("step_s", options.step_s);
+    if (options.over_terrain) toml.truth("over_terrain");
     if (options.spread) toml.integer("spread", static_cast<std::uint32_t>(*options.spread));
     if (options.frames) toml.word("frames", kFrameNames[static_cast<std::size_t>(*options.frames)]);
     if (options.accuracy.figures) toml.truth("show_accuracy");
@@ -178,6 +179,7 @@ ReplayOptions load_replay_config(const std::string& path) {
     options.from_s = optional_number(root, "from_s");
     options.to_s = optional_number(root, "to_s");
     options.step_s = optional_number(root, "step_s");
+    options.over_terrain = root.boolean("over_terrain", false);
     if (root.has("spread")) options.spread = static_cast<std::uint64_t>(root.integer("spread", 2, kMaxSpread));
     if (root.has("frames")) root.choose("frames", kFrameNames, options.frames.emplace());
     options.accuracy = {root.boolean("show_accuracy", false), root.boolean("error_map", false)};

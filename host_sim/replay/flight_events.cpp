@@ -15,21 +15,21 @@ std::vector<base::Time> thinned_events(const std::vector<base::Time>& all, std::
 
 }  // namespace
 
-std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRange& range) {
+std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts) {
     std::vector<base::Time> begins;
     policy::TerrainAhead before = policy::TerrainAhead::none;
-    preroll.look_ahead(range.to, [&](base::Time begin, policy::TerrainAhead alert) {
-        if (alert > before && begin >= range.from) begins.push_back(begin);
+    preroll.look_ahead(parts.back().to, [&](base::Time begin, policy::TerrainAhead alert) {
+        if (alert > before && contains(parts, begin)) begins.push_back(begin);
         before = alert;
     });
     return begins;
 }
 
-std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRange& range, std::uint64_t most) {
-    std::vector<base::Time> events = thinned_events(alert_instants(preroll, range), most);
+std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRanges& parts, std::uint64_t most) {
+    std::vector<base::Time> events = thinned_events(alert_instants(preroll, parts), most);
     std::vector<base::Time> changes;
     for (const base::Time change : player.outline().phase_changes())
-        if (change >= range.from && change <= range.to) changes.push_back(change);
+        if (contains(parts, change)) changes.push_back(change);
     changes = thinned_events(changes, most - events.size());
     events.insert(events.end(), changes.begin(), changes.end());
     std::sort(events.begin(), events.end());

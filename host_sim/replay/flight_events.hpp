@@ -8,20 +8,17 @@
 
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
+#include "host_sim/replay/time_range.hpp"
 
 namespace tedavis::host_sim {
 
-struct TimeRange {
-    base::Time from, to;  ///< both included
-};
-
-/// The first intervals of terrain alerts up to `range.to`: with a caution after none, or with a warning after less. Decides all
-/// intervals from the log's start on, which a run to `range.to` does as well.
-[[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRange& range);
+/// The first intervals of terrain alerts in these parts of the flight, of which there is at least one: with a caution after none,
+/// or with a warning after less. Decides all intervals from the log's start on, which a run to the last part's end does as well.
+[[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts);
 
 /// Beginnings of alerts and changes of the flight phase, in order of time. Of more than `most`, alerts come before changes of the
 /// phase, and of each kind they are some, evenly by their number.
-[[nodiscard]] std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRange& range,
+[[nodiscard]] std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRanges& parts,
                                                      std::uint64_t most);
 
 }  // namespace tedavis::host_sim

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/importers/flight_importer.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/display_session.hpp"
@@ -42,7 +43,7 @@ std::string index_name(const std::string& log) { return log + ".tdx"; }
 }  // namespace
 
 PlayerFiles player_files(const ReplayOptions& options) {
-    return {options.log, options.picture.bus, options.switches, options.switch_config, options.picture.aircraft,
+    return {options.log,   options.picture.bus,   options.switches, options.switch_config, options.picture.aircraft,
             options.phase, options.aircraft_class};
 }
 
@@ -144,10 +145,17 @@ void FlightPlayer::keep_index(const FileIdentity& log, base::Time opened) {
     }
 }
 
+void FlightPlayer::refuse_log() const {
+    const std::string format = recorded_format(log_name_);
+    if (format.empty()) throw UserError(log_name_ + ": no CAN frame in this file; give a log as candump -L writes it");
+    throw UserError(log_name_ + ": a recorded flight (" + format +
+                    "), not a bus log; 'tedavis fly FLIGHT -o DIR' makes its report, "
+                    "'tedavis convert FLIGHT -o flight.log' a bus log");
+}
+
 void FlightPlayer::make_index() {
     bus::CanFrame frame;
-    if (source_->read(kEnd, {&frame, 1}) == 0)
-        throw UserError(log_name_ + ": no CAN frame in this file; give a log as candump -L writes it");
+    if (source_->read(kEnd, {&frame, 1}) == 0) refuse_log();
     first_ = frame.time;
     index_.track = CheckpointTrack(policy_.spacing);
     index_.outline = FlightOutline();

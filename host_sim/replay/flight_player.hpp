@@ -79,6 +79,7 @@ private:
     [[nodiscard]] bool take_kept_index();
     void keep_index(const FileIdentity& log, base::Time opened);
     void make_index();
+    [[noreturn]] void refuse_log() const;
     void start();
     void start_from_checkpoint(base::Time time);
     [[nodiscard]] bool next_step_is_by(base::Time time);

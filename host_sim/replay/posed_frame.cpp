@@ -27,6 +27,8 @@ FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const
     result.timing.draw_ms = result.timing.total_ms - result.timing.plan_ms;
     result.record = session.display().record();
     result.hash = session.frame_hash();
+    if (const terrain::TerrainDatabase* const database = session.display().planner().terrain_database(); database != nullptr)
+        result.clearance = ClearanceMeter(*database).measure(state, pose.time, result.record.heading_rad);
     return result;
 }
 

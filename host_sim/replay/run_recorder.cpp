@@ -63,7 +63,11 @@ RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, 
       records_(made_folder(options), player.first()),
       story_(player.first()),
       tally_(player.first()),
-      scene_extent_(extent_of_scene(options.picture.scene)) {}
+      closest_(player.first()),
+      scene_extent_(extent_of_scene(options.picture.scene)) {
+    if (const terrain::TerrainDatabase* const database = session.display().planner().terrain_database(); database != nullptr)
+        clearance_ = std::make_unique<ClearanceMeter>(*database);
+}
 
 const FrameResult& RunRecorder::draw(base::Time time) {
     input_ = player_.at(time);
@@ -93,12 +97,14 @@ void RunRecorder::draw_watched(base::Time time) {
 }
 
 void RunRecorder::keep() {
+    if (clearance_) result_.clearance = clearance_->measure(input_.state, result_.record.time, result_.record.heading_rad);
     records_.write(result_);
     total_ms_.push_back(result_.timing.total_ms);
     deadline_.add(result_);
     const double above = input_.state[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
     tally_.add(result_.record, above);
     effects_.add(result_.record);
+    closest_.add(result_.record, options_.frame_output() == FrameOutput::png);
     if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0))) story_.add_picture(result_, shown());
     legends_.note(std::string(session_.display().planned().shown->name.view()), result_, input_);
     if (options_.frame_output() == FrameOutput::png)
@@ -109,10 +115,11 @@ void RunRecorder::keep() {
 
 int RunRecorder::finish(bool interrupted, Console& console) {
     records_.commit();
-    const RunSummary done = summary(interrupted);
+    RunSummary done = summary(interrupted);
     const base::BudgetTable memory = session_.display().planner().budget();  // of the run, without the legends' pictures
     legends_.draw(session_, story_);
-    write_run_reports(options_.output, done, story_, memory);
+    if (clearance_ && !interrupted) done.closest = closest_.find(player_, *clearance_);
+    write_run_reports(options_.output, done, story_, memory, session_.display().planner().terrain_database());
     if (video_ != nullptr && video_->pictures() > 0) video_->commit();  // last: a disk that it fills leaves the records
     char line[200];
     std::snprintf(line, sizeof line, ": %s%s, %.1f frames/s median, ", counted(done.frames, "frame").c_str(),

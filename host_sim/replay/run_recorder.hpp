@@ -4,12 +4,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host_sim/options/replay_options.hpp"
+#include "host_sim/replay/closest_finder.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/legend_pictures.hpp"
@@ -70,6 +72,7 @@ private:
     flight::FrameInput input_;
     std::optional<flight::LegendShow> legend_;
     FrameResult result_;
+    std::unique_ptr<ClearanceMeter> clearance_;  ///< null: there is no terrain
     PictureOverlay overlay_;
     VideoFile* video_ = nullptr;
     RgbaPicture overlaid_;  ///< the picture of `result_`, where there is an overlay
@@ -78,6 +81,7 @@ private:
     std::vector<std::string> notes_;
     FlightTally tally_;
     EffectTally effects_;
+    ClosestFinder closest_;
     LegendPictures legends_;
     GeoExtent scene_extent_;              ///< read before the run: afterwards the file may be another one
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host_sim/reports/frame_record_json.hpp"
 #include "host_sim/reports/geo_extent.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/user_error.hpp"
@@ -9,6 +10,8 @@
 
 namespace tedavis::host_sim {
 namespace {
+
+constexpr std::size_t kSpansNamed = 8;
 
 GeoExtent extent_of_places(const std::vector<OutlinePlace>& places) {
     GeoExtent extent;
@@ -27,32 +30,41 @@ std::string never_over(const ReplayOptions& options, const std::vector<OutlinePl
 
 }  // namespace
 
-std::vector<TerrainSpan> spans_over(const std::vector<OutlinePlace>& places, const terrain::Lattice& lattice) {
-    std::vector<TerrainSpan> spans;
+TimeRanges spans_over(const std::vector<OutlinePlace>& places, const terrain::Lattice& lattice) {
+    TimeRanges spans;
     bool was_inside = false;
     for (const OutlinePlace& place : places) {
         const bool is_inside = lattice.point(place.latitude_rad, place.longitude_rad).inside;
         if (is_inside && !was_inside) spans.push_back({place.time, place.time});
-        if (is_inside) spans.back().last = place.time;
+        if (is_inside) spans.back().to = place.time;
         was_inside = is_inside;
     }
     return spans;
 }
 
-ReplayOptions over_terrain(const ReplayOptions& options, const FlightOutline& outline, base::Time first,
-                           const terrain::TerrainDatabase* database) {
+TimeRanges terrain_spans(const ReplayOptions& options, const FlightOutline& outline, base::Time first,
+                         const terrain::TerrainDatabase* database) {
     if (database == nullptr) throw UserError("--over-terrain: there is no terrain; name a database with --terrain");
     std::vector<OutlinePlace> asked;
     for (const OutlinePlace& place : outline.places()) {
         const double time_s = (place.time - first).to_seconds();
         if (time_s >= options.from_s.value_or(time_s) && time_s <= options.to_s.value_or(time_s)) asked.push_back(place);
     }
-    const std::vector<TerrainSpan> spans = spans_over(asked, database->lattice());
+    TimeRanges spans = spans_over(asked, database->lattice());
     if (spans.empty()) throw UserError(never_over(options, asked, *database));
-    ReplayOptions narrowed = options;
-    narrowed.from_s = (spans.front().first - first).to_seconds();
-    narrowed.to_s = (spans.back().last - first).to_seconds();
-    return narrowed;
+    return spans;
+}
+
+std::string words_of_spans(const TimeRanges& spans, base::Time first, const std::string& terrain) {
+    std::string words = "frames are drawn where the flight is over " + terrain + ": ";
+    const std::size_t named = std::min(spans.size(), kSpansNamed);
+    for (std::size_t n = 0; n < named; ++n)
+        words += (n > 0 ? ", " : "") + decimal((spans[n].from - first).to_seconds(), 1) + " - " +
+                 decimal((spans[n].to - first).to_seconds(), 1) + " s";
+    if (named < spans.size())
+        words += ", and " + counted(spans.size() - named, "further span") + ", the last until " +
+                 decimal((spans.back().to - first).to_seconds(), 1) + " s";
+    return words;
 }
 
 }  // namespace tedavis::host_sim

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/reports/clearance_json.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/display/planner/picture_layer.hpp"
 #include "render_core/earth/geodetic.hpp"
@@ -296,6 +297,7 @@ std::string frame_record_json(const FrameResult& result, base::Time origin) {
     json["warning_bands"] = bands_json(record.bands);
     json["terrain"] = terrain_json(record.terrain);
     json["alerts"] = {{"terrain", terrain_alert_json(record)}, {"obstacles", obstacle_alert_json(record.alerts)}};
+    json["clearance"] = clearance_json(result.clearance);
     if (result.has_layers) {
         json["layers"] = display::kPictureLayerNames;
         json["obstacles"] = obstacles_json(result.obstacles);

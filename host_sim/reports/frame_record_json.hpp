@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "host_sim/clearance/clearance.hpp"
 #include "host_sim/reports/run_findings.hpp"
 #include "render_core/base/time.hpp"
 #include "render_core/display/planner/frame_record.hpp"
@@ -32,6 +33,7 @@ struct FrameResult {
     bool has_accuracy_overlay = false;  ///< its picture file shows how accurate it is; `hash` is of the picture without it
     std::optional<MeasuredError> measured_error;  ///< where the picture file shows it in colors
     std::optional<Findings> warnings;             ///< of a single picture
+    std::optional<Clearance> clearance;           ///< from the terrain; nothing where it is not known
     double latency_ms = 0;  ///< from the newest message in the picture to the frame's time, both on the source's clock
 };
 

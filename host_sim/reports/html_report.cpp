@@ -5,10 +5,14 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/reports/base64.hpp"
+#include "host_sim/reports/closest_section.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/reports/phase_color.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/reports/run_words.hpp"
+#include "host_sim/reports/track_map.hpp"
 #include "host_sim/version.hpp"
+#include "render_core/base/units.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -29,8 +33,13 @@ constexpr const char* kStyle =
     "th,td{text-align:left;padding:.2rem .6rem .2rem 0;border-bottom:1px solid #8884;vertical-align:top}"
     "td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
     ".key{display:inline-block;width:.8rem;height:.8rem;margin-right:.3rem;vertical-align:-.05rem}"
-    ".bad{color:#c22;font-weight:600}"
-    "@media print{body{max-width:none;font-size:11px}section{break-inside:avoid}.wide{overflow:visible}}";
+    ".bad{color:#c22;font-weight:600}li,td,p{overflow-wrap:anywhere}"
+    ".map{max-height:40rem}.map-text{fill:#111!important}.map-halo{stroke:#fff;stroke-width:3px;fill:#fff!important}"
+    "details>summary{cursor:pointer;font-weight:600;margin:1.2rem 0 .4rem}"
+    "@media print{@page{size:A4;margin:12mm}body{max-width:none;padding:0;font-size:10px}details{display:none}"
+    "section{break-inside:avoid}.wide{overflow:visible}h2{margin:.6rem 0 .2rem;font-size:12px}table{font-size:9px}"
+    "th,td{padding:.05rem .5rem .05rem 0}.map{max-height:9cm}.charts{grid-template-columns:repeat(3,1fr)}"
+    ".strip{grid-template-columns:repeat(8,1fr);gap:.2rem}.strip figure:nth-child(n+17){display:none}figcaption{font-size:7px}}";
 
 std::string cell(const std::string& text) { return "<td>" + escaped_html(text) + "</td>"; }
 std::string number_cell(const std::string& text) { return "<td class='n'>" + text + "</td>"; }
@@ -87,6 +96,11 @@ std::string notes_list(const RunSummary& summary) {
     return items.empty() ? items : section("Notes", "<ul>" + items + "</ul>");
 }
 
+std::string closest_to_terrain(const RunSummary& summary) {
+    const std::string html = closest_html(summary.closest);
+    return html.empty() ? html : section("Closest to the terrain", html);
+}
+
 std::string figure(const std::string& caption, const std::string& png) {
     return "<figure><img alt='" + escaped_html(caption) + "' src='data:image/png;base64," + base64(png) + "'><figcaption>" +
            escaped_html(caption) + "</figcaption></figure>\n";
@@ -96,7 +110,7 @@ std::string strip(const RunStory& story) {
     std::string figures;
     for (const RunStory::Thumbnail& picture : story.thumbnails()) {
         const std::string caption =
-            "frame " + std::to_string(picture.frame) + ", " + decimal(picture.time_s, 1) + " s, " + picture.phase;
+            "frame " + std::to_string(picture.frame) + ", " + time_words(picture.time_s, story) + ", " + picture.phase;
         figures += figure(caption, picture.png);
     }
     return figures.empty() ? figures : section("Frames", "<div class='strip'>" + figures + "</div>");
@@ -147,9 +161,11 @@ std::string phase_table(const RunStory& story) {
     for (const RunStory::PhaseSpan& span : story.phases()) {
         rows += "<tr><td><span class='key' style='background:" + phase_color(span.phase) + "'></span>" +
                 escaped_html(span.phase) + "</td>" + cell(span.source) + number_cell(decimal(span.begin_s, 1)) +
-                number_cell(decimal(span.end_s, 1)) + "</tr>";
+                number_cell(decimal(span.end_s, 1)) + cell(span.design) + cell(span.first) + "</tr>";
     }
-    return section("Phases", table("<th>phase</th><th>source</th><th>from s</th><th>to s</th>", rows));
+    return section(
+        "Phases, and what came first",
+        table("<th>phase</th><th>stated by</th><th>from s</th><th>to s</th><th>design</th><th>first aspect</th>", rows));
 }
 
 std::string flag_table(const RunStory& story) {
@@ -160,6 +176,48 @@ std::string flag_table(const RunStory& story) {
                 number_cell(std::to_string(span.frames)) + "</tr>";
     }
     return section("Flags", table("<th>flag</th><th>first s</th><th>last s</th><th>frames</th>", rows));
+}
+
+/// The commonest reason of the frames without it.
+std::string reason_of(const EffectCount& effect) {
+    const EffectReason* commonest = nullptr;
+    for (const EffectReason& reason : effect.reasons)
+        if (commonest == nullptr || reason.frames > commonest->frames) commonest = &reason;
+    return commonest == nullptr ? "" : commonest->text;
+}
+
+std::string effect_table(const RunSummary& summary) {
+    std::string rows;
+    for (const EffectCount& effect : summary.effects)
+        rows += "<tr>" + cell(effect.name) + number_cell(std::to_string(effect.run)) +
+                number_cell(std::to_string(effect.replaced + effect.skipped)) + cell(reason_of(effect)) + "</tr>";
+    if (rows.empty()) return {};
+    return section("What was drawn, and what was left out",
+                   table("<th>effect</th><th>frames with it</th><th>frames without</th><th>commonest reason</th>", rows));
+}
+
+std::string lead(const RunSummary& summary, const RunStory& story) {
+    std::string text;
+    for (const std::string& sentence : run_sentences(summary, story)) text += (text.empty() ? "" : " ") + escaped_html(sentence);
+    return "<p>" + text + "</p>\n";
+}
+
+/// With the closest points by height, numbered as in their table.
+std::string map(const RunSummary& summary, const RunStory& story, const terrain::TerrainDatabase* terrain) {
+    std::vector<MapMark> marks;
+    for (const StatedClosest& closest : summary.closest.by_height) {
+        const earth::Geodetic& place = closest.point.sample.own.place;
+        const std::string number = std::to_string(marks.size() + 1);
+        marks.push_back({base::degrees(place.latitude_rad), base::degrees(place.longitude_rad), number,
+                         "closest to the ground, " + number + ": " + when_text(closest)});
+    }
+    const std::string svg = track_map_svg(story, terrain, marks);
+    return svg.empty() ? svg : section("Track", svg);
+}
+
+/// Folded away, and not printed.
+std::string folded(const std::string& title, const std::string& content) {
+    return "<details><summary>" + title + "</summary>" + content + "</details>\n";
 }
 
 std::string memory_table(const base::BudgetTable& memory) {
@@ -182,21 +240,26 @@ std::string memory_table(const base::BudgetTable& memory) {
 
 }  // namespace
 
-std::string html_report(const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory) {
+std::string html_report(const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory,
+                        const terrain::TerrainDatabase* terrain) {
+    const std::string title = escaped_html(run_title(summary, story));
     return std::string(
                "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
-               "content='width=device-width,initial-scale=1'>"
-               "<title>TEDAVIS run</title><style>") +
-           kStyle + "</style></head><body>\n<header><h1>TEDAVIS run: " + escaped_html(summary.log) + "</h1><p>Version " +
-           version() + ". A simulation; not certified for use in flight.</p></header>\n" + warnings_list(summary) +
-           section("Summary", summary_table(summary)) + notes_list(summary) + strip(story) + charts(story) + phase_table(story) +
-           legends(story) + flag_table(story) + memory_table(memory) + "</body></html>\n";
+               "content='width=device-width,initial-scale=1'><title>") +
+           title + "</title><style>" + kStyle + "</style></head><body>\n<header><h1>" + title + "</h1>" + lead(summary, story) +
+           "<p>TEDAVIS " + version() + ". A simulation; not certified for use in flight.</p></header>\n" +
+           warnings_list(summary) + closest_to_terrain(summary) + map(summary, story, terrain) + charts(story) + strip(story) +
+           phase_table(story) + effect_table(summary) + flag_table(story) + notes_list(summary) +
+           folded("Legends of the pictures", legends(story)) +
+           folded("For engineers: files, device, times, memory",
+                  section("Summary", summary_table(summary)) + memory_table(memory)) +
+           "</body></html>\n";
 }
 
 void write_run_reports(const std::string& folder, const RunSummary& summary, const RunStory& story,
-                       const base::BudgetTable& memory) {
+                       const base::BudgetTable& memory, const terrain::TerrainDatabase* terrain) {
     write_file_atomically(folder + "/" + kSummaryName, run_summary_json(summary, memory));
-    write_file_atomically(folder + "/" + kReportName, html_report(summary, story, memory));
+    write_file_atomically(folder + "/" + kReportName, html_report(summary, story, memory, terrain));
 }
 
 }  // namespace tedavis::host_sim

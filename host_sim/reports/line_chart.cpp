@@ -60,12 +60,17 @@ int tick_count(const LineChart& chart) { return std::max(4, static_cast<int>(cha
 
 Scale vertical_scale(const LineChart& chart) {
     double low = INFINITY, high = -INFINITY;
-    for (const ChartCurve& curve : chart.curves) {
-        for (const double value : curve.values) {
+    const auto include = [&](const std::vector<double>& values) {
+        for (const double value : values) {
             if (!std::isfinite(value)) continue;
             low = std::min(low, value);
             high = std::max(high, value);
         }
+    };
+    for (const ChartCurve& curve : chart.curves) include(curve.values);
+    for (const ChartBand& band : chart.bands) {
+        include(band.low);
+        include(band.high);
     }
     if (!(low <= high)) low = 0, high = 1;
     const double step = tick_step(std::max(high - low, 1e-6), tick_count(chart));
@@ -92,7 +97,8 @@ std::string grid(const LineChart& chart, const Scale& x, const Scale& y) {
         svg += text_at(kLeft - 4, place + 4, "end", decimal(value, digits_of(y_step)));
     }
     for (double value = std::ceil(x.low / x_step) * x_step; value <= x.high; value += x_step) {
-        svg += text_at(x.at(value), chart.height - 8, "middle", decimal(value, x_step < 1 ? 1 : 0) + " s");
+        svg += text_at(x.at(value), chart.height - 8, "middle",
+                       decimal(value, x_step < 1 ? 1 : 0) + " " + escaped_html(chart.x_unit));
     }
     return svg;
 }
@@ -132,6 +138,33 @@ std::string curve_path(const LineChart& chart, const ChartCurve& curve, const Sc
     }
     return "<path d='" + path + "' fill='none' stroke='" + curve.color + "' stroke-width='1.5'" +
            (curve.dashed ? " stroke-dasharray='6 3'" : "") + "/>";
+}
+
+/// From `first` on as far as the band has values: forwards along its top, back along its bottom. Of a dense band the widest of
+/// each column. `first` is then behind it.
+std::string band_part(const LineChart& chart, const ChartBand& band, std::size_t& first, const Scale& x, const Scale& y) {
+    const bool is_dense = static_cast<double>(chart.times_s.size()) > 3 * chart.width;
+    const auto has_value = [&](std::size_t n) { return std::isfinite(band.low[n]) && std::isfinite(band.high[n]); };
+    std::string top, bottom;
+    while (first < chart.times_s.size() && has_value(first)) {
+        double low = band.low[first], high = band.high[first];
+        const double at = x.at(chart.times_s[first]);
+        for (++first; is_dense && first < chart.times_s.size() && has_value(first) &&
+                      std::floor(x.at(chart.times_s[first])) == std::floor(at);
+             ++first) {
+            low = std::min(low, band.low[first]);
+            high = std::max(high, band.high[first]);
+        }
+        top += (top.empty() ? "M" : "L") + decimal(at, 1) + " " + decimal(y.at(high), 1);
+        bottom.insert(0, "L" + decimal(at, 1) + " " + decimal(y.at(low), 1));
+    }
+    return top.empty() ? top : top + bottom + "Z";
+}
+
+std::string band_svg(const LineChart& chart, const ChartBand& band, const Scale& x, const Scale& y) {
+    std::string path;
+    for (std::size_t first = 0; first < chart.times_s.size(); ++first) path += band_part(chart, band, first, x, y);
+    return path.empty() ? path : "<path class='band' d='" + path + "' fill='" + band.color + "' fill-opacity='0.25'/>";
 }
 
 /// The label, or what follows its last dot, or nothing, by the room there is.
@@ -208,6 +241,7 @@ std::string line_chart_svg(const LineChart& chart) {
     }
     svg += grid(chart, x, y);
     for (const ChartSpan& span : chart.spans) svg += span_svg(chart, span, x);
+    for (const ChartBand& band : chart.bands) svg += band_svg(chart, band, x, y);
     for (const ChartCurve& curve : chart.curves) svg += curve_path(chart, curve, x, y);
     const std::vector<int> rows = mark_rows(chart);
     for (std::size_t n = 0; n < rows.size(); ++n) svg += mark_svg(chart.marks[n], rows[n], x, y);

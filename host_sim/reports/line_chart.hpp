@@ -12,6 +12,12 @@ struct ChartCurve {
     bool dashed = false;         ///< told apart without its colour
 };
 
+/// An area between two values, behind the curves: of what is not sure.
+struct ChartBand {
+    std::string color;
+    std::vector<double> low, high;  ///< one for each time; NaN leaves a gap
+};
+
 struct ChartSpan {
     double begin = 0, end = 0;
     std::string label, color;
@@ -32,6 +38,8 @@ struct LineChart {
     std::vector<ChartMark> marks = {};
     double width = 480,
            height = 230;  ///< of the drawing; by default narrow: on a phone it is shown nearly 1:1, on a desk it grows
+    std::vector<ChartBand> bands = {};
+    std::string x_unit = "s";  ///< of `times_s`, which may be distances
 };
 
 /// Scales with its container; text stays readable where that is three quarters of the drawing's width. Of many more values than

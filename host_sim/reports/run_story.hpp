@@ -17,11 +17,19 @@ public:
     struct Sample {
         double time_s = 0, altitude_msl_m = 0, height_above_terrain_m = 0, ground_speed_mps = 0, total_ms = 0;
         bool position_valid = false, height_above_terrain_known = false;
+        double latitude_deg = 0, longitude_deg = 0;  ///< where the position is valid
     };
     /// Consecutive frames of one phase from one source.
     struct PhaseSpan {
         double begin_s = 0, end_s = 0;
         std::string phase, source;
+        std::string design, first;  ///< the design that the display showed, and the aspect that came first in it
+    };
+    /// UTC at the first and the last frame that knew it; `is_confirmed`: the bus stated it then.
+    struct Utc {
+        bool is_known = false, is_confirmed = true;
+        base::Time begin, end;
+        base::Duration from_run;  ///< UTC minus the run's own seconds, at the first frame that knew it
     };
     struct FlagSpan {
         double first_s = 0, last_s = 0;
@@ -49,6 +57,7 @@ public:
     void add_legend(const std::string& design, bool is_whole, const FrameResult& result, const RgbaView& view);
 
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+    [[nodiscard]] const Utc& utc() const { return utc_; }
     [[nodiscard]] const std::vector<PhaseSpan>& phases() const { return phases_; }
     [[nodiscard]] const std::map<std::string, FlagSpan>& flags() const { return flags_; }
     [[nodiscard]] const std::vector<Thumbnail>& thumbnails() const { return thumbnails_; }
@@ -56,8 +65,10 @@ public:
 
 private:
     void add_phase(const display::FrameRecord& record, double time_s);
+    void add_utc(const flight::FlightTime& time, double time_s);
 
     base::Time origin_;
+    Utc utc_;
     std::vector<Sample> samples_;
     std::uint64_t frames_ = 0, sample_stride_ = 1, picture_stride_ = 1;
     std::vector<PhaseSpan> phases_;

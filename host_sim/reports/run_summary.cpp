@@ -85,6 +85,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["worst_error_px"] = summary.worst_error_px;
     json["worst_start_error_px"] = summary.worst_start_error_px;
     json["terrain_alerts"] = terrain_alerts_json(summary.terrain_alerts);
+    json["closest"] = closest_json(summary.closest);
     json["gl_calls_outside_device"] = summary.gl_calls_outside_device;
     json["device"] = summary.device;
     json["design"] = summary.design;

@@ -7,6 +7,7 @@
 
 #include "bus/state/traffic_table.hpp"
 #include "host_sim/reports/alert_tally.hpp"
+#include "host_sim/reports/closest_json.hpp"
 #include "host_sim/reports/deadline_tally.hpp"
 #include "host_sim/reports/effect_tally.hpp"
 #include "host_sim/reports/run_findings.hpp"
@@ -29,6 +30,7 @@ struct RunSummary {
     std::uint64_t terrain_frames = 0;                     ///< that show terrain
     double worst_error_px = 0, worst_start_error_px = 0;  ///< FlightTally
     TerrainAlertCounts terrain_alerts;
+    ClosestReport closest;
     std::uint64_t gl_calls_outside_device = 0;
     std::string device, design, aircraft, palette, light, terrain, scene, log, switches, video;  ///< as they were named
     std::uint32_t width = 0, height = 0;

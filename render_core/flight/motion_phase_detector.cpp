@@ -18,8 +18,10 @@ struct Motion {
     double height = 0;         // radio height where it is believed, else from the terrain database
     double lowest_height = 0;  // the lower of both; infinite where neither is known
     double near_ground = 0;    // by how much heights near the ground may be too large
+    bool remembers_ground = false;
     bool has_climbed = false;
-    double climbed = 0;       // above the place of the departure, where no height is known
+    double climbed = 0;       // above the ground that is remembered, where no height is known
+    bool flies = false;       // by its airspeed
     double acceleration = 0;  // 0 when it is not known
     bool was_level = false;   // the level condition held at the last update
 };
@@ -29,7 +31,7 @@ bool read_valid(const AircraftState& aircraft, Signal signal, base::Time now, do
     return aircraft.is_valid(signal, now) && std::isfinite(value);
 }
 
-bool read_speeds(const AircraftState& aircraft, base::Time now, Motion& motion) {
+bool read_speeds(const AircraftState& aircraft, base::Time now, const Settings& settings, Motion& motion) {
     const OwnShipEstimate& own = aircraft.own_ship;
     const double horizontal = std::hypot(own.velocity_north_mps, own.velocity_east_mps);
     const bool estimated =
@@ -39,6 +41,8 @@ bool read_speeds(const AircraftState& aircraft, base::Time now, Motion& motion) 
     if (!fast) motion.ground_speed = horizontal;
     if (!vertical) motion.vertical_speed = own.velocity_up_mps;
     if (!read_valid(aircraft, Signal::longitudinal_acceleration, now, motion.acceleration)) motion.acceleration = 0;
+    double airspeed = 0;
+    motion.flies = read_valid(aircraft, Signal::indicated_airspeed, now, airspeed) && airspeed > settings.takeoff_speed_mps;
     return (fast || estimated) && (vertical || estimated);
 }
 
@@ -53,33 +57,47 @@ void read_height(const AircraftState& aircraft, base::Time now, const Settings& 
     motion.near_ground = has_radio ? 0 : settings.terrain_height_margin_m;
 }
 
-DepartureAltitude read_altitude(const AircraftState& aircraft, base::Time now, double& altitude) {
-    if (read_valid(aircraft, Signal::standard_altitude, now, altitude)) return DepartureAltitude::standard;
+GroundAltitude read_altitude(const AircraftState& aircraft, base::Time now, double& altitude) {
+    if (read_valid(aircraft, Signal::standard_altitude, now, altitude)) return GroundAltitude::standard;
     altitude = aircraft.own_ship.position.height.m;
     const bool is_known = aircraft.own_ship.state == base::SignalState::valid && std::isfinite(altitude);
-    return is_known ? DepartureAltitude::own_ship : DepartureAltitude::none;
+    return is_known ? GroundAltitude::own_ship : GroundAltitude::none;
 }
 
-/// The altitude of the ground below is known while the aircraft stands; who is far below it has flown away from there.
-void follow_departure(const AircraftState& aircraft, base::Time now, const Settings& settings, MotionPhaseState& state,
-                      Motion& motion) {
+/// The ground below is remembered while its height is known, and while the aircraft stands. An aircraft far below that altitude,
+/// or high above it, has left the place, and so has one after some minutes.
+void follow_ground(const AircraftState& aircraft, base::Time now, const Settings& settings, MotionPhaseState& state,
+                   Motion& motion) {
     constexpr double kFarBelow_m = 30;
     double altitude = 0;
-    const DepartureAltitude source = read_altitude(aircraft, now, altitude);
-    if (state.stage == Stage::ground && motion.ground_speed < settings.standing_speed_mps) {
-        state.departure = source;
-        state.departure_m = altitude;
+    const GroundAltitude source = read_altitude(aircraft, now, altitude);
+    const bool is_on_ground = state.stage == Stage::ground && motion.ground_speed < settings.standing_speed_mps;
+    if (source != GroundAltitude::none && (motion.has_height || is_on_ground)) {
+        state.ground = source;
+        state.ground_m = motion.has_height ? altitude - motion.lowest_height : altitude;
+        state.ground_at = now;
     }
-    const bool departs = state.stage == Stage::ground || state.stage == Stage::takeoff_start || state.stage == Stage::first_climb;
-    motion.climbed = altitude - state.departure_m;
-    if (!departs || source != state.departure || motion.climbed < -kFarBelow_m) state.departure = DepartureAltitude::none;
-    motion.has_climbed = state.departure != DepartureAltitude::none;
+    motion.climbed = altitude - state.ground_m;
+    motion.has_climbed = state.ground != GroundAltitude::none && source == state.ground;
+    const bool has_left = motion.has_climbed && (motion.climbed < -kFarBelow_m || motion.climbed > settings.cruise_height_m);
+    if (!motion.has_height && (has_left || now - state.ground_at > settings.forget_ground_after))
+        state.ground = GroundAltitude::none;
+    motion.remembers_ground = state.ground != GroundAltitude::none;
+    motion.has_climbed = motion.has_climbed && motion.remembers_ground;
 }
 
 bool stands(const Motion& m, const Settings& s) {
-    const bool is_low =
-        m.has_height ? m.height < s.ground_height_m + m.near_ground : std::abs(m.vertical_speed) < s.standing_climb_mps;
-    return m.ground_speed < s.standing_speed_mps && is_low;
+    return m.has_height && m.ground_speed < s.standing_speed_mps && m.height < s.ground_height_m + m.near_ground;
+}
+/// Without a height: slow, level, and without an airspeed that would carry it.
+bool rests(const Motion& m, const Settings& s) {
+    return !m.has_height && !m.flies && m.ground_speed < s.standing_speed_mps &&
+           std::abs(m.vertical_speed) < s.standing_climb_mps;
+}
+/// A glider may hang in the wind; none hangs as still as that.
+bool lies_still(const Motion& m, const Settings& s) {
+    constexpr double kStill_mps = 0.5, kStillClimb_mps = 0.2;
+    return s.soars && rests(m, s) && m.ground_speed < kStill_mps && std::abs(m.vertical_speed) < kStillClimb_mps;
 }
 bool runs(const Motion& m, const Settings& s) {
     return m.ground_speed > s.takeoff_speed_mps ||
@@ -98,20 +116,23 @@ bool climbs_low(const Motion& m, const Settings& s) {
            m.height < s.second_climb_height_m;
 }
 bool climbs_high(const Motion& m, const Settings& s) {
-    const bool is_above =
-        m.has_height ? m.height > s.second_climb_height_m : m.climbed > s.second_climb_height_m || !m.has_climbed;
+    const bool is_above = m.has_height ? m.height > s.second_climb_height_m
+                                       : !m.remembers_ground || (m.has_climbed && m.climbed > s.second_climb_height_m);
     return m.vertical_speed > s.climb_mps && is_above;
 }
 bool climbs_again(const Motion& m, const Settings& s) {
     return m.vertical_speed > s.go_around_climb_mps && (!m.has_height || m.height > s.second_climb_height_m);
 }
 bool goes_around(const Motion& m, const Settings& s) { return m.vertical_speed > s.go_around_climb_mps; }
-/// Of who soars: flies at all.
-bool is_level(const Motion& m, const Settings& s) {
+/// A glider counts as steady whenever it moves, climbing or sinking.
+bool is_steady(const Motion& m, const Settings& s) {
     const double limit = s.level_mps + (m.was_level ? s.level_hysteresis_mps : 0);
-    const bool is_steady = s.soars ? m.ground_speed > s.standing_speed_mps : std::abs(m.vertical_speed) < limit;
-    return is_steady && (m.has_height ? m.height > s.cruise_height_m : !m.has_climbed);
+    return s.soars ? m.ground_speed > s.standing_speed_mps : std::abs(m.vertical_speed) < limit;
 }
+bool is_level(const Motion& m, const Settings& s) { return m.has_height && is_steady(m, s) && m.height > s.cruise_height_m; }
+/// Without a height, and not within the height of cruise above the ground that is remembered.
+bool is_level_unseen(const Motion& m, const Settings& s) { return !m.has_height && is_steady(m, s) && !m.remembers_ground; }
+bool leaves_approach(const Motion& m, const Settings& s) { return m.has_height && m.height > s.initial_height_m; }
 bool levels_low(const Motion& m, const Settings& s) {
     return m.has_height && m.vertical_speed < s.level_mps && m.vertical_speed >= -s.approach_descent_mps &&
            m.height <= s.cruise_height_m;
@@ -152,6 +173,9 @@ struct Rule {
 constexpr Rule kRules[] = {
     {from(Stage::cruise, Stage::replanning), Stage::low_flight, is_low, &Settings::brief},
     {~from(Stage::ground), Stage::ground, stands, &Settings::standing},
+    {from(Stage::none, Stage::takeoff_start, Stage::descent, Stage::initial, Stage::final, Stage::landing), Stage::ground, rests,
+     &Settings::resting},
+    {~from(Stage::ground), Stage::ground, lies_still, &Settings::lying},
     {from(Stage::ground), Stage::takeoff_start, runs, &Settings::brief},
     {from(Stage::landing), Stage::takeoff_start, accelerates, &Settings::brief},
     {from(Stage::ground, Stage::takeoff_start), Stage::first_climb, lifts_off, &Settings::brief},
@@ -169,7 +193,11 @@ constexpr Rule kRules[] = {
      Stage::descent, descends, &Settings::vertical},
     {from(Stage::none, Stage::low_flight, Stage::takeoff_start, Stage::first_climb, Stage::second_climb), Stage::cruise, is_level,
      &Settings::level},
-    {from(Stage::descent, Stage::initial), Stage::cruise, is_level, &Settings::level_after_descent},
+    {from(Stage::none, Stage::low_flight, Stage::takeoff_start, Stage::first_climb, Stage::second_climb), Stage::cruise,
+     is_level_unseen, &Settings::level},
+    {from(Stage::descent, Stage::initial, Stage::final, Stage::landing), Stage::cruise, is_level, &Settings::level_after_descent},
+    {from(Stage::descent), Stage::cruise, is_level_unseen, &Settings::level_unseen},
+    {from(Stage::final, Stage::landing), Stage::low_flight, leaves_approach, &Settings::vertical},
     {from(Stage::replanning), Stage::cruise, is_level, &Settings::level_after_replanning},
     {from(Stage::second_climb, Stage::abort), Stage::low_flight, levels_low, &Settings::vertical},
     {from(Stage::none, Stage::descent, Stage::low_flight), Stage::second_climb, climbs_again, &Settings::vertical},
@@ -220,7 +248,7 @@ void follow_rules(Motion motion, base::Time now, const Settings& settings, Motio
     for (std::size_t i = 0; i < kRuleCount; ++i) {
         const Rule& rule = kRules[i];
         if ((rule.from & bit(state.stage)) == 0) continue;
-        motion.was_level = rule.holds == is_level && state.timers[i].running;
+        motion.was_level = (rule.holds == is_level || rule.holds == is_level_unseen) && state.timers[i].running;
         if (!is_due(rule, state.timers[i], motion, now, settings)) continue;
         if (takes_priority_from_terrain(rule.to) && motion.lowest_height < settings.terrain_priority_height_m) continue;
         stop_timers(state);
@@ -266,12 +294,14 @@ void rest(base::Time now, MotionPhaseState& state) {
 /// True where the rules can be followed; without a height they can only once it is clear that there is none.
 bool read_motion(const AircraftState& aircraft, base::Time now, const Settings& settings, MotionPhaseState& state,
                  Motion& motion) {
-    const bool has_speeds = read_speeds(aircraft, now, motion);
+    const bool has_speeds = read_speeds(aircraft, now, settings, motion);
     read_height(aircraft, now, settings, motion);
     if (has_speeds) state.last_speeds = now;
     if (motion.has_height) state.last_height = now;
+    if (motion.has_height != state.had_height) stop_timers(state);  // of conditions on another height, or on none
+    state.had_height = motion.has_height;
     if (!has_speeds || (!motion.has_height && now - state.last_height <= settings.forget_after)) return false;
-    follow_departure(aircraft, now, settings, state, motion);
+    follow_ground(aircraft, now, settings, state, motion);
     return true;
 }
 

@@ -6,9 +6,10 @@
 ///
 /// - Without a valid speed or vertical speed there is no statement; after `forget_after` the detection restarts.
 /// - Without a height above ground (no radio height, and outside the terrain database or without one) there is no statement for
-///   `forget_after`. From then on it goes on by speed, by climb, and by the altitude above the place of the departure, which
-///   counts until the first climb has ended. Level flight is then cruise at any height, and an approach remains a descent until
-///   the aircraft stands.
+///   `forget_after`. From then on it goes on by speed, by climb, and by the altitude above the last ground that was known, which
+///   is remembered for `forget_ground_after` and until the aircraft is higher above it than cruise begins: before that there is
+///   no cruise. After it level flight is cruise, and after a descent only once it has lasted for `level_unseen`. An approach
+///   remains a descent until the aircraft rests, or is level for so long.
 /// - Steps may vary in length. Across a step longer than `longest_step` no condition counts as having held. Time that runs back
 ///   restarts the detection (a seek restores a saved state instead).
 /// - Below `terrain_priority_height_m` no transition may take priority away from terrain, and a phase that gives priority to
@@ -50,8 +51,8 @@ enum class MotionStage : std::uint8_t {
 
 inline constexpr std::size_t kMaxMotionRules = 24;
 
-/// Which altitude `departure_m` is of: heights above it are of the same one.
-enum class DepartureAltitude : std::uint8_t { none, standard, own_ship };
+/// Which altitude `ground_m` is of; none: no ground is remembered.
+enum class GroundAltitude : std::uint8_t { none, standard, own_ship };
 
 /// The detector's state; plain data, so that it can be saved and restored.
 struct MotionPhaseState {
@@ -65,8 +66,10 @@ struct MotionPhaseState {
     base::Time last_complete;  ///< time of the newest update that followed the rules
     base::Time last_speeds;    ///< time of the newest update with speeds
     base::Time last_height;    ///< time of the newest update with a height above ground
-    double departure_m = 0;    ///< altitude at which the aircraft stood
-    DepartureAltitude departure = DepartureAltitude::none;
+    double ground_m = 0;       ///< altitude of the ground that is remembered
+    base::Time ground_at;      ///< when it was below
+    GroundAltitude ground = GroundAltitude::none;
+    bool had_height = false;
     double vertical_speed_mps = 0;  ///< smoothed
     MotionStage stage = MotionStage::none;
     bool any_update = false;

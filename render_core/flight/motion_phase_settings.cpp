@@ -10,8 +10,10 @@ constexpr double kLowestCruise_m = 500;  // above the height below which terrain
 MotionPhaseSettings of_light() {
     MotionPhaseSettings s;
     s.cruise_height_m = kLowestCruise_m;
+    s.level_mps = 1;
     s.descent_mps = 1.5;
-    s.initial_height_m = 600;
+    s.initial_height_m = 450;
+    s.level_unseen = base::Duration::seconds(120);
     s.vertical = base::Duration::seconds(20);  // in the Alps the air rises and sinks for longer than ten seconds
     return s;
 }
@@ -24,7 +26,7 @@ MotionPhaseSettings of_jet() {
     return s;
 }
 
-/// It hovers, so that only long and perfect rest is a landing where no height is known.
+/// It hovers and flies slowly.
 MotionPhaseSettings of_helicopter() {
     MotionPhaseSettings s;
     s.standing_speed_mps = 3;
@@ -37,6 +39,7 @@ MotionPhaseSettings of_helicopter() {
     s.replanning_height_m = 300;
     s.level = base::Duration::seconds(15);
     s.level_after_descent = base::Duration::seconds(30);
+    s.level_unseen = base::Duration::seconds(60);
     s.standing = base::Duration::seconds(20);
     return s;
 }

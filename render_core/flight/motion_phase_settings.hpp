@@ -47,14 +47,18 @@ struct MotionPhaseSettings {
     base::Duration brief = base::Duration::seconds(1);  ///< lift-off, touchdown, low flight
     base::Duration usual = base::Duration::seconds(2);  ///< between consecutive phases
     base::Duration standing = base::Duration::seconds(3);
+    base::Duration resting = base::Duration::seconds(20);  ///< as standing, where no height is known
+    base::Duration lying = base::Duration::seconds(60);    ///< of a glider, which may rest in the wind
     base::Duration go_around = base::Duration::seconds(3);
     base::Duration vertical = base::Duration::seconds(10);  ///< climb, descent and level flight from another phase
     base::Duration level = base::Duration::seconds(30);
     base::Duration level_after_descent = base::Duration::seconds(60);  ///< longer than a landing roll
+    base::Duration level_unseen = base::Duration::seconds(180);        ///< after a descent, where no height is known
     base::Duration level_after_replanning = base::Duration::seconds(120);
     base::Duration smoothing = base::Duration::seconds(2);  ///< time constant for the vertical speed
     base::Duration longest_step = base::Duration::seconds(2);
     base::Duration forget_after = base::Duration::seconds(10);
+    base::Duration forget_ground_after = base::Duration::seconds(600);  ///< the ground that was below, where no height is known
 };
 
 [[nodiscard]] MotionPhaseSettings motion_phase_settings(AircraftClass aircraft) noexcept;

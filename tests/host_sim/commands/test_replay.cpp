@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -125,6 +126,39 @@ TEST(Replay, OverTerrainIsWhereTheFlightIsOverIt) {
     whole.step_s = 1;
     replayed(whole);
     EXPECT_NE(frame_lines(whole.output).at(5).dump().find("terrain.outside_database"), std::string::npos);
+}
+
+/// Off the terrain and back over it, twice: a fix each second, north of 46.94 N and south of it in turns of 10 s.
+ReplayOptions in_and_out(const std::string& output) {
+    ReplayOptions options = files().options(output);
+    options.log = files().folder.file("in_and_out.log");
+    if (std::filesystem::exists(options.log)) return options;
+    ConvertOptions convert;
+    convert.flight = files().folder.write("in_and_out.igc", test_support::FlownAcross{46.94, 50, 0.003}.igc_meandering(0.02, 20));
+    convert.output = options.log;
+    convert.assume_geometric = true;
+    EXPECT_EQ(test_support::run_command([&](Console& console) { return run_convert(convert, console); }).code, 0);
+    return options;
+}
+
+TEST(Replay, BetweenTwoSpansOverTheTerrainNothingIsDrawn) {
+    for (const bool is_spread : {false, true}) {
+        ReplayOptions options = in_and_out(is_spread ? "spans_spread" : "spans");
+        options.over_terrain = true;
+        options.step_s = is_spread ? std::nullopt : std::optional<double>(1);
+        if (is_spread) options.spread = 20;
+        replayed(options);
+        const auto lines = frame_lines(options.output);
+        EXPECT_GE(lines.size(), 15u);
+        double widest_gap_s = 0;
+        for (std::size_t n = 1; n < lines.size(); ++n)
+            widest_gap_s = std::max(widest_gap_s, lines[n].at("time_s").get<double>() - lines[n - 1].at("time_s").get<double>());
+        EXPECT_GT(widest_gap_s, 7) << "it was away";
+        for (const auto& line : lines) EXPECT_EQ(line.dump().find("terrain.outside_database"), std::string::npos);
+        const std::string notes = summary_of(options.output).at("notes").dump();
+        EXPECT_THAT(notes, HasSubstr("frames are drawn where the flight is over " + options.picture.terrain + ": "));
+        EXPECT_GE(std::count(notes.begin(), notes.end(), '-'), 2) << notes;
+    }
 }
 
 TEST(Replay, SpreadFramesAreThoseOfTheWholeRun) {

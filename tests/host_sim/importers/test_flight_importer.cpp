@@ -38,6 +38,11 @@ TEST(FlightImporter, TellsABusLogByItsFirstLine) {
     for (const char* const text : {kIgc, kGpx, kJson, kCsv, "", "(no stamp\n"})
         EXPECT_FALSE(is_bus_log_file(folder.write("d", text)));
     test_support::expect_user_error([&] { (void)is_bus_log_file(folder.file("missing")); }, "missing");
+    EXPECT_EQ(recorded_format(folder.write("a.igc", "AXXX\nHFDTE200319\nB0900004600000N00900000EA0100001000\n")), "IGC");
+    EXPECT_EQ(recorded_format(folder.write("a.gpx", "<?xml version='1.0'?>")), "GPX");
+    EXPECT_EQ(recorded_format(folder.write("a.json", " [{}]")), "ADS-B JSON");
+    for (const std::string& other : {log, std::string("hello"), std::string(), std::string("\0A", 2)})
+        EXPECT_EQ(recorded_format(folder.write("other", other)), "");
 }
 
 TEST(FlightImporter, RefusesEmptyAndBinaryFiles) {

@@ -34,7 +34,7 @@ struct Flown {
     DisplaySession session{asked.picture, false};
     FlightPlayer player{{asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display()};
     FramePreroll preroll{player, session, session.device().frame_rate_hz};
-    TimeRange whole{player.first(), player.last()};
+    TimeRanges whole{{player.first(), player.last()}};
 };
 
 TEST(FlightEvents, AlertsBeginWhereTheFramesOfARunShowThem) {
@@ -47,7 +47,7 @@ TEST(FlightEvents, AlertsBeginWhereTheFramesOfARunShowThem) {
     std::vector<base::Time> begun;
     auto before = policy::TerrainAhead::none;
     Flown run;
-    for (base::Time time = run.whole.from; time <= run.whole.to; time = time + base::Duration::milliseconds(100)) {
+    for (base::Time time = run.whole[0].from; time <= run.whole[0].to; time = time + base::Duration::milliseconds(100)) {
         run.preroll.preroll(time);
         const flight::FrameInput input = run.player.at(time);
         run.session.display().plan({input.state, input.phase, time, input.trail, input.legend});
@@ -71,7 +71,15 @@ TEST(FlightEvents, AreThoseOfTheRangeInOrder) {
     const base::Time middle = all[all.size() / 2];
     const auto expected =
         static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](base::Time time) { return time >= middle; }));
-    EXPECT_EQ(event_instants(flown.player, flown.preroll, {middle, flown.whole.to}, 100).size(), expected);
+    EXPECT_EQ(event_instants(flown.player, flown.preroll, {{middle, flown.whole[0].to}}, 100).size(), expected);
+}
+
+TEST(FlightEvents, OfSeveralPartsAreThoseInThem) {
+    Flown flown;
+    const std::vector<base::Time> all = event_instants(flown.player, flown.preroll, flown.whole, 100);
+    ASSERT_GE(all.size(), 2u);
+    const TimeRanges ends{{all.front(), all.front()}, {all.back(), flown.whole[0].to}};
+    EXPECT_EQ(event_instants(flown.player, flown.preroll, ends, 100), (std::vector<base::Time>{all.front(), all.back()}));
 }
 
 TEST(FlightEvents, OfTooManyAlertsComeFirst) {

@@ -152,11 +152,17 @@ TEST(FlightPlayer, RefusesWhatIsNoFlight) {
     const std::string good = folder.write("good.log", first_seconds(2));
     const auto play = [](const PlayerFiles& files) { return [files] { Played played(files); }; };
     test_support::expect_user_error(play(files_of(folder.write("empty.log", ""))), "no CAN frame in this file");
+    test_support::expect_user_error(
+        play(files_of(folder.write("f.igc", "AXXX001\nHFDTE200319\nB0900004600000N00900000EA0100001000\n"))),
+        "a recorded flight (IGC), not a bus log; 'tedavis fly FLIGHT -o DIR' makes its report");
+    test_support::expect_user_error(play(files_of(folder.write("f.json", "[{\"timestamp\": 1}]"))),
+                                    "a recorded flight (ADS-B JSON)");
+    test_support::expect_user_error(play(files_of(folder.write("text.log", "hello\n"))), "no CAN frame in this file");
     test_support::expect_user_error(play(files_of(folder.file("missing.log"))), "missing.log");
     test_support::expect_user_error(play({good, "no_such_bus", "", "one_hot"}), "no_such_bus");
     test_support::expect_user_error(play({good, "canaerospace", "", "no_such_panel"}), "no_such_panel");
     test_support::expect_user_error(play(files_of(good, good)), "not a switch log");
-    EXPECT_EQ(folder.entries(), 2u) << "no index of what could not be played";
+    EXPECT_EQ(folder.entries(), 5u) << "no index of what could not be played";
 }
 
 TEST(FlightPlayer, AnyOrderOfInstantsGivesTheSameStates) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -128,6 +129,66 @@ TEST(FrameInstants, NoEventsChangeNothing) {
     times.add({});
     EXPECT_EQ(times.count(), 11u);
     EXPECT_EQ(times.at(0), kFirst + base::Duration::seconds(20)) << "backwards";
+}
+
+base::Time at_s(double s) { return kFirst + base::Duration::from_seconds(s); }
+
+/// 20 s in all, of which one part is an instant and one is shorter than a frame.
+const TimeRanges kParts = {{at_s(5), at_s(15)}, {at_s(30.01), at_s(30.02)}, {at_s(40.1), at_s(40.1)}, {at_s(49.5), at_s(59.5)}};
+
+std::vector<std::size_t> frames_of_parts(const FrameInstants& times) {
+    std::vector<std::size_t> counts(kParts.size());
+    for (std::uint64_t n = 0; n < times.count(); ++n) {
+        EXPECT_TRUE(contains(kParts, times.at(n))) << n;
+        for (std::size_t part = 0; part < kParts.size(); ++part) counts[part] += kParts[part].contains(times.at(n)) ? 1 : 0;
+    }
+    return counts;
+}
+
+TEST(FrameInstants, LieInThePartsAlone) {
+    const FrameInstants times(asked({}, {}, 2), kFirst, kLast, 30, kParts);
+    EXPECT_EQ(frames_of_parts(times), (std::vector<std::size_t>{6, 1, 1, 6})) << "a part shorter than a step has its begin";
+    EXPECT_EQ(times.earliest(), kParts.front().from);
+    EXPECT_EQ(times.latest(), kParts.back().to);
+    for (const double step : {2.0, 1.0 / 30}) {
+        const FrameInstants forward(asked({}, {}, step), kFirst, kLast, 30, kParts);
+        const FrameInstants back(asked({}, {}, -step), kFirst, kLast, 30, kParts);
+        ASSERT_EQ(forward.count(), back.count());
+        for (std::uint64_t n = 0; n < forward.count(); ++n) EXPECT_EQ(back.at(n), forward.at(forward.count() - 1 - n));
+    }
+}
+
+TEST(FrameInstants, OnePartIsWhatFromAndToWouldAskFor) {
+    for (const std::optional<std::uint64_t> frames : {std::optional<std::uint64_t>(), std::optional<std::uint64_t>(23)}) {
+        ReplayOptions options = asked({}, {}, {});
+        options.spread = frames;
+        const FrameInstants part(options, kFirst, kLast, 30, {{at_s(7.123), at_s(31)}});
+        options.from_s = 7.123;
+        options.to_s = 31;
+        const FrameInstants cut(options, kFirst, kLast, 30);
+        ASSERT_EQ(part.count(), cut.count());
+        for (std::uint64_t n = 0; n < part.count(); ++n) EXPECT_EQ(part.at(n), cut.at(n));
+    }
+}
+
+TEST(FrameInstants, SpreadOverPartsAreAsManyAsAskedForAtMost) {
+    for (const std::uint64_t frames : {8, 20, 300, 5000}) {
+        ReplayOptions options = asked({}, {}, {});
+        options.spread = frames;
+        const FrameInstants times(options, kFirst, kLast, 30, kParts);
+        EXPECT_LE(times.count(), frames);
+        EXPECT_GE(times.count(), std::min<std::uint64_t>(frames, 602) / 2);
+        for (const std::size_t count : frames_of_parts(times)) EXPECT_GE(count, 1u) << "each part is shown";
+    }
+    ReplayOptions options = asked({}, {}, {});
+    options.spread = 2;
+    EXPECT_EQ(FrameInstants(options, kFirst, kLast, 30, kParts).count(), 4u) << "more parts than frames have one each";
+}
+
+TEST(FrameInstants, EventsBetweenPartsHaveNone) {
+    FrameInstants times(asked({}, {}, 2), kFirst, kLast, 30, kParts);
+    times.add({at_s(8.5), at_s(20), at_s(58.6), at_s(59.8)});
+    EXPECT_EQ(frames_of_parts(times), (std::vector<std::size_t>{7, 1, 1, 7}));
 }
 
 TEST(FrameInstants, ImpossibleTimesAreRefused) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host_sim/replay/display_session.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/flights/flown_circle.hpp"
@@ -34,10 +36,9 @@ std::vector<OutlinePlace> along(const std::vector<double>& longitudes_deg) {
     return places;
 }
 
-std::vector<std::pair<double, double>> seconds_of(const std::vector<TerrainSpan>& spans) {
+std::vector<std::pair<double, double>> seconds_of(const TimeRanges& spans) {
     std::vector<std::pair<double, double>> seconds;
-    for (const TerrainSpan& span : spans)
-        seconds.emplace_back((span.first - kFirst).to_seconds(), (span.last - kFirst).to_seconds());
+    for (const TimeRange& span : spans) seconds.emplace_back((span.from - kFirst).to_seconds(), (span.to - kFirst).to_seconds());
     return seconds;
 }
 
@@ -71,30 +72,37 @@ struct OverTerrain : ::testing::Test {
     }
 };
 
-TEST_F(OverTerrain, GoesFromTheFirstEnteringToTheLastLeaving) {
-    const ReplayOptions cut = over_terrain(options, flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.75, 9.8}), kFirst, database);
-    EXPECT_EQ(cut.from_s, 1.0);
-    EXPECT_EQ(cut.to_s, 5.0);
-    EXPECT_EQ(cut.log, options.log);
+TEST_F(OverTerrain, AreAllTimesThatTheFlightIsOverIt) {
+    const FlightOutline flight = flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.8, 9.75, 9.75, 9.8});
+    EXPECT_EQ(seconds_of(terrain_spans(options, flight, kFirst, database)), (Spans{{1, 2}, {4, 4}, {6, 7}}));
 }
 
 TEST_F(OverTerrain, StaysWithinWhatIsAskedFor) {
     options.from_s = 2;
     options.to_s = 4.5;
-    const ReplayOptions cut = over_terrain(options, flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.75, 9.8}), kFirst, database);
-    EXPECT_EQ(cut.from_s, 2.0);
-    EXPECT_EQ(cut.to_s, 4.0);
+    const FlightOutline flight = flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.75, 9.8});
+    EXPECT_EQ(seconds_of(terrain_spans(options, flight, kFirst, database)), (Spans{{2, 2}, {4, 4}}));
+}
+
+TEST(TerrainSpan, IsSaidInWords) {
+    const auto at = [](double s) { return kFirst + base::Duration::from_seconds(s); };
+    const TimeRange span{at(1.25), at(3)}, later{at(70), at(80.5)};
+    EXPECT_EQ(words_of_spans({span, later}, kFirst, "a.tdb"),
+              "frames are drawn where the flight is over a.tdb: 1.2 - 3.0 s, 70.0 - 80.5 s");
+    const std::string many = words_of_spans(TimeRanges(11, later), kFirst, "a.tdb");
+    EXPECT_NE(many.find("80.5 s, and 3 further spans, the last until 80.5 s"), std::string::npos) << many;
+    EXPECT_EQ(std::count(many.begin(), many.end(), ','), 8 + 1);
 }
 
 TEST_F(OverTerrain, NeverOverItIsRefusedWithNumbers) {
     const FlightOutline flight = flown({9.5, 9.55, 9.8});
-    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, database); },
+    expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, database); },
                       "it covers 46.940 .. 47.100 N, 9.600 .. 9.760 E");
-    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, database); },
+    expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, database); },
                       "the flight 47.000 .. 47.000 N, 9.500 .. 9.800 E");
     options.to_s = -1;
-    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, database); }, "no position of the flight is known");
-    expect_user_error([&] { (void)over_terrain(options, flight, kFirst, nullptr); }, "--over-terrain: there is no terrain");
+    expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, database); }, "no position of the flight is known");
+    expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, nullptr); }, "--over-terrain: there is no terrain");
 }
 
 }  // namespace

@@ -94,6 +94,25 @@ TEST(LineChart, ARunThatGoesBackwardsHasItsSpansTheRightWayRound) {
     EXPECT_GT(std::stod(found[1]), 100);
 }
 
+TEST(LineChart, ABandLiesBetweenItsValuesAndHasTheGapsOfBoth) {
+    LineChart chart = ramp();
+    chart.x_unit = "km";
+    chart.bands.push_back({"#abcdef", {-10, 90, 190, 290, 390}, {10, 110, 210, 310, 410}});
+    std::string svg = line_chart_svg(chart);
+    EXPECT_TRUE(is_well_formed(svg));
+    EXPECT_THAT(svg, HasSubstr("km</text>"));
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(svg, found, std::regex("<path class='band' d='([^']*)'")));
+    EXPECT_EQ(count(found[1].str(), "M"), 1u);
+    EXPECT_EQ(count(found[1].str(), "L"), 9u) << "five places on top, five back along the bottom";
+    chart.bands[0].low[2] = std::nan("");
+    svg = line_chart_svg(chart);
+    ASSERT_TRUE(std::regex_search(svg, found, std::regex("<path class='band' d='([^']*)'")));
+    EXPECT_EQ(count(found[1].str(), "M"), 2u);
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(line_chart_svg(ramp()), Not(HasSubstr("band")));
+}
+
 TEST(LineChart, EscapesAndRounds) {
     EXPECT_EQ(escaped_html("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
     EXPECT_EQ(decimal(1.25, 1), "1.2");

@@ -202,5 +202,10 @@ TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
     expect_fault(with(kWhole, "least = -150", "leest = -150"), "unknown key");
 }
 
+TEST(SceneRecipe, DataAreNoSceneFile) {
+    expect_user_error([] { (void)parse_scene(std::string_view("GRIB\0\0", 6), "storm.grib"); },
+                      "storm.grib: is no scene file, which is TOML text; 'tedavis scene look FILE'");
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_scene_recipe

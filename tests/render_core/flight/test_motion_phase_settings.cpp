@@ -28,6 +28,8 @@ TEST(MotionPhaseSettings, HeightsAndSpeedsAreInOrder) {
         EXPECT_LT(s.lift_off_height_m + s.terrain_height_margin_m, s.final_height_m) << name;
         EXPECT_LT(s.final_height_m, s.initial_height_m) << name;
         EXPECT_LT(s.terrain_priority_height_m, s.cruise_height_m) << name;
+        EXPECT_LT(s.initial_height_m, s.cruise_height_m) << name << ": an approach is no cruise";
+        EXPECT_LE(s.level_mps + s.level_hysteresis_mps, s.descent_mps) << name << ": nothing is level and a descent";
         EXPECT_GE(s.terrain_priority_height_m, 1500 * base::kMetresPerFoot - 1e-6) << name;
     }
 }

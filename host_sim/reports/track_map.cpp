@@ -1,0 +1,164 @@
+#include "host_sim/reports/track_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/palette_picture.hpp"
+#include "host_sim/reports/base64.hpp"
+#include "host_sim/reports/geo_extent.hpp"
+#include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/phase_color.hpp"
+#include "host_sim/reports/shaded_relief.hpp"
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using Sample = RunStory::Sample;
+
+constexpr double kWidth = 640, kFlattest = 0.4, kSteepest = 1.25;  // of the drawing, and its height as a share of it
+
+/// A region and its drawing, in which longitude is shortened by the cosine of the middle latitude.
+struct Map {
+    GeoExtent extent;
+    double height = 0;  // of the drawing
+
+    [[nodiscard]] double x(double longitude_deg) const {
+        return kWidth * (longitude_deg - extent.west_deg) / (extent.east_deg - extent.west_deg);
+    }
+    [[nodiscard]] double y(double latitude_deg) const {
+        return height * (extent.north_deg - latitude_deg) / (extent.north_deg - extent.south_deg);
+    }
+};
+
+double shortening(const GeoExtent& extent) {
+    return std::max(std::cos(base::radians(0.5 * (extent.south_deg + extent.north_deg))), 0.05);
+}
+
+/// The track with a margin, no narrower and no flatter than a page can show.
+Map map_of(const std::vector<Sample>& track) {
+    constexpr double kMargin = 0.08, kMin_deg = 0.02;
+    GeoExtent extent;
+    for (const Sample& sample : track) extent.include(sample.latitude_deg, sample.longitude_deg);
+    const double narrow = shortening(extent);
+    const double tall_deg = std::max((extent.north_deg - extent.south_deg) * (1 + 2 * kMargin), kMin_deg);
+    const double wide_deg = std::max((extent.east_deg - extent.west_deg) * narrow * (1 + 2 * kMargin), kMin_deg);
+    const double width_deg = std::max(wide_deg, tall_deg / kSteepest), height_deg = std::max(tall_deg, wide_deg * kFlattest);
+    const double middle_lat = 0.5 * (extent.south_deg + extent.north_deg), middle_lon = 0.5 * (extent.west_deg + extent.east_deg);
+    return {{middle_lat - height_deg / 2, middle_lat + height_deg / 2, middle_lon - width_deg / narrow / 2,
+             middle_lon + width_deg / narrow / 2},
+            kWidth * height_deg / width_deg};
+}
+
+std::string relief(const Map& map, const terrain::TerrainDatabase& terrain) {
+    constexpr std::size_t kColors = 64;
+    const auto width = static_cast<std::uint32_t>(kWidth), height = static_cast<std::uint32_t>(std::lround(map.height));
+    const RgbaPicture picture = shaded_relief(terrain, map.extent, width, std::max(height, 2u));
+    return "<image width='" + decimal(kWidth, 0) + "' height='" + decimal(map.height, 1) +
+           "' preserveAspectRatio='none' href='data:image/png;base64," +
+           base64(encode_palette_png(with_palette(view_of(picture), kColors))) + "'/>";
+}
+
+std::string point(const Map& map, const Sample& sample) {
+    return decimal(map.x(sample.longitude_deg), 1) + "," + decimal(map.y(sample.latitude_deg), 1) + " ";
+}
+
+/// A light line below, so that the track is seen on any ground.
+std::string line(const std::string& points, const std::string& color) {
+    return "<polyline fill='none' stroke='#fff' stroke-width='4.5' stroke-linejoin='round' points='" + points +
+           "'/><polyline fill='none' stroke='" + color + "' stroke-width='2.5' stroke-linejoin='round' points='" + points + "'/>";
+}
+
+const char* phase_at(const RunStory& story, double time_s) {
+    for (const RunStory::PhaseSpan& span : story.phases())
+        if (time_s >= span.begin_s && time_s <= span.end_s) return span.phase.c_str();
+    return "unknown";
+}
+
+/// A gap in the track or another phase begins another line.
+std::string track_lines(const Map& map, const RunStory& story, const std::vector<Sample>& track, double gap_s) {
+    std::string lines, points;
+    std::string color;
+    for (std::size_t n = 0; n < track.size(); ++n) {
+        const std::string now = phase_color(phase_at(story, track[n].time_s));
+        const bool is_gap = n > 0 && track[n].time_s - track[n - 1].time_s > gap_s;
+        if (!points.empty() && (is_gap || now != color)) {
+            if (!is_gap) points += point(map, track[n]);
+            lines += line(points, color);
+            points.clear();
+        }
+        color = now;
+        points += point(map, track[n]);
+    }
+    return lines + line(points, color);
+}
+
+std::string text_at(double x, double y, const std::string& text, const char* anchor = "start") {
+    const std::string place = "x='" + decimal(x, 1) + "' y='" + decimal(y, 1) + "' text-anchor='" + anchor + "'";
+    return "<text " + place + " class='map-halo'>" + escaped_html(text) + "</text><text " + place + " class='map-text'>" +
+           escaped_html(text) + "</text>";
+}
+
+/// A length of 1, 2 or 5 times a power of ten, between a tenth and a quarter of the map.
+std::string scale_bar(const Map& map) {
+    const double width_m =
+        base::radians(map.extent.east_deg - map.extent.west_deg) * shortening(map.extent) * earth::kMeanRadius_m;
+    double length_m = std::pow(10, std::floor(std::log10(width_m / 4)));
+    for (const double factor : {5.0, 2.0})
+        if (length_m * factor <= width_m / 4) {
+            length_m *= factor;
+            break;
+        }
+    const double length = kWidth * length_m / width_m, y = map.height - 10;
+    const std::string text = length_m >= 1000 ? decimal(length_m / 1000, 0) + " km" : decimal(length_m, 0) + " m";
+    return "<path d='M10 " + decimal(y - 4, 1) + "v4h" + decimal(length, 1) +
+           "v-4' fill='none' stroke='#111' stroke-width='1.5'/>" + text_at(14 + length, y + 1, text);
+}
+
+std::string corners(const Map& map) {
+    const auto degrees = [](double value, const char* positive, const char* negative) {
+        return decimal(std::abs(value), 3) + "\xC2\xB0 " + (value < 0 ? negative : positive);
+    };
+    return text_at(kWidth - 6, 14, degrees(map.extent.north_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"),
+                   "end") +
+           text_at(6, 14, "N is up") +
+           text_at(kWidth - 6, map.height - 8,
+                   degrees(map.extent.south_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"), "end");
+}
+
+std::string dot(const Map& map, double latitude_deg, double longitude_deg, const std::string& fill, const std::string& label,
+                const std::string& description) {
+    const double x = map.x(longitude_deg), y = map.y(latitude_deg);
+    return "<g><title>" + escaped_html(description) + "</title><circle cx='" + decimal(x, 1) + "' cy='" + decimal(y, 1) +
+           "' r='4.5' fill='" + fill + "' stroke='#fff' stroke-width='1.5'/>" + text_at(x + 7, y + 4, label) + "</g>";
+}
+
+}  // namespace
+
+std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain, const std::vector<MapMark>& marks) {
+    constexpr double kUsualSteps = 4;
+    std::vector<Sample> track;
+    for (const Sample& sample : story.samples())
+        if (sample.position_valid) track.push_back(sample);
+    if (track.size() < 2) return {};
+    const Map map = map_of(track);
+    std::vector<double> steps_s;
+    for (std::size_t n = 1; n < track.size(); ++n) steps_s.push_back(track[n].time_s - track[n - 1].time_s);
+    std::nth_element(steps_s.begin(), steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2), steps_s.end());
+    const double gap_s = kUsualSteps * steps_s[steps_s.size() / 2];
+    std::string svg = "<svg class='chart map' viewBox='0 0 " + decimal(kWidth, 0) + " " + decimal(map.height, 1) +
+                      "' role='img' aria-label='The track on a map, north up'><rect width='100%' height='100%' fill='#dcdcdc'/>";
+    if (terrain != nullptr) svg += relief(map, *terrain);
+    svg += track_lines(map, story, track, gap_s) + scale_bar(map) + corners(map);
+    const auto end = [&](const Sample& sample, const char* fill, const char* label) {
+        return dot(map, sample.latitude_deg, sample.longitude_deg, fill, label,
+                   std::string(label) + ", " + decimal(sample.time_s, 0) + " s");
+    };
+    svg += end(track.front(), "#1a7f37", "begin") + end(track.back(), "#111", "end");
+    for (const MapMark& mark : marks)
+        svg += dot(map, mark.latitude_deg, mark.longitude_deg, "#c22", mark.label, mark.description);
+    return svg + "</svg>\n";
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,81 @@
+#include "host_sim/reports/track_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "render_core/base/units.hpp"
+#include "tests/support/flights/frame_result.hpp"
+
+namespace tedavis::host_sim::test_track_map {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Frames a second apart on a straight track to the north-east; from frame `cruise` on it is in cruise.
+RunStory flown(int frames, int cruise, int lost = -1) {
+    RunStory story(base::Time{0});
+    for (int n = 0; n < frames; ++n) {
+        FrameResult result = test_support::frame_result(static_cast<std::uint64_t>(n), n);
+        result.record.own_ship.position.latitude_rad = base::radians(46.5 + 0.002 * n);
+        result.record.own_ship.position.longitude_rad = base::radians(9.7 + 0.003 * n);
+        if (n >= lost && lost >= 0 && n < lost + 8) result.record.own_ship.state = base::SignalState::lost;
+        if (n >= cruise) result.record.phase.phase = {flight::Scenario::cruise, 0};
+        static_cast<void>(story.add(result, 300, 60));
+    }
+    return story;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(TrackMap, WithoutATrackThereIsNone) {
+    EXPECT_EQ(track_map_svg(RunStory(base::Time{0}), nullptr), "");
+    EXPECT_EQ(track_map_svg(flown(1, 9), nullptr), "");
+}
+
+/// A light line and a colored one for each stretch.
+TEST(TrackMap, EachPhaseHasALineOfItsOwn) {
+    EXPECT_EQ(count_of(track_map_svg(flown(20, 99), nullptr), "<polyline"), 2u);
+    const std::string two = track_map_svg(flown(20, 10), nullptr);
+    EXPECT_EQ(count_of(two, "<polyline"), 4u);
+    EXPECT_THAT(two, HasSubstr("stroke='#d98c1f'"));
+    EXPECT_THAT(two, HasSubstr("stroke='#5c97dd'"));
+}
+
+TEST(TrackMap, WherePositionsAreMissingTheLineIsBroken) {
+    EXPECT_EQ(count_of(track_map_svg(flown(40, 99, 12), nullptr), "<polyline"), 4u);
+}
+
+/// Local distances in the drawing are those on the ground: a step is 222 m north and 229 m east.
+TEST(TrackMap, ItIsTrueToScaleAndNorthIsUp) {
+    const std::string svg = track_map_svg(flown(20, 99), nullptr);
+    const std::regex points(
+        "points='([0-9.]+),([0-9.]+) .* ([0-9.]+),([0-9.]+) '/>$|points='([0-9.]+),([0-9.]+) [^']* "
+        "([0-9.]+),([0-9.]+) '");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(svg, match, points));
+    const auto number = [&](std::size_t n) { return std::stod(match[n].matched ? match[n].str() : match[n + 4].str()); };
+    const double east = number(3) - number(1), north = number(2) - number(4);
+    EXPECT_GT(east, 0);
+    EXPECT_GT(north, 0);
+    EXPECT_NEAR(east / north, 1.5 * std::cos(base::radians(46.519)), 0.01);
+}
+
+TEST(TrackMap, MarksStandWhereTheyAreAndAreExplained) {
+    const std::string svg = track_map_svg(flown(20, 99), nullptr, {{46.52, 9.73, "1", "closest <here>"}});
+    EXPECT_THAT(svg, HasSubstr("<title>closest &lt;here&gt;</title>"));
+    EXPECT_THAT(svg, HasSubstr(">begin</text>"));
+    EXPECT_THAT(svg, HasSubstr(">end</text>"));
+    EXPECT_THAT(svg, Not(HasSubstr("<image"))) << "there is no terrain";
+    EXPECT_THAT(svg, HasSubstr(" km</text>"));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_track_map
