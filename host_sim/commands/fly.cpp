@@ -70,12 +70,12 @@ std::string terrain_of_flight(const TerrainBuildOptions& terrain, Console& conso
 }
 
 /// The hours of a converted flight and the region of the terrain, as far as they are known.
-WeatherWindow window_of(const ReplayOptions& replay) {
+WeatherWindow window_of(const FlyOptions& options, const ReplayOptions& replay) {
     constexpr double kAround_deg = 0.25;
     WeatherWindow window;
-    const std::string companion = replay.log + ".json";
-    if (std::filesystem::exists(companion)) {
-        const Json flight = Json::parse(read_file(companion));
+    const bool is_converted = replay.log != options.flight.flight;  // else the file beside the log may be anything
+    if (is_converted) {
+        const Json flight = Json::parse(read_file(replay.log + ".json"));
         const auto time_of = [&](const char* key) {
             return base::Time{} + base::Duration::from_seconds(flight.at(key).get<double>());
         };
@@ -90,7 +90,7 @@ WeatherWindow window_of(const ReplayOptions& replay) {
 }
 
 std::string weather_file(const FlyOptions& options, ReplayOptions& replay, MadeFiles& made, Console& console) {
-    const WeatherScene scene = weather_scene(options.weather, window_of(replay));
+    const WeatherScene scene = weather_scene(options.weather, window_of(options, replay));
     for (const std::string& note : scene.notes) {
         console.note("note: " + note);
         replay.notes.push_back(note);

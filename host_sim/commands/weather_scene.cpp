@@ -88,13 +88,22 @@ private:
         std::string unique = name;
         for (int n = 2; !names_.insert(unique).second; ++n) unique = name + "_" + std::to_string(n);
         Json layer = {{"name", unique}, {"source", std::filesystem::absolute(file).lexically_normal().string()}, {"role", role}};
-        const bool has_times = variable.first_ns && *variable.first_ns < *variable.last_ns && window_.begin && window_.end;
-        if (!has_times) return layer;
+        if (!variable.first_ns || !window_.begin || !window_.end) return layer;
         const base::Time from = *window_.begin - kBesideTheFlight, until = *window_.end + kBesideTheFlight;
-        if (from.ns > *variable.last_ns || until.ns < *variable.first_ns) return layer;
+        if (from.ns > *variable.last_ns || until.ns < *variable.first_ns) {
+            say_other_times(file, variable);
+            return layer;
+        }
+        if (*variable.first_ns == *variable.last_ns) return layer;
         layer["from"] = utc_text(from);
         layer["until"] = utc_text(until);
         return layer;
+    }
+
+    void say_other_times(const std::string& file, const GridVariable& variable) {
+        notes_.push_back(file + ": its times, " + utc_text(base::Time{*variable.first_ns}) + " to " +
+                         utc_text(base::Time{*variable.last_ns}) + ", are not those of the flight, " + utc_text(*window_.begin) +
+                         " to " + utc_text(*window_.end) + "; nothing of it is current");
     }
 
     void add_layer(Json layer, Json attributes) {

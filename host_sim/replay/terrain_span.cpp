@@ -24,6 +24,8 @@ std::string never_over(const ReplayOptions& options, const std::vector<OutlinePl
                        const terrain::TerrainDatabase& database) {
     const std::string covered =
         options.picture.terrain + ": the flight is never over it: it covers " + extent_of(database).words() + ", the flight ";
+    if (asked.empty() && (options.from_s || options.to_s))
+        return options.picture.terrain + ": no position of the flight is known between --from and --to; choose other times";
     if (asked.empty()) return options.picture.terrain + ": no position of the flight is known; leave out --over-terrain";
     return covered + extent_of_places(asked).words() + "; give terrain of that region";
 }

@@ -1,5 +1,6 @@
 #include "host_sim/reports/html_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,11 +36,13 @@ constexpr const char* kStyle =
     ".key{display:inline-block;width:.8rem;height:.8rem;margin-right:.3rem;vertical-align:-.05rem}"
     ".bad{color:#c22;font-weight:600}li,td,p{overflow-wrap:anywhere}"
     ".map{max-height:40rem}.map-text{fill:#111!important}.map-halo{stroke:#fff;stroke-width:3px;fill:#fff!important}"
+    ".mark line{stroke:#b3261e}.mark .place{fill:#b3261e}.mark .label{fill:#fff;stroke:#b3261e;stroke-width:1.5}"
+    ".mark text{fill:#111!important;font-weight:600}"
     "details>summary{cursor:pointer;font-weight:600;margin:1.2rem 0 .4rem}"
     "@media print{@page{size:A4;margin:12mm}body{max-width:none;padding:0;font-size:10px}details{display:none}"
     "section{break-inside:avoid}.wide{overflow:visible}h2{margin:.6rem 0 .2rem;font-size:12px}table{font-size:9px}"
-    "th,td{padding:.05rem .5rem .05rem 0}.map{max-height:9cm}.charts{grid-template-columns:repeat(3,1fr)}"
-    ".strip{grid-template-columns:repeat(8,1fr);gap:.2rem}.strip figure:nth-child(n+17){display:none}figcaption{font-size:7px}}";
+    "th,td{padding:.05rem .5rem .05rem 0}.map{max-height:8cm}.charts{grid-template-columns:repeat(3,1fr)}"
+    ".strip{grid-template-columns:repeat(8,1fr);gap:.2rem}.strip figure:nth-child(n+9){display:none}figcaption{font-size:7px}}";
 
 std::string cell(const std::string& text) { return "<td>" + escaped_html(text) + "</td>"; }
 std::string number_cell(const std::string& text) { return "<td class='n'>" + text + "</td>"; }
@@ -135,6 +138,25 @@ std::vector<double> curve_of(const RunStory& story, Value value) {
     return values;
 }
 
+/// Where frames lie much farther apart than usual, as between two spans over the terrain, no line joins them.
+LineChart with_gaps(LineChart chart) {
+    constexpr double kUsualSteps = 4;
+    std::vector<double> steps;
+    for (std::size_t n = 1; n < chart.times_s.size(); ++n) steps.push_back(chart.times_s[n] - chart.times_s[n - 1]);
+    if (steps.empty()) return chart;
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+    const double longest_s = kUsualSteps * std::abs(steps[steps.size() / 2]);
+    for (std::size_t n = chart.times_s.size() - 1; n > 0; --n) {
+        const double before_s = chart.times_s[n - 1], after_s = chart.times_s[n];
+        if (std::abs(after_s - before_s) <= longest_s) continue;
+        const auto at = static_cast<std::ptrdiff_t>(n);
+        chart.times_s.insert(chart.times_s.begin() + at, (before_s + after_s) / 2);
+        for (ChartCurve& curve : chart.curves)
+            curve.values.insert(curve.values.begin() + at, std::numeric_limits<double>::quiet_NaN());
+    }
+    return chart;
+}
+
 std::string charts(const RunStory& story) {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     LineChart altitude{"Altitude and phase", "m", {}, {}, {}};
@@ -152,8 +174,8 @@ std::string charts(const RunStory& story) {
     speed.curves.push_back({"ground speed", "#3f9a5a", curve_of(story, [](const auto& s) { return s.ground_speed_mps; })});
     LineChart time{"Frame time", "ms", altitude.times_s, {}, {}};
     time.curves.push_back({"total", "#c23b4e", curve_of(story, [](const auto& s) { return s.total_ms; })});
-    return section("Over time",
-                   "<div class='charts'>" + line_chart_svg(altitude) + line_chart_svg(speed) + line_chart_svg(time) + "</div>");
+    return section("Over time", "<div class='charts'>" + line_chart_svg(with_gaps(altitude)) + line_chart_svg(with_gaps(speed)) +
+                                    line_chart_svg(with_gaps(time)) + "</div>");
 }
 
 std::string phase_table(const RunStory& story) {

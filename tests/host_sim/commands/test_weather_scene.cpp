@@ -14,8 +14,10 @@
 namespace tedavis::host_sim::test_weather_scene {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class WeatherSceneFiles : public ::testing::Test {
 protected:
@@ -108,6 +110,11 @@ TEST_F(WeatherSceneFiles, OnlyTheHoursAndTheRegionOfTheFlightAreTaken) {
     (void)layers({folder_.file("u.nc")});
     const OpenScene other(folder_.file("scene.sdb"));
     EXPECT_EQ(other.scene().layers()[0].entry->grid.times, 24u) << "of another day: all are kept, and shown as old";
+    EXPECT_THAT(scene_.notes, Contains(HasSubstr("are not those of the flight, ")));
+    window_.begin = hour(5);
+    window_.end = hour(6);
+    (void)layers({folder_.file("u.nc")});
+    EXPECT_THAT(scene_.notes, Not(Contains(HasSubstr("are not those of the flight")))) << "control";
 }
 
 }  // namespace

@@ -101,7 +101,11 @@ TEST_F(OverTerrain, NeverOverItIsRefusedWithNumbers) {
     expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, database); },
                       "the flight 47.000 .. 47.000 N, 9.500 .. 9.800 E");
     options.to_s = -1;
-    expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, database); }, "no position of the flight is known");
+    expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, database); },
+                      "no position of the flight is known between --from and --to; choose other times");
+    options.to_s.reset();
+    expect_user_error([&] { (void)terrain_spans(options, flown({}), kFirst, database); },
+                      "no position of the flight is known; leave out --over-terrain");
     expect_user_error([&] { (void)terrain_spans(options, flight, kFirst, nullptr); }, "--over-terrain: there is no terrain");
 }
 
