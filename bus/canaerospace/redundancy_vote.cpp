@@ -22,6 +22,7 @@ std::size_t vote(base::Span<const base::Stamped<double>> candidates, base::Time 
     int best_demerits = 6;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const int own = demerits(candidates[i], now, limits);
+        if (own == 0) return i;
         if (own < best_demerits) {
             best = i;
             best_demerits = own;

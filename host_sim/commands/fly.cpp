@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/made_files.hpp"
@@ -11,12 +12,14 @@
 #include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/terrain_cache.hpp"
 #include "host_sim/commands/weather_scene.hpp"
+#include "host_sim/importers/fix_cleaner.hpp"
 #include "host_sim/importers/flight_importer.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/new_folder.hpp"
 #include "host_sim/replay/display_session.hpp"
+#include "host_sim/replay/terrain_span.hpp"
 #include "host_sim/reports/geo_extent.hpp"
 #include "host_sim/reports/run_findings.hpp"
 #include "host_sim/reports/run_folder.hpp"
@@ -40,15 +43,30 @@ bool begins_with(const std::string& path, std::string_view magic) {
     return file && beginning == magic;
 }
 
-/// Of a recording that is no bus log, the log beside the report; its notes go to the report.
-std::string log_of_flight(const FlyOptions& options, MadeFiles& made, Console& console, std::vector<std::string>& notes) {
-    if (is_bus_log_file(options.flight.flight)) {
-        if (!options.flight.aircraft.empty() || options.flight.qnh_hpa || options.flight.assume_geometric)
-            throw UserError(options.flight.flight +
+/// Of a flight that is no bus log.
+struct Recording {
+    std::string format;
+    std::vector<OutlinePlace> fixes;
+};
+
+std::optional<Recording> recording_of(const ConvertOptions& flight) {
+    if (is_bus_log_file(flight.flight)) {
+        if (!flight.aircraft.empty() || flight.qnh_hpa || flight.assume_geometric)
+            throw UserError(flight.flight +
                             ": a bus log, which is replayed as it is; leave out --aircraft, --qnh and "
                             "--assume-geometric");
-        return options.flight.flight;
+        return std::nullopt;
     }
+    ImportedFile file = import_flight_file(flight.flight);
+    Recording recording{file.format, {}};
+    RecordedFlight flown = choose_aircraft(std::move(file), flight.aircraft, flight.flight);
+    (void)clean_fixes(flown);
+    for (const RecordedFix& fix : flown.fixes) recording.fixes.push_back({fix.time, fix.latitude_rad, fix.longitude_rad});
+    return recording;
+}
+
+/// Of a recording, the log beside the report; its notes go to the report.
+std::string log_of_flight(const FlyOptions& options, MadeFiles& made, Console& console, std::vector<std::string>& notes) {
     ConvertOptions convert = options.flight;
     convert.output = options.replay.output + "/flight.log";
     made.add(convert.output);
@@ -117,21 +135,25 @@ std::string scene_of_flight(const FlyOptions& options, ReplayOptions& replay, Ma
 }
 
 /// An IGC file is the record of a glider, unless somebody says otherwise.
-void take_class(const FlyOptions& options, ReplayOptions& replay, Console& console) {
+void take_class(const Recording& recording, ReplayOptions& replay, Console& console) {
     const bool is_stated = replay.aircraft_class.has_value() ||
                            load_aircraft(replay.picture.aircraft).aircraft_class != flight::AircraftClass::unstated;
-    if (is_stated || is_bus_log_file(options.flight.flight) || import_flight_file(options.flight.flight).format != "IGC") return;
+    if (is_stated || recording.format != "IGC") return;
     replay.aircraft_class = flight::AircraftClass::glider;
     replay.notes.emplace_back("phases by motion are those of a glider, because the flight is an IGC file (--class)");
     console.note("note: " + replay.notes.back());
 }
 
+/// What is wrong with the flight and with the pair of flight and terrain is found before the long steps.
 ReplayOptions replay_of(const FlyOptions& options, MadeFiles& made, Console& console) {
     ReplayOptions replay = options.replay;
-    replay.log = log_of_flight(options, made, console, replay.notes);
-    take_class(options, replay, console);
-    replay.keeps_index = replay.log == options.flight.flight;  // a log of this moment would not be trusted
+    const std::optional<Recording> recording = recording_of(options.flight);
     replay.picture.terrain = terrain_of_flight(options.terrain, console);
+    if (recording && !replay.picture.terrain.empty())
+        require_near_terrain(recording->fixes, replay.picture.terrain, OpenDatabase(replay.picture.terrain).database());
+    replay.log = recording ? log_of_flight(options, made, console, replay.notes) : options.flight.flight;
+    if (recording) take_class(*recording, replay, console);
+    replay.keeps_index = replay.log == options.flight.flight;  // a log of this moment would not be trusted
     replay.over_terrain = !replay.picture.terrain.empty();
     if (!replay.over_terrain) {
         console.note(std::string("note: ") + kWithoutTerrain);

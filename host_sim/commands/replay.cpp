@@ -88,11 +88,17 @@ constexpr std::uint64_t kFramesForEachEvent = 4;  // so that a restless flight h
 
 /// Where the options spread frames over the flight, its events have frames too.
 FrameInstants instants_of(const ReplayOptions& options, const TimeRanges& parts, FlightPlayer& player, DisplaySession& session,
-                          FramePreroll& preroll) {
+                          FramePreroll& preroll, Console& console) {
     FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz, parts);
     if (!options.spread) return times;
     const std::uint64_t most = std::max<std::uint64_t>(*options.spread / kFramesForEachEvent, 1);
-    times.add(event_instants(player, preroll, times.parts(), most));
+    const InterruptGuard interrupt;
+    const auto of_flight = [&](base::Time time) { return static_cast<std::uint64_t>((time - player.first()).ns); };
+    times.add(event_instants(player, preroll, times.parts(), most, [&](base::Time reached) {
+        console.progress("looking for alerts", of_flight(reached), of_flight(times.parts().back().to));
+        if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+    }));
+    console.progress_done();
     return times;
 }
 
@@ -113,7 +119,7 @@ int run_batch(const ReplayOptions& options, Console& console) {
     FlightPlayer player(player_files(options), session.display(), &console, index_policy(options));
     const TimeRanges parts = parts_of(options, player, session);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
-    const FrameInstants times = instants_of(options, parts, player, session, preroll);
+    const FrameInstants times = instants_of(options, parts, player, session, preroll, console);
     require_consent_to(options, times, player, session, console);
     const InterruptGuard interrupt;  // before anything is written
     const std::unique_ptr<VideoFile> video = opened_video(options, session, times);

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "bus/canaerospace/message_encoder.hpp"
 #include "bus/canaerospace/traffic_profile.hpp"
@@ -64,6 +65,9 @@ public:
     }
 
 private:
+    /// Messages of the schedule, for each millisecond of a second.
+    using DueMessages = std::array<std::vector<std::uint8_t>, static_cast<std::size_t>(kMillisecondsPerSecond)>;
+
     static std::int64_t ceil_ms(base::Time time) {
         return (time.ns + kNanosecondsPerMillisecond - 1) / kNanosecondsPerMillisecond;
     }
@@ -73,9 +77,10 @@ private:
         next_stamp_ = time;
         std::optional<SignalSample> sample;
         bool asked = false;
-        for (const ScheduledMessage& message : message_schedule()) {
+        for (const std::uint8_t n :
+             due_[static_cast<std::size_t>((ms % kMillisecondsPerSecond + kMillisecondsPerSecond) % kMillisecondsPerSecond)]) {
+            const ScheduledMessage& message = message_schedule()[n];
             const bool may_be_news = is_selected(message) && ms % kNewsPeriod_ms == kNewsOffset_ms;
-            if (ms % message.period_ms != message.offset_ms && !may_be_news) continue;
             if (!asked) sample = flight_.at(time);
             asked = true;
             if (!sample) break;
@@ -86,6 +91,18 @@ private:
         if (asked && !sample && ms % kAttitudePeriod_ms == 0) counts_.silent_ms += kAttitudePeriod_ms;
         send_phase(ms, time);
         send_traffic(ms, time);
+    }
+
+    /// Every period divides a second.
+    static DueMessages due_messages() {
+        DueMessages due;
+        const base::Span<const ScheduledMessage> schedule = message_schedule();
+        for (std::size_t ms = 0; ms < due.size(); ++ms)
+            for (std::size_t n = 0; n < schedule.size(); ++n)
+                if (ms % schedule[n].period_ms == schedule[n].offset_ms ||
+                    (is_selected(schedule[n]) && ms % kNewsPeriod_ms == kNewsOffset_ms))
+                    due[ms].push_back(static_cast<std::uint8_t>(n));
+        return due;
     }
 
     /// What is selected is also sent when it changes.
@@ -162,6 +179,7 @@ private:
     std::uint8_t node_;
     std::uint16_t first_traffic_;  ///< 0: the bus carries none
     bus::GuidanceSettings guidance_;
+    const DueMessages due_ = due_messages();
     SignalSample last_sent_;
     bus::MessageEncoder encoder_;
     StreamSink sink_;

@@ -15,18 +15,20 @@ std::vector<base::Time> thinned_events(const std::vector<base::Time>& all, std::
 
 }  // namespace
 
-std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts) {
+std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts, const ReachedTime& reached) {
     std::vector<base::Time> begins;
     policy::TerrainAhead before = policy::TerrainAhead::none;
     preroll.look_ahead(parts.back().to, [&](base::Time begin, policy::TerrainAhead alert) {
         if (alert > before && contains(parts, begin)) begins.push_back(begin);
         before = alert;
+        if (reached) reached(begin);
     });
     return begins;
 }
 
-std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRanges& parts, std::uint64_t most) {
-    std::vector<base::Time> events = thinned_events(alert_instants(preroll, parts), most);
+std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRanges& parts, std::uint64_t most,
+                                       const ReachedTime& reached) {
+    std::vector<base::Time> events = thinned_events(alert_instants(preroll, parts, reached), most);
     std::vector<base::Time> changes;
     for (const base::Time change : player.outline().phase_changes())
         if (contains(parts, change)) changes.push_back(change);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "host_sim/replay/flight_player.hpp"
@@ -12,13 +13,17 @@
 
 namespace tedavis::host_sim {
 
+/// Told how far a look ahead has come, now and then; may throw to end it.
+using ReachedTime = std::function<void(base::Time time)>;
+
 /// The first intervals of terrain alerts in these parts of the flight, of which there is at least one: with a caution after none,
 /// or with a warning after less. Decides all intervals from the log's start on, which a run to the last part's end does as well.
-[[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts);
+[[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts,
+                                                     const ReachedTime& reached = nullptr);
 
 /// Beginnings of alerts and changes of the flight phase, in order of time. Of more than `most`, alerts come before changes of the
 /// phase, and of each kind they are some, evenly by their number.
 [[nodiscard]] std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRanges& parts,
-                                                     std::uint64_t most);
+                                                     std::uint64_t most, const ReachedTime& reached = nullptr);
 
 }  // namespace tedavis::host_sim

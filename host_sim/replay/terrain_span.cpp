@@ -12,6 +12,7 @@ namespace tedavis::host_sim {
 namespace {
 
 constexpr std::size_t kSpansNamed = 8;
+constexpr double kNear_deg = 0.02;  // what the filter of positions may add
 
 GeoExtent extent_of_places(const std::vector<OutlinePlace>& places) {
     GeoExtent extent;
@@ -20,14 +21,18 @@ GeoExtent extent_of_places(const std::vector<OutlinePlace>& places) {
     return extent;
 }
 
-std::string never_over(const ReplayOptions& options, const std::vector<OutlinePlace>& asked,
+std::string never_over(const std::string& name, const std::vector<OutlinePlace>& asked,
                        const terrain::TerrainDatabase& database) {
-    const std::string covered =
-        options.picture.terrain + ": the flight is never over it: it covers " + extent_of(database).words() + ", the flight ";
-    if (asked.empty() && (options.from_s || options.to_s))
-        return options.picture.terrain + ": no position of the flight is known between --from and --to; choose other times";
-    if (asked.empty()) return options.picture.terrain + ": no position of the flight is known; leave out --over-terrain";
-    return covered + extent_of_places(asked).words() + "; give terrain of that region";
+    if (asked.empty()) return name + ": no position of the flight is known; leave out --over-terrain";
+    return name + ": the flight is never over it: it covers " + extent_of(database).words() + ", the flight " +
+           extent_of_places(asked).words() + "; give terrain of that region";
+}
+
+/// Of two fixes and the curve between them, which may lead round by as much again.
+GeoExtent around(const OutlinePlace& a, const OutlinePlace& b) {
+    GeoExtent box = extent_of_places({a, b});
+    const double high_deg = box.north_deg - box.south_deg + kNear_deg, wide_deg = box.east_deg - box.west_deg + kNear_deg;
+    return {box.south_deg - high_deg, box.north_deg + high_deg, box.west_deg - wide_deg, box.east_deg + wide_deg};
 }
 
 }  // namespace
@@ -53,8 +58,20 @@ TimeRanges terrain_spans(const ReplayOptions& options, const FlightOutline& outl
         if (time_s >= options.from_s.value_or(time_s) && time_s <= options.to_s.value_or(time_s)) asked.push_back(place);
     }
     TimeRanges spans = spans_over(asked, database->lattice());
-    if (spans.empty()) throw UserError(never_over(options, asked, *database));
+    if (asked.empty() && (options.from_s || options.to_s))
+        throw UserError(options.picture.terrain +
+                        ": no position of the flight is known between --from and --to; choose other times");
+    if (spans.empty()) throw UserError(never_over(options.picture.terrain, asked, *database));
     return spans;
+}
+
+void require_near_terrain(const std::vector<OutlinePlace>& fixes, const std::string& name,
+                          const terrain::TerrainDatabase& database) {
+    const GeoExtent ground = extent_of(database);
+    if (ground.east_deg > 180 || ground.west_deg < -180) return;  // places have two names there
+    for (std::size_t n = 0; n < fixes.size(); ++n)
+        if (!are_apart(around(fixes[n > 0 ? n - 1 : 0], fixes[n]), ground, 0)) return;
+    throw UserError(never_over(name, fixes, database));
 }
 
 std::string words_of_spans(const TimeRanges& spans, base::Time first, const std::string& terrain) {

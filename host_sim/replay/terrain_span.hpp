@@ -20,6 +20,11 @@ namespace tedavis::host_sim {
 [[nodiscard]] TimeRanges terrain_spans(const ReplayOptions& options, const FlightOutline& outline, base::Time first,
                                        const terrain::TerrainDatabase* database);
 
+/// Throws the same UserError where no fix, nor what may lie between two of them, comes near the ground: a few degrees of a sparse
+/// recording may. `name`: of the database. Where it says nothing the flight may still never be over it.
+void require_near_terrain(const std::vector<OutlinePlace>& fixes, const std::string& name,
+                          const terrain::TerrainDatabase& database);
+
 /// For the report: "frames are drawn where the flight is over alps.tdb: 15.6 - 65.6 s, 80.1 - 95.0 s". Of many spans some are
 /// named.
 [[nodiscard]] std::string words_of_spans(const TimeRanges& spans, base::Time first, const std::string& terrain);

@@ -195,6 +195,15 @@ TEST_F(Fly, NeverOverTheTerrainLeavesNothing) {
     EXPECT_FALSE(fs::exists(output_));
 }
 
+TEST_F(Fly, NeverOverTheTerrainIsFoundBeforeTheFlightIsConverted) {
+    // What conversion would refuse as well: with both faults, the first one that is met is said.
+    options_.flight.qnh_hpa = 1;
+    options_.flight.flight = place_.write("south.igc", FlownAcross{46.04}.igc());
+    expect_user_error([&] { fly(); }, "the flight is never over it");
+    options_.flight.flight = place_.write("flight.igc", FlownAcross().igc());
+    expect_user_error([&] { fly(); }, "--qnh");
+}
+
 TEST_F(Fly, TooManyFramesNeedAYesAndLeaveNothing) {
     FlownAcross slow;
     slow.seconds = 1280;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "host_sim/user_error.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 
 namespace tedavis::host_sim::test_flight_events {
@@ -72,6 +73,21 @@ TEST(FlightEvents, AreThoseOfTheRangeInOrder) {
     const auto expected =
         static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](base::Time time) { return time >= middle; }));
     EXPECT_EQ(event_instants(flown.player, flown.preroll, {{middle, flown.whole[0].to}}, 100).size(), expected);
+}
+
+TEST(FlightEvents, ALookAheadTellsHowFarItIsAndCanBeEnded) {
+    Flown flown;
+    std::vector<base::Time> told;
+    (void)alert_instants(flown.preroll, flown.whole, [&](base::Time time) { told.push_back(time); });
+    EXPECT_EQ(told.front(), flown.whole[0].from);
+    EXPECT_GT(told.back(), flown.whole[0].to - base::Duration::seconds(1));
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    std::size_t calls = 0;
+    const auto end_at_third = [&](base::Time) {
+        if (++calls == 3) throw Interrupted("enough");
+    };
+    EXPECT_THROW((void)alert_instants(flown.preroll, flown.whole, end_at_third), Interrupted);
+    EXPECT_EQ(calls, 3u);
 }
 
 TEST(FlightEvents, OfSeveralPartsAreThoseInThem) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host_sim/replay/display_session.hpp"
+#include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
@@ -82,6 +83,25 @@ TEST_F(OverTerrain, StaysWithinWhatIsAskedFor) {
     options.to_s = 4.5;
     const FlightOutline flight = flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.75, 9.8});
     EXPECT_EQ(seconds_of(terrain_spans(options, flight, kFirst, database)), (Spans{{2, 2}, {4, 4}}));
+}
+
+TEST_F(OverTerrain, FixesThatComeNearItAreNotRefused) {
+    const auto refused = [&](const std::vector<double>& longitudes_deg) {
+        std::vector<OutlinePlace> fixes = along(longitudes_deg);
+        for (OutlinePlace& fix : fixes) fix.latitude_rad = base::radians(47);
+        try {
+            require_near_terrain(fixes, "a.tdb", *database);
+            return std::string();
+        } catch (const UserError& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_EQ(refused({9.0, 9.7, 10.4}), "");
+    EXPECT_EQ(refused({9.7}), "") << "a single fix";
+    EXPECT_EQ(refused({9.0, 10.4}), "") << "it may lie between two fixes";
+    EXPECT_EQ(refused({9.0, 9.4}), "") << "a curve may lead beyond its fixes";
+    EXPECT_NE(refused({9.0, 9.1, 9.2, 9.1}).find("a.tdb: the flight is never over it: it covers 46.940"), std::string::npos);
+    EXPECT_NE(refused({8.9}).find("the flight 47.000 .. 47.000 N, 8.900 .. 8.900 E"), std::string::npos);
 }
 
 TEST(TerrainSpan, IsSaidInWords) {
