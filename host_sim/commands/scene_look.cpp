@@ -39,7 +39,7 @@ std::string duration_text(double seconds) {
 }
 std::string times_text(const std::vector<std::int64_t>& times_ns) {
     if (times_ns.empty()) return "not stated";
-    const std::string first = utc_text({times_ns.front()});
+    std::string first = utc_text({times_ns.front()});
     if (times_ns.size() == 1) return first;
     const std::optional<double> step_s = even_step_s(times_ns);
     return first + " to " + utc_text({times_ns.back()}) + ", " + std::to_string(times_ns.size()) + " times, " +

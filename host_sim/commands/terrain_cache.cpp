@@ -104,7 +104,7 @@ std::string cached_terrain(const TerrainBuildOptions& build, Console& console) {
         throw UserError(
             "--terrain: there is no folder to keep a database in; set HOME or XDG_CACHE_HOME, or build one with "
             "'tedavis terrain build'");
-    const std::string path = cached_path(build, folder);
+    std::string path = cached_path(build, folder);
     const auto found = [&] {
         if (!is_sound(path)) return false;
         console.note("note: terrain from the cache: " + path);
