@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "host_sim/atomic_file.hpp"
-#include "host_sim/commands/made_files.hpp"
+#include "host_sim/written_files.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/terrain_cache.hpp"
@@ -66,11 +66,11 @@ std::optional<Recording> recording_of(const ConvertOptions& flight) {
 }
 
 /// Of a recording, the log beside the report; its notes go to the report.
-std::string log_of_flight(const FlyOptions& options, MadeFiles& made, Console& console, std::vector<std::string>& notes) {
+std::string log_of_flight(const FlyOptions& options, WrittenFiles& made, Console& console, std::vector<std::string>& notes) {
     ConvertOptions convert = options.flight;
     convert.output = options.replay.output + "/flight.log";
-    made.add(convert.output);
-    made.add(convert.output + ".json");
+    made.add_new(convert.output);
+    made.add_new(convert.output + ".json");
     if (run_convert(convert, console, notes) != 0) throw Interrupted("interrupted; nothing was written");
     return convert.output;
 }
@@ -107,7 +107,7 @@ WeatherWindow window_of(const FlyOptions& options, const ReplayOptions& replay) 
     return window;
 }
 
-std::string weather_file(const FlyOptions& options, ReplayOptions& replay, MadeFiles& made, Console& console) {
+std::string weather_file(const FlyOptions& options, ReplayOptions& replay, WrittenFiles& made, Console& console) {
     const WeatherScene scene = weather_scene(options.weather, window_of(options, replay));
     for (const std::string& note : scene.notes) {
         console.note("note: " + note);
@@ -115,13 +115,13 @@ std::string weather_file(const FlyOptions& options, ReplayOptions& replay, MadeF
     }
     std::string path = replay.output + "/scene.toml";
     require_replaceable(path, "name = \"weather\"\n", "scene file of weather");
-    made.add(path);
+    made.add_new(path);
     write_file_atomically(path, scene.toml);
     return path;
 }
 
 /// The database of the scene; empty where there is none.
-std::string scene_of_flight(const FlyOptions& options, ReplayOptions& replay, MadeFiles& made, Console& console) {
+std::string scene_of_flight(const FlyOptions& options, ReplayOptions& replay, WrittenFiles& made, Console& console) {
     if (!options.weather.empty() && !options.scene.empty())
         throw UserError("--weather and --scene: name the grids of the weather in the scene file, and leave out --weather");
     if (options.weather.empty() && options.scene.empty()) return {};
@@ -129,7 +129,7 @@ std::string scene_of_flight(const FlyOptions& options, ReplayOptions& replay, Ma
     SceneBuildOptions build;
     build.scene = options.scene.empty() ? weather_file(options, replay, made, console) : options.scene;
     build.output = replay.output + "/scene.sdb";
-    made.add(build.output);
+    made.add_new(build.output);
     (void)run_scene_build(build, console);
     return build.output;
 }
@@ -145,7 +145,7 @@ void take_class(const Recording& recording, ReplayOptions& replay, Console& cons
 }
 
 /// What is wrong with the flight and with the pair of flight and terrain is found before the long steps.
-ReplayOptions replay_of(const FlyOptions& options, MadeFiles& made, Console& console) {
+ReplayOptions replay_of(const FlyOptions& options, WrittenFiles& made, Console& console) {
     ReplayOptions replay = options.replay;
     const std::optional<Recording> recording = recording_of(options.flight);
     replay.picture.terrain = terrain_of_flight(options.terrain, console);
@@ -178,7 +178,7 @@ void say_where_it_is(const std::string& output, Console& console) {
 
 int run_fly(const FlyOptions& options, Console& console) {
     NewFolder folder(options.replay.output);
-    MadeFiles made;
+    WrittenFiles made;
     Console steps = console.without_result();
     const int code = run_replay(replay_of(options, made, steps), steps);
     made.keep();

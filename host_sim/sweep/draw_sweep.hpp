@@ -8,7 +8,7 @@
 #include "host_sim/console.hpp"
 #include "host_sim/options/picture_options.hpp"
 #include "host_sim/sweep/swept_views.hpp"
-#include "host_sim/sweep/written_files.hpp"
+#include "host_sim/written_files.hpp"
 #include "render_core/flight/flight_phase.hpp"
 
 namespace tedavis::host_sim {

@@ -1,4 +1,4 @@
-#include "host_sim/sweep/written_files.hpp"
+#include "host_sim/written_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +20,20 @@ TEST(WrittenFiles, GoUnlessKept) {
         }
         EXPECT_EQ(place.entries(), is_kept ? 2u : 1u);
     }
+}
+
+TEST(WrittenFiles, WhatWasThereBeforeStays) {
+    const test_support::TemporaryFolder place;
+    (void)place.write("old", "before");
+    {
+        WrittenFiles files;
+        files.add_new(place.file("old"));
+        files.add_new(place.file("new"));
+        (void)place.write("old", "replaced");
+        (void)place.write("new", "now");
+    }
+    EXPECT_EQ(place.entries(), 1u);
+    EXPECT_EQ(place.read("old"), "replaced");
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ public:
 
     /// Before it is written.
     void add(const std::string& path) { paths_.push_back(path); }
+    /// The same, but a file that is there already, of an earlier command, is not removed.
+    void add_new(const std::string& path);
     void keep() { paths_.clear(); }
 
 private:
