@@ -223,8 +223,8 @@ std::string_view scope_name(scene::UncertaintyScope scope) { return kScopes[stat
 SceneRecipe parse_scene(std::string_view content, const std::string& file_name) {
     if (content.find('\0') != std::string_view::npos)
         throw UserError(file_name +
-                        ": is no scene file, which is TOML text; 'tedavis scene look FILE' says what data hold and prints "
-                        "a layer for a scene file");
+                        ": is no scene file, which is TOML text; see what data hold by 'tedavis scene look FILE', which "
+                        "prints a layer for a scene file");
     base::ConfigReader reader(content, file_name);
     ConfigSection root = reader.root();
     SceneRecipe recipe;

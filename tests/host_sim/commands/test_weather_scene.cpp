@@ -27,7 +27,7 @@ protected:
         raster.bands = static_cast<int>(bands.size());
         raster.unit = unit;
         raster.value = [](int i, int) { return i < 3 ? -50.0 : double(i); };
-        const std::string path = raster.write(folder_.file(name));
+        std::string path = raster.write(folder_.file(name));
         const std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter> file(GDALDataset::Open(path.c_str(), GDAL_OF_UPDATE));
         for (std::size_t n = 0; n < bands.size(); ++n)
             file->GetRasterBand(static_cast<int>(n) + 1)->SetDescription(bands[n].c_str());

@@ -44,7 +44,7 @@ private:
     static GDALExtendedDataType number() { return GDALExtendedDataType::Create(GDT_Float64); }
     static std::shared_ptr<GDALDimension> axis(GDALGroup& root, const std::string& name, const std::vector<double>& values,
                                                const std::string& unit, const std::string& meaning) {
-        const std::shared_ptr<GDALDimension> dimension = root.CreateDimension(name, "", "", values.size());
+        std::shared_ptr<GDALDimension> dimension = root.CreateDimension(name, "", "", values.size());
         fill(*root.CreateMDArray(name, {dimension}, number()), values, unit, meaning);
         return dimension;
     }

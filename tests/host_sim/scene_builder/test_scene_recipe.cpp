@@ -204,7 +204,7 @@ TEST(SceneRecipe, FaultsAreSaidWithTheirLine) {
 
 TEST(SceneRecipe, DataAreNoSceneFile) {
     expect_user_error([] { (void)parse_scene(std::string_view("GRIB\0\0", 6), "storm.grib"); },
-                      "storm.grib: is no scene file, which is TOML text; 'tedavis scene look FILE'");
+                      "storm.grib: is no scene file, which is TOML text; see what data hold by 'tedavis scene look FILE'");
 }
 
 }  // namespace
