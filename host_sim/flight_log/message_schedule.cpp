@@ -29,6 +29,7 @@ constexpr ScheduledMessage kSchedule[] = {
     {322, Signal::standard_altitude, DataType::float32, 100, 32},
     {332, Signal::true_altitude, DataType::float32, 100, 32},
     {319, Signal::baro_setting, DataType::float32, 1000, 42},
+    {1070, Signal::radio_height, DataType::float32, 100, 97},
     {333, Signal::wind_speed, DataType::float32, 200, 52},
     {334, Signal::wind_direction, DataType::float32, 200, 52},
     {335, Signal::outside_temperature, DataType::float32, 1000, 62},

@@ -12,8 +12,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kShortestWave_m = 12'000, kLongestWave_m = 40'000, kWaveHeight_m = 3'000;
-constexpr double kHour_s = 3600;
+constexpr double kShortestGustWave_m = 12'000, kLongestGustWave_m = 40'000, kGustWaveHeight_m = 3'000;
 constexpr std::uint8_t kGustImportance = 110;
 
 class GustMember {
@@ -22,13 +21,13 @@ public:
         : air_(air),
           spread_mps_(spread_mps),
           offset_(random.within(0, std::sqrt(3.0))),
-          waves_(random, kShortestWave_m, kLongestWave_m, kWaveHeight_m) {}
+          waves_(random, kShortestGustWave_m, kLongestGustWave_m, kGustWaveHeight_m) {}
 
     [[nodiscard]] double at(double east_m, double north_m, double time_s) const {
         const double drift_m = air_.wind_speed_mps * time_s;
         const double wave =
             waves_.at(east_m + drift_m * std::sin(air_.wind_from_rad), north_m + drift_m * std::cos(air_.wind_from_rad), 0);
-        const double sigma_mps = spread_mps_ * (1 + std::hypot(east_m, north_m) / kGustDistance_m + time_s / kHour_s);
+        const double sigma_mps = spread_mps_ * (1 + std::hypot(east_m, north_m) / kGustDistance_m + time_s / kSecondsPerHour);
         const double off = kAlike * offset_ + std::sqrt(1 - kAlike * kAlike) * wave;
         return std::max(0.0, kGustFactor * air_.wind_speed_mps + sigma_mps * off);
     }
@@ -39,7 +38,7 @@ private:
     SeededWaves waves_;
 };
 
-LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square) {
+LayerDraft empty_gust_layer(const Scenario& scenario, const SquareGrid& square) {
     LayerDraft layer;
     layer.name = "gusts";
     layer.title = "GUST";
@@ -60,7 +59,8 @@ std::vector<float> values_of(const GustMember& member, const SquareGrid& square)
     for (int hour = 0; hour < kGustTimes; ++hour)
         for (std::uint32_t row = 0; row < kGustPosts; ++row)
             for (std::uint32_t column = 0; column < kGustPosts; ++column)
-                values.push_back(static_cast<float>(member.at(square.east_m(column), square.north_m(row), hour * kHour_s)));
+                values.push_back(
+                    static_cast<float>(member.at(square.east_m(column), square.north_m(row), hour * kSecondsPerHour)));
     return values;
 }
 
@@ -79,7 +79,7 @@ LayerDraft make_gust_layer(const Scenario& scenario, const FlownAir& air, Seeded
     std::vector<double> sums;
     add_to_sums(members, sums);
     for (const std::size_t n : evenly_by_rank(sums, members.size())) gust.members.push_back(members[n]);
-    LayerDraft layer = empty_layer(scenario, square);
+    LayerDraft layer = empty_gust_layer(scenario, square);
     layer.attributes.push_back(std::move(gust));
     return layer;
 }

@@ -14,7 +14,7 @@ constexpr double kSigmasOf95 = 1.96;
 constexpr double kFullHeightSigma_m = 100, kFullSpeedSigma_mps = 10, kFullClimbSigma_mps = 5;
 constexpr std::uint8_t kRouteImportance = 225;
 
-LayerDraft empty_layer(base::Time start) {
+LayerDraft empty_flight_layer(base::Time start) {
     LayerDraft layer;
     layer.name = "flight";
     layer.title = "FLIGHT";
@@ -40,7 +40,7 @@ std::vector<base::Time> plan_times(const ScenarioFlight& flight) {
 }  // namespace
 
 LayerDraft make_flight_layer(const ScenarioFlight& flight, const LandingStrip& strip) {
-    LayerDraft layer = empty_layer(flight.begin());
+    LayerDraft layer = empty_flight_layer(flight.begin());
     AttributeDraft height = generated_attribute("height", "HEIGHT", "m", kFullHeightSigma_m);
     AttributeDraft speed = generated_attribute("ground_speed", "GROUND SPEED", "m/s", kFullSpeedSigma_mps);
     AttributeDraft climb = generated_attribute("vertical_speed", "VERTICAL SPEED", "m/s", kFullClimbSigma_mps);

@@ -25,7 +25,7 @@ double strongest_dbz(const std::vector<StormCell>& cells, double east_m, double 
     return strongest;
 }
 
-LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square, int frames) {
+LayerDraft empty_radar_layer(const Scenario& scenario, const SquareGrid& square, int frames) {
     LayerDraft layer;
     layer.name = "radar";
     layer.title = "RADAR";
@@ -46,7 +46,7 @@ LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square, int f
 LayerDraft make_radar_layer(const Scenario& scenario, const std::vector<StormCell>& cells, base::Time flight_end) {
     const int frames = frames_until((flight_end - scenario.start).to_seconds());
     const SquareGrid square(scenario.weather->reach_m, kRadarPosts);
-    LayerDraft layer = empty_layer(scenario, square, frames);
+    LayerDraft layer = empty_radar_layer(scenario, square, frames);
     AttributeDraft echo = generated_attribute("reflectivity", "RADAR", "dBZ", 0);
     echo.uncertainty_kind = scene::UncertaintyKind::ordinal;
     echo.uncertainty_full = 1;

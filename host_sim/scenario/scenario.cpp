@@ -136,6 +136,31 @@ std::string read_scene(ConfigSection& root, const std::string& file_name) {
     return path;
 }
 
+std::vector<TrafficSettings> read_aircraft_around(ConfigSection& root) {
+    std::vector<TrafficSettings> traffic;
+    const std::size_t aircraft = root.table_count("traffic");
+    if (aircraft > kMaxTraffic) root.fault("traffic", "at most 32 tables [[traffic]]");
+    for (std::size_t i = 0; i < aircraft && i < kMaxTraffic; ++i) {
+        ConfigSection section = root.table_at("traffic", i);
+        traffic.push_back(read_traffic(section));
+    }
+    return traffic;
+}
+
+/// A bare name is that of a shipped raster.
+RadioAltimeterSettings read_radio_altimeter(ConfigSection& section, const std::string& file_name) {
+    RadioAltimeterSettings altimeter;
+    altimeter.range_m = section.number("range_m", 10, 10000);
+    const std::string name(section.text("terrain"));
+    const bool is_bare = name.find_first_of("./") == std::string::npos;
+    altimeter.terrain = is_bare ? shipped_root() + "/configs/data/" + name + ".tif" : path_from(file_name, name);
+    std::error_code not_there;
+    if (!std::filesystem::is_regular_file(altimeter.terrain, not_there))
+        section.fault("terrain", "there is no raster " + altimeter.terrain +
+                                     "; name a shipped one such as jacksboro_srtm3, or a file from this one's folder");
+    return altimeter;
+}
+
 }  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::string& file_name) {
@@ -156,12 +181,9 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     if (ConfigSection weather = root.section("weather"); weather.present()) scenario.weather = read_weather(weather);
     if (ConfigSection guidance = root.section("guidance"); guidance.present())
         scenario.guidance = read_guidance(guidance, scenario.strip);
-    const std::size_t aircraft = root.table_count("traffic");
-    if (aircraft > kMaxTraffic) root.fault("traffic", "at most 32 tables [[traffic]]");
-    for (std::size_t i = 0; i < aircraft && i < kMaxTraffic; ++i) {
-        ConfigSection section = root.table_at("traffic", i);
-        scenario.traffic.push_back(read_traffic(section));
-    }
+    if (ConfigSection altimeter = root.section("radio_altimeter"); altimeter.present())
+        scenario.radio_altimeter = read_radio_altimeter(altimeter, file_name);
+    scenario.traffic = read_aircraft_around(root);
     const std::size_t legs = root.table_count("leg");
     if (legs == 0 || legs > kMaxLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
     for (std::size_t i = 0; i < legs && i < kMaxLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));

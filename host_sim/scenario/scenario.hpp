@@ -77,6 +77,12 @@ struct Guidance {
     double flaps_travel_s = 0;     ///< from up to full
 };
 
+/// An altimeter by radio that the aircraft has.
+struct RadioAltimeterSettings {
+    std::string terrain;  ///< path of the raster that it measures
+    double range_m = 0;   ///< it states no greater height
+};
+
 struct Scenario {
     std::string name, purpose;
     std::uint64_t seed = 0;
@@ -87,7 +93,8 @@ struct Scenario {
     std::string switch_config;  ///< shipped name or path
     std::string scene;          ///< path of the scene file whose layers stand round the flight; empty: none
     std::optional<WeatherSettings> weather;
-    std::optional<Guidance> guidance;      ///< nothing: the bus carries none
+    std::optional<Guidance> guidance;  ///< nothing: the bus carries none
+    std::optional<RadioAltimeterSettings> radio_altimeter;
     std::vector<TrafficSettings> traffic;  ///< other aircraft
     std::vector<Leg> legs;
 };

@@ -16,7 +16,6 @@ namespace {
 using flight::Signal;
 
 constexpr double kLongestLeg_s = 900;
-constexpr double kStepsPerSecond = 100;  // divides exactly where a multiple of 0.01 would not
 constexpr int kWaves = 6;
 constexpr double kRollAmplitude_rad = base::radians(1.2);  // sum of all waves at turbulence 1
 constexpr double kPitchAmplitude_rad = base::radians(0.5);
@@ -30,6 +29,7 @@ double mix(double a, double b, double share) { return a + (b - a) * share; }
 
 ScenarioFlight::ScenarioFlight(const Scenario& scenario, std::uint64_t seed, const GeoidEgm96& geoid)
     : scenario_(scenario), geoid_(geoid), traffic_(scenario.traffic, scenario.start, seed, geoid) {
+    if (scenario_.radio_altimeter) radio_altimeter_.emplace(*scenario_.radio_altimeter, scenario_.strip);
     draw_random(seed);
     LegPilot pilot(scenario_, air_);
     states_.push_back(pilot.state());
@@ -118,6 +118,7 @@ std::optional<SignalSample> ScenarioFlight::at(base::Time time) const {
     sample[Signal::true_heading] = earth::wrap_heading(state.heading_rad);
     sample[Signal::magnetic_variation] = scenario_.environment.magnetic_variation_rad;
     add_air_data(state, sample);
+    add_radio_height(state, sample);
     add_motion(t, state, sample);
     if (scenario_.guidance) ScenarioGuidance(scenario_, *this, instruments_of_air()).add(t, sample);
     return sample;
@@ -139,6 +140,14 @@ void ScenarioFlight::add_air_data(const State& state, SignalSample& sample) cons
     sample[Signal::indicated_airspeed] = sample[Signal::calibrated_airspeed];
     sample[Signal::wind_speed] = state.wind_share * air_.wind_speed_mps;
     sample[Signal::wind_direction] = earth::wrap_heading(air_.wind_from_rad);
+}
+
+/// It reads 0 where the wheels stand on the ground, and no less.
+void ScenarioFlight::add_radio_height(const State& state, SignalSample& sample) const {
+    if (!radio_altimeter_) return;
+    const double wheels_msl_m = state.altitude_msl_m - scenario_.aircraft.antenna_height_m;
+    const auto height_m = radio_altimeter_->height_m(state.latitude_rad, state.longitude_rad, wheels_msl_m);
+    if (height_m) sample[Signal::radio_height] = std::max(0.0, *height_m);
 }
 
 /// Body rates and specific forces (what accelerometers feel: 1 g upwards at rest) from differences of the flown states.

@@ -12,6 +12,7 @@
 
 #include "host_sim/flight_log/flight_source.hpp"
 #include "host_sim/geoid_egm96.hpp"
+#include "host_sim/scenario/radio_altimeter.hpp"
 #include "host_sim/scenario/scenario.hpp"
 #include "host_sim/scenario/scenario_traffic.hpp"
 
@@ -37,7 +38,7 @@ public:
         double begin_s = 0, end_s = 0;
     };
 
-    /// Throws UserError naming the leg that does not end within its time (15 minutes).
+    /// Throws UserError naming the leg that does not end within its time (15 minutes), or the raster that cannot be read.
     ScenarioFlight(const Scenario& scenario, std::uint64_t seed, const GeoidEgm96& geoid);
 
     [[nodiscard]] base::Time begin() const override { return scenario_.start; }
@@ -64,11 +65,13 @@ private:
     [[nodiscard]] State state_at(double time_s) const;
     [[nodiscard]] AirInstruments instruments_of_air() const;
     void add_air_data(const State& state, SignalSample& sample) const;
+    void add_radio_height(const State& state, SignalSample& sample) const;
     void add_motion(double time_s, const State& state, SignalSample& sample) const;
 
     Scenario scenario_;
     const GeoidEgm96& geoid_;
     ScenarioTraffic traffic_;
+    std::optional<RadioAltimeter> radio_altimeter_;
     FlownAir air_;
     std::vector<Wave> roll_waves_, pitch_waves_;
     std::vector<State> states_;
@@ -76,5 +79,6 @@ private:
 };
 
 inline constexpr double kScenarioStep_s = 0.01;
+inline constexpr double kStepsPerSecond = 100;  ///< divides exactly where a multiple of 0.01 would not
 
 }  // namespace tedavis::host_sim

@@ -21,7 +21,6 @@ constexpr double kCoverage_m = 18'500;
 constexpr double kGlideCoverage_rad = base::radians(10);
 constexpr double kNearStrip_m = 50;       // nearer to an antenna its beam states nothing
 constexpr double kLevelledWithin_m = 30;  // a leg that begins so near its altitude has no vertical speed selected
-constexpr double kStepsPerSecond = 100;   // of the flown states
 
 /// Metres north and east from one place to another nearby.
 struct PlaneOffset {

@@ -21,7 +21,7 @@ constexpr std::uint8_t kStormImportance = 240;
 
 double full_circle(SeededRandom& random) { return 2 * base::kPi * random.unit(); }
 
-LayerDraft empty_layer(base::Time start) {
+LayerDraft empty_storm_layer(base::Time start) {
     LayerDraft layer;
     layer.name = "storm";
     layer.title = "STORM";
@@ -90,7 +90,7 @@ std::vector<StormCell> draw_storm_cells(const StormSettings& settings, SeededRan
 }
 
 LayerDraft make_storm_layer(const std::vector<StormCell>& cells, const LocalPlane& plane, base::Time start) {
-    LayerDraft layer = empty_layer(start);
+    LayerDraft layer = empty_storm_layer(start);
     AttributeDraft intensity = generated_attribute("intensity", "INTENSITY", "dBZ", kFullSigma_db);
     intensity.uncertainty_growth_per_hour = kStormGrowth_per_hour;
     AttributeDraft speed = generated_attribute("speed", "CELL SPEED", "m/s", kFullSpeedSigma_mps);

@@ -21,6 +21,8 @@
 
 namespace tedavis::host_sim {
 
+inline constexpr double kSecondsPerHour = 3600;
+
 struct WindSettings {
     double variation_mps = 0, sigma_mps = 0;
 };

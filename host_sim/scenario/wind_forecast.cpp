@@ -10,9 +10,8 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kShortestWave_m = 10'000, kLongestWave_m = 40'000, kWaveHeight_m = 3'000;
+constexpr double kShortestWindWave_m = 10'000, kLongestWindWave_m = 40'000, kWindWaveHeight_m = 3'000;
 constexpr double kPower = 1.0 / 7;
-constexpr double kHour_s = 3600;
 constexpr std::uint8_t kWindImportance = 120;
 
 /// East and north vary on their own.
@@ -22,8 +21,8 @@ public:
         : settings_(scenario.weather->wind),
           latitude_rad_(scenario.strip.latitude_rad),
           air_(air),
-          east_(random, kShortestWave_m, kLongestWave_m, kWaveHeight_m),
-          north_(random, kShortestWave_m, kLongestWave_m, kWaveHeight_m) {}
+          east_(random, kShortestWindWave_m, kLongestWindWave_m, kWindWaveHeight_m),
+          north_(random, kShortestWindWave_m, kLongestWindWave_m, kWindWaveHeight_m) {}
 
     [[nodiscard]] MeanWind at(double east_m, double north_m, double height_m, double time_s) const {
         const MeanWind mean = mean_wind(air_, latitude_rad_, height_m);
@@ -34,7 +33,7 @@ public:
                 mean.north_mps + strength_mps * north_.at(x, y, height_m)};
     }
     [[nodiscard]] double sigma_mps(double east_m, double north_m, double time_s) const {
-        return settings_.sigma_mps * (1 + std::hypot(east_m, north_m) / kSigmaDistance_m + time_s / kHour_s);
+        return settings_.sigma_mps * (1 + std::hypot(east_m, north_m) / kSigmaDistance_m + time_s / kSecondsPerHour);
     }
 
 private:
@@ -44,7 +43,7 @@ private:
     SeededWaves east_, north_;
 };
 
-LayerDraft empty_layer(const Scenario& scenario, const SquareGrid& square) {
+LayerDraft empty_wind_layer(const Scenario& scenario, const SquareGrid& square) {
     LayerDraft layer;
     layer.name = "wind";
     layer.title = "WIND";
@@ -73,7 +72,7 @@ MeanWind mean_wind(const FlownAir& air, double strip_latitude_rad, double height
 LayerDraft make_wind_layer(const Scenario& scenario, const FlownAir& air, SeededRandom& random) {
     const SquareGrid square(scenario.weather->reach_m, kWindPosts);
     const WindField field(scenario, air, random);
-    LayerDraft layer = empty_layer(scenario, square);
+    LayerDraft layer = empty_wind_layer(scenario, square);
     AttributeDraft east = generated_attribute("east", "WIND EAST", "m/s", kFullWindSigma_mps);
     AttributeDraft north = generated_attribute("north", "WIND NORTH", "m/s", kFullWindSigma_mps);
     AttributeDraft speed = generated_attribute("speed", "WIND SPEED", "m/s", kFullWindSigma_mps);
@@ -82,8 +81,8 @@ LayerDraft make_wind_layer(const Scenario& scenario, const FlownAir& air, Seeded
             for (std::uint32_t row = 0; row < kWindPosts; ++row)
                 for (std::uint32_t column = 0; column < kWindPosts; ++column) {
                     const double x = square.east_m(column), y = square.north_m(row);
-                    const MeanWind wind = field.at(x, y, height_m, hour * kHour_s);
-                    const double sigma_mps = field.sigma_mps(x, y, hour * kHour_s);
+                    const MeanWind wind = field.at(x, y, height_m, hour * kSecondsPerHour);
+                    const double sigma_mps = field.sigma_mps(x, y, hour * kSecondsPerHour);
                     add_value(east, wind.east_mps, sigma_mps);
                     add_value(north, wind.north_mps, sigma_mps);
                     add_value(speed, std::hypot(wind.east_mps, wind.north_mps), sigma_mps);

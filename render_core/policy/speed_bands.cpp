@@ -37,22 +37,22 @@ void add_band(SpeedBands& shown, double low_mps, double high_mps, SpeedBandRole 
     if (low_mps < high_mps) static_cast<void>(shown.bands.try_push_back({low_mps, high_mps, role}));
 }
 
-void add_first_column(const AircraftSettings& aircraft, double stall_mps, double limit_mps, SpeedBands& shown) {
+/// No aircraft stalls on its wheels. `limit_mps`: no band of low speeds reaches beyond it.
+void add_low_speeds(const AircraftSettings& aircraft, const SpeedConditions& conditions, double stall_mps, double limit_mps,
+                    SpeedBands& shown) {
+    if (conditions.is_on_ground) return;
     const double warned_mps = std::fmin(stall_mps, limit_mps);
+    add_band(shown, 0, warned_mps, SpeedBandRole::low_warning);
+    add_band(shown, warned_mps, std::fmin(stall_mps * aircraft.caution_factor, limit_mps), SpeedBandRole::low_caution);
+}
+
+void add_speeds_of_flight(const AircraftSettings& aircraft, double stall_mps, double limit_mps, SpeedBands& shown) {
     const double cautioned_mps = std::fmin(stall_mps * aircraft.caution_factor, limit_mps);
     const bool has_caution = aircraft.normal_limit_mps > 0;
     const double normal_mps = has_caution ? std::clamp(aircraft.normal_limit_mps, cautioned_mps, limit_mps) : limit_mps;
-    add_band(shown, 0, warned_mps, SpeedBandRole::low_warning);
-    add_band(shown, warned_mps, cautioned_mps, SpeedBandRole::low_caution);
     add_band(shown, cautioned_mps, normal_mps, SpeedBandRole::normal);
     add_band(shown, normal_mps, limit_mps, SpeedBandRole::caution);
     add_band(shown, limit_mps, kEndOfBands_mps, SpeedBandRole::above_limit);
-}
-
-/// The stall speed is shown at every altitude; what lies above it is not, where the limit is not known.
-void add_low_speeds(const AircraftSettings& aircraft, double stall_mps, SpeedBands& shown) {
-    add_band(shown, 0, stall_mps, SpeedBandRole::low_warning);
-    add_band(shown, stall_mps, stall_mps * aircraft.caution_factor, SpeedBandRole::low_caution);
 }
 
 bool knows_limit(const AircraftSettings& aircraft, double pressure_altitude_m) {
@@ -68,12 +68,14 @@ SpeedBands speed_bands(const AircraftSettings& aircraft, const SpeedConditions& 
     shown.has_pole = aircraft.has_vmo;
     const FlapsRange flaps = possible_flaps(conditions.flaps);
     const double load_factor = std::fmin(std::fmax(conditions.load_factor, 1.0), kMaxLoadFactor);  // 1 where it is NaN
-    const double stall_mps = conditions.is_on_ground ? 0 : stall_with_flaps_mps(aircraft, flaps.least) * std::sqrt(load_factor);
-    if (!knows_limit(aircraft, conditions.pressure_altitude_m)) {
-        add_low_speeds(aircraft, stall_mps, shown);
+    const double stall_mps = stall_with_flaps_mps(aircraft, flaps.least) * std::sqrt(load_factor);
+    if (!knows_limit(aircraft, conditions.pressure_altitude_m)) {  // the stall speed is shown at every altitude
+        add_low_speeds(aircraft, conditions, stall_mps, kEndOfBands_mps, shown);
         return shown;
     }
-    add_first_column(aircraft, stall_mps, limit_of_flaps_mps(aircraft, flaps.most), shown);
+    const double limit_mps = limit_of_flaps_mps(aircraft, flaps.most);
+    add_low_speeds(aircraft, conditions, stall_mps, limit_mps, shown);
+    add_speeds_of_flight(aircraft, stall_mps, limit_mps, shown);
     const FlapSetting& all_out = aircraft.flaps.back();
     if (aircraft.flaps.size() > 1) add_band(shown, all_out.stall_mps, all_out.limit_mps, SpeedBandRole::flaps_range);
     return shown;

@@ -47,6 +47,7 @@ Scenario moved_scenario(Scenario scenario, const earth::Geodetic& to, double ele
     scenario.strip.longitude_rad = to.longitude_rad;
     scenario.strip.elevation_msl_m += up_m;
     scenario.traffic.clear();
+    scenario.radio_altimeter.reset();
     scenario.scene.clear();
     return scenario;
 }

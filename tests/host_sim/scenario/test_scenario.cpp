@@ -36,6 +36,8 @@ TEST(Scenario, ReadsTheShippedOne) {
     ASSERT_TRUE(scenario.weather.has_value());
     EXPECT_EQ(scenario.weather->storm.cells, 9);
     EXPECT_EQ(scenario.traffic.size(), 4u);
+    ASSERT_TRUE(scenario.radio_altimeter.has_value());
+    EXPECT_EQ(scenario.radio_altimeter->terrain, test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif");
 }
 
 TEST(Scenario, NeedsNeitherSceneNorWeather) {
@@ -71,6 +73,7 @@ TEST(Scenario, NamesFileAndLineOfAFault) {
     refused(shipped().substr(0, shipped().find("[[leg]]")), "[[leg]]");
     refused(replaced(shipped(), "scene = \"jacksboro\"", "scene = \"nowhere\""),
             "configs/scenes/nowhere.toml; name a shipped one");
+    refused(replaced(shipped(), "terrain = \"jacksboro_srtm3\"", "terrain = \"nowhere\""), "there is no raster");
     refused(replaced(shipped(), "storm_cells = 9", "storm_cells = -9"), "storm_cells");
     refused(replaced(shipped(), "reach_m = 18000", "reach_m = 18000\nrech_m = 1"), "rech_m");
     const std::string text = replaced(shipped(), "storm_cells = 9", "storm_cells = -9");

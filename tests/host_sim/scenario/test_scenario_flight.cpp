@@ -244,5 +244,19 @@ TEST(ScenarioFlight, NamesALegThatCannotEnd) {
     test_support::expect_user_error([&] { ScenarioFlight(scenario, 1, geoid()); }, "leg 4 does not end");
 }
 
+TEST(ScenarioFlight, TheRadioAltimeterReadsNothingLessThanTheGround) {
+    const double end_s = (default_flight().end() - default_flight().begin()).to_seconds();
+    for (const double still_s : {0.0, 2.0, end_s - 1}) {
+        const auto sample = default_flight().at(at_second(still_s));
+        ASSERT_TRUE(sample && sample->has(Signal::radio_height)) << still_s;
+        EXPECT_NEAR((*sample)[Signal::radio_height], 0, 1e-6) << still_s;
+    }
+    for (double t = 60; t < 330; t += 10) {
+        const auto sample = default_flight().at(at_second(t));
+        ASSERT_TRUE(sample && sample->has(Signal::radio_height)) << t;
+        EXPECT_GT((*sample)[Signal::radio_height], 30) << t;
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_scenario_flight

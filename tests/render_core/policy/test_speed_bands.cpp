@@ -233,6 +233,29 @@ TEST(SpeedBands, WhereAMachNumberIsTheLimitThereAreThoseOfLowSpeedsAlone) {
     }
 }
 
+TEST(SpeedBands, OnTheGroundNoneTellsOfAStallAndTheOthersStay) {
+    RandomAircraft random(36);
+    for (int n = 0; n < 200; ++n) {
+        const AircraftSettings aircraft = random.aircraft();
+        SpeedConditions conditions = with_flaps(random.range());
+        const SpeedBands in_air = speed_bands(aircraft, conditions);
+        conditions.is_on_ground = true;
+        const SpeedBands on_ground = speed_bands(aircraft, conditions);
+        const auto is_of_stall = [](SpeedBandRole role) {
+            return role == SpeedBandRole::low_warning || role == SpeedBandRole::low_caution;
+        };
+        std::size_t same = 0;
+        for (const SpeedBand& band : in_air.bands) {
+            if (is_of_stall(band.role)) continue;
+            ASSERT_LT(same, on_ground.bands.size());
+            EXPECT_EQ(on_ground.bands[same].low_mps, band.low_mps);
+            EXPECT_EQ(on_ground.bands[same].high_mps, band.high_mps);
+            EXPECT_EQ(on_ground.bands[same++].role, band.role);
+        }
+        EXPECT_EQ(on_ground.bands.size(), same);
+    }
+}
+
 TEST(SpeedBands, OfAnyAircraftAdjoinAndHaveTheRoleOfTheirSpeeds) {
     RandomAircraft random(34);
     std::size_t looked_at = 0;

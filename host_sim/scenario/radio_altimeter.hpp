@@ -1,0 +1,31 @@
+/// What a radio altimeter reads on a generated flight: the height of the wheels above the ground below.
+///
+/// The ground is that of a raster, bilinear between its posts, and the strip where the aircraft is on it: the strip is level, and
+/// from its edges the ground runs straight to the raster's within 150 m. Metres; the altitude is above mean sea level.
+#pragma once
+
+#include <optional>
+
+#include "host_sim/scenario/scenario.hpp"
+#include "host_sim/terrain_builder/raster.hpp"
+
+namespace tedavis::host_sim {
+
+class RadioAltimeter {
+public:
+    /// Reads the raster; throws UserError where it is none.
+    RadioAltimeter(const RadioAltimeterSettings& settings, const LandingStrip& strip);
+
+    /// Nothing beyond its range, and where the ground is not known. `wheels_msl_m` is the altitude of the wheels.
+    [[nodiscard]] std::optional<double> height_m(double latitude_rad, double longitude_rad, double wheels_msl_m) const;
+
+private:
+    [[nodiscard]] std::optional<double> raster_msl_m(double latitude_rad, double longitude_rad) const;
+    [[nodiscard]] double off_strip_m(double latitude_rad, double longitude_rad) const;
+
+    double range_m_;
+    LandingStrip strip_;
+    Raster raster_;
+};
+
+}  // namespace tedavis::host_sim
