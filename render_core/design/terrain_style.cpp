@@ -23,6 +23,7 @@ void read_texture(ConfigSection section, TerrainStyle& style) {
     read_color(section, "plain_color", style.plain);
     read_color(section, "rock_color", style.rock);
     read_color(section, "woods_filter", style.woods);
+    style.tree_line_m = section.number("tree_line_m", -500, 9000, style.tree_line_m);
     read_share(section, "grain", style.grain);
 }
 

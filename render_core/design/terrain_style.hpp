@@ -104,6 +104,7 @@ struct TerrainStyle {
     Color plain{0xD8, 0xD2, 0xC4};
     Color rock{0x8C, 0x84, 0x76};   ///< of natural ground
     Color woods{0xC2, 0xDB, 0xBA};  ///< of natural ground: shares of red, green and blue that woods leave of its tint
+    double tree_line_m = 2000;      ///< of natural ground: the height above MSL where woods end
     double grain = 0.35;            ///< of natural ground, 0..1: share of its light that the grain takes and gives at most
     ShadeSettings shade;
     SketchSettings sketch;

@@ -21,6 +21,11 @@ void set_color(gl::Gl& gl, GLint location, design::Color c) {
     set_vec3(gl, location, {c.red / 255.0, c.green / 255.0, c.blue / 255.0});
 }
 
+void set_color_and(gl::Gl& gl, GLint location, design::Color c, double fourth) {
+    const auto share = [](std::uint8_t level) { return static_cast<float>(level) / 255.0f; };
+    gl->Uniform4f(location, share(c.red), share(c.green), share(c.blue), static_cast<float>(fourth));
+}
+
 glm::dvec3 axis_of(const terrain::ChunkEntry& entry, int n) {
     return {entry.axes[3 * n], entry.axes[3 * n + 1], entry.axes[3 * n + 2]};
 }
@@ -151,13 +156,9 @@ void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::Te
     gl->Uniform2f(program.uniform(kContour), number(1 / sketch.contour_interval_m), static_cast<float>(sketch.contour_index));
     gl->Uniform2f(program.uniform(kStrokes), number(sketch.hatching), number(sketch.stippling));
     set_pixel_uniform(gl, program, style, focal_px);
-    const design::Color line = style.grid.line;
-    gl->Uniform4f(program.uniform(kGridLook), static_cast<float>(line.red) / 255.0f, static_cast<float>(line.green) / 255.0f,
-                  static_cast<float>(line.blue) / 255.0f, number(style.grid.strength));
-    set_color(gl, program.uniform(kNaturalWoods), style.woods);
-    const design::Color rock = style.rock;
-    gl->Uniform4f(program.uniform(kNaturalRock), static_cast<float>(rock.red) / 255.0f, static_cast<float>(rock.green) / 255.0f,
-                  static_cast<float>(rock.blue) / 255.0f, number(style.grain));
+    set_color_and(gl, program.uniform(kGridLook), style.grid.line, style.grid.strength);
+    set_color_and(gl, program.uniform(kNaturalWoods), style.woods, style.tree_line_m);
+    set_color_and(gl, program.uniform(kNaturalRock), style.rock, style.grain);
 }
 
 void set_pixel_uniform(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px) {

@@ -5,7 +5,9 @@
 // cross-fade. Sizes are powers of two metres, so the grain stands still on the ground.
 #ifdef TEXTURE_MATERIAL
 uniform vec4 natural_rock;       // color of rock; strength of the grain
-uniform vec3 natural_woods;      // shares that they leave of the tint
+uniform vec4 natural_woods;      // shares that they leave of the tint; height of the tree line, m above MSL
+
+const float TREE_LINE_FADE_M = 200.0;  // to either side of it
 
 // A permutation of the numbers below 289 (McEwan et al. 2012) for whole numbers below 578: all products stay below 2^22, and every
 // step is exact in float.
@@ -36,11 +38,13 @@ float grain_of(vec2 ground, float footprint_m) {
     return grain * clamp(7.0 - octave, 0.0, 1.0);
 }
 
-// `tint`: by height alone. `footprint_m`: of a pixel on the ground.
-vec3 natural_ground(vec3 tint, vec3 n, vec2 ground, float footprint_m) {
+// `tint`: by height alone. `height_m`: above MSL. `footprint_m`: of a pixel on the ground.
+vec3 natural_ground(vec3 tint, float height_m, vec3 n, vec2 ground, float footprint_m) {
     float grain = grain_of(ground, footprint_m);
     float steep = 1.0 - n.z + 0.008 * grain;
-    vec3 color = mix(tint, tint * natural_woods, smoothstep(0.003, 0.020, steep));
+    float above = (height_m - natural_woods.w) * (0.5 / TREE_LINE_FADE_M);
+    float woods = smoothstep(0.003, 0.020, steep) * clamp(0.5 - above, 0.0, 1.0);
+    vec3 color = mix(tint, tint * natural_woods.rgb, woods);
     color = mix(color, natural_rock.rgb, smoothstep(0.14, 0.32, steep));
     return color * (1.0 + 0.6 * natural_rock.a * grain);
 }

@@ -133,7 +133,7 @@ void main() {
     vec4 image = drape_of(v_drape, n);
     color = color * (1.0 - image.a) + image.rgb;
 #elif defined(TEXTURE_MATERIAL)
-    color = natural_ground(palette_color(v_height), n, v_ground, pixel_m * inversesqrt(facing));
+    color = natural_ground(palette_color(v_height), v_height, n, v_ground, pixel_m * inversesqrt(facing));
 #endif
 #ifdef COAST
     // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1.

@@ -98,11 +98,13 @@ TEST(TerrainStyle, AGridOfNoStrengthIsNone) {
 }
 
 TEST(TerrainStyle, NaturalGroundHasItsRockAndItsGrain) {
-    const ReadStyle got =
-        read("[terrain.texture]\ntechnique = 'material'\nrock_color = '#102030'\nwoods_filter = '#80ff40'\ngrain = 0.5\n");
+    const ReadStyle got = read(
+        "[terrain.texture]\ntechnique = 'material'\nrock_color = '#102030'\nwoods_filter = '#80ff40'\ntree_line_m = 900\ngrain = "
+        "0.5\n");
     ASSERT_EQ(got.error, "");
     EXPECT_EQ(got.style.rock, (Color{0x10, 0x20, 0x30}));
     EXPECT_EQ(got.style.grain, 0.5);
+    EXPECT_EQ(got.style.tree_line_m, 900);
     EXPECT_EQ(wooded(got.style, {100, 100, 100}), (Color{50, 100, 25}));
 }
 

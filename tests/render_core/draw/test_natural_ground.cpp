@@ -100,6 +100,34 @@ TEST(NaturalGround, P38TintsFollowTheHeightWithinTheTerrain) {
 
 /// Of level land from above at any height: neighbors differ, and what lies 24 pixels apart is not alike, so that no block of a
 /// cell is seen. Control: without the grain the ground is one color.
+/// A slope of 12 degrees is all woods below the tree line and none above. Control: with a higher line it has woods throughout.
+TEST(NaturalGround, P38WoodsEndAtTheTreeLine) {
+    constexpr double kPerPost_m = 14, kLine_m = 1000, kFade_m = 200;
+    RasterScene scene(test_support::make_raster(257, 257, [](std::uint32_t i, std::uint32_t) { return float(kPerPost_m * i); }));
+    for (const char* device : kDevices) {
+        for (const double line_m : {kLine_m, 9000.0}) {
+            design::DesignSettings design = without_grain();
+            design.terrain.palette = design::fitted_palette(design.terrain.palette, 0, kPerPost_m * 256);
+            design.terrain.style.tree_line_m = line_m;
+            ChunkDrawing drawing(scene, design, "egl", device);
+            const TerrainDrawInput input = lit_from_above(scene.view(80, 80, 9000, 0, -90));
+            const ChunkPicture picture = drawing.draw(input, 1);
+            int below = 0, above = 0;
+            for (std::uint32_t i = 20; i < 140; i += 3) {
+                const double height_m = kPerPost_m * i;
+                const auto at = pixel_of(input.view, scene.post(i, 80));
+                if (!at || std::fabs(height_m - line_m) < kFade_m) continue;
+                const Color tint = design::color_of_value(design.terrain.palette, height_m);
+                const Color expected = height_m < line_m ? design::wooded(design.terrain.style, tint) : tint;
+                EXPECT_LE(apart(picture.at(at->x, at->y), expected), 3) << device << " at " << height_m << " m, line " << line_m;
+                ++(height_m < line_m ? below : above);
+            }
+            EXPECT_GT(below, 5);
+            EXPECT_GT(line_m == kLine_m ? above : 6, 5);
+        }
+    }
+}
+
 TEST(NaturalGround, P38TheGrainIsAsFineFarAwayAsNear) {
     RasterScene scene(flat_land());
     const auto seen = [&](const char* device, const design::DesignSettings& design, auto&& look) {
