@@ -11,6 +11,7 @@
 #include "host_sim/commands/accuracy.hpp"
 #include "host_sim/commands/calibrate.hpp"
 #include "host_sim/commands/check.hpp"
+#include "host_sim/commands/compare.hpp"
 #include "host_sim/commands/contract.hpp"
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/diff.hpp"
@@ -49,6 +50,7 @@ struct CommandLine {
     SheetOptions sheet;
     SweepOptions sweep;
     DiffOptions diff;
+    CompareOptions compare;
     CheckOptions check;
     EvaluateOptions evaluate;
     ContractOptions contract;

@@ -39,12 +39,32 @@ namespace {
 
 constexpr int kDone = 0, kWrongUsage = 2;
 
+void add_compare(CLI::App& app, CommandLine& line) {
+    static const std::map<std::string, Alignment> kAlignments{
+        {"time", Alignment::time}, {"place", Alignment::place}, {"takeoff", Alignment::takeoff}};
+    CompareOptions& o = line.compare;
+    CLI::App* command = add_command(app, line, "compare", "two runs, of two designs or two flights, on one page",
+                                    [&o](Console& console) { return run_compare(o, console); });
+    command->add_option("RUN_A", o.run_a, "folder that replay or fly wrote")->required();
+    command->add_option("RUN_B", o.run_b, "another one")->required();
+    command->add_option("-o", o.output, "page to write (HTML); compare.json, the aligned instants, is written beside it")
+        ->required();
+    command->add_option_function<std::string>(
+        "--align", [&o](const std::string& word) { o.align.by = choice_from("--align", word, kAlignments); },
+        "time (of one log, else UTC), place (the nearest on the other track), or takeoff (time since it); default: the first of "
+        "them that the runs share");
+    command->add_option("--within", o.align.within_m, "with places: metres that counterparts are apart at most")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1e6));
+}
+
 void add_comparisons(CLI::App& app, CommandLine& line) {
     DiffOptions& d = line.diff;
     CLI::App* diff = add_command(app, line, "diff", "the first frame in which two runs differ",
                                  [&d](Console& console) { return run_diff(d, console); });
     diff->add_option("RUN_A", d.run_a, "folder that replay wrote")->required();
     diff->add_option("RUN_B", d.run_b, "another one")->required();
+    add_compare(app, line);
     CheckOptions& c = line.check;
     CLI::App* check = add_command(app, line, "check", "validates configuration files, databases and logs",
                                   [&c](Console& console) { return run_check(c, console); });

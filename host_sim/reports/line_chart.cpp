@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace tedavis::host_sim {
 namespace {
@@ -73,6 +74,7 @@ Scale vertical_scale(const LineChart& chart) {
         include(band.high);
     }
     if (!(low <= high)) low = 0, high = 1;
+    if (low == high) low -= 0.5, high += 0.5;
     const double step = tick_step(std::max(high - low, 1e-6), tick_count(chart));
     low = std::floor(low / step) * step;
     high = std::max(std::ceil(high / step) * step, low + step);
@@ -222,6 +224,27 @@ std::string decimal(double value, int digits) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", digits, std::clamp(value, -1e15, 1e15));
     return text;
+}
+
+LineChart with_gaps(LineChart chart) {
+    constexpr double kUsualSteps = 4;
+    std::vector<double> steps;
+    for (std::size_t n = 1; n < chart.times_s.size(); ++n) steps.push_back(chart.times_s[n] - chart.times_s[n - 1]);
+    if (steps.empty()) return chart;
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+    const double longest_s = kUsualSteps * std::abs(steps[steps.size() / 2]);
+    for (std::size_t n = chart.times_s.size() - 1; n > 0; --n) {
+        const double before_s = chart.times_s[n - 1], after_s = chart.times_s[n];
+        if (std::abs(after_s - before_s) <= longest_s) continue;
+        const auto at = static_cast<std::ptrdiff_t>(n);
+        chart.times_s.insert(chart.times_s.begin() + at, (before_s + after_s) / 2);
+        for (ChartCurve& curve : chart.curves)
+            curve.values.insert(curve.values.begin() + at, std::numeric_limits<double>::quiet_NaN());
+        for (ChartBand& band : chart.bands)
+            for (std::vector<double>* values : {&band.low, &band.high})
+                values->insert(values->begin() + at, std::numeric_limits<double>::quiet_NaN());
+    }
+    return chart;
 }
 
 std::string line_chart_svg(const LineChart& chart) {

@@ -45,6 +45,8 @@ struct LineChart {
 /// Scales with its container; text stays readable where that is three quarters of the drawing's width. Of many more values than
 /// the drawing has columns, the least and the greatest of each column are drawn.
 [[nodiscard]] std::string line_chart_svg(const LineChart& chart);
+/// Where frames lie much farther apart than usual, as between two spans over the terrain, no line joins them.
+[[nodiscard]] LineChart with_gaps(LineChart chart);
 /// Text safe inside HTML and attributes.
 [[nodiscard]] std::string escaped_html(const std::string& text);
 /// A number with `digits` decimals.

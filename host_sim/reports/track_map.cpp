@@ -36,11 +36,9 @@ double shortening(const GeoExtent& extent) {
     return std::max(std::cos(base::radians(0.5 * (extent.south_deg + extent.north_deg))), 0.05);
 }
 
-/// The track with a margin, no narrower and no flatter than a page can show.
-Map map_of(const std::vector<Sample>& track) {
+/// The tracks with a margin, no narrower and no flatter than a page can show.
+Map map_of(const GeoExtent& extent) {
     constexpr double kMargin = 0.08, kMin_deg = 0.02;
-    GeoExtent extent;
-    for (const Sample& sample : track) extent.include(sample.latitude_deg, sample.longitude_deg);
     const double narrow = shortening(extent);
     const double tall_deg = std::max((extent.north_deg - extent.south_deg) * (1 + 2 * kMargin), kMin_deg);
     const double wide_deg = std::max((extent.east_deg - extent.west_deg) * narrow * (1 + 2 * kMargin), kMin_deg);
@@ -60,14 +58,39 @@ std::string relief(const Map& map, const terrain::TerrainDatabase& terrain) {
            base64(encode_palette_png(with_palette(view_of(picture), kColors))) + "'/>";
 }
 
-std::string point(const Map& map, const Sample& sample) {
-    return decimal(map.x(sample.longitude_deg), 1) + "," + decimal(map.y(sample.latitude_deg), 1) + " ";
+template <class Place>
+std::string point(const Map& map, const Place& place) {
+    return decimal(map.x(place.longitude_deg), 1) + "," + decimal(map.y(place.latitude_deg), 1) + " ";
 }
 
 /// A light line below, so that the track is seen on any ground.
-std::string line(const std::string& points, const std::string& color) {
-    return "<polyline fill='none' stroke='#fff' stroke-width='4.5' stroke-linejoin='round' points='" + points +
-           "'/><polyline fill='none' stroke='" + color + "' stroke-width='2.5' stroke-linejoin='round' points='" + points + "'/>";
+std::string line(const std::string& points, const std::string& color, double width = 2.5) {
+    return "<polyline fill='none' stroke='#fff' stroke-width='" + decimal(width + 2, 1) + "' stroke-linejoin='round' points='" +
+           points + "'/><polyline fill='none' stroke='" + color + "' stroke-width='" + decimal(width, 1) +
+           "' stroke-linejoin='round' points='" + points + "'/>";
+}
+
+/// Places of a track that are farther apart in time have a gap between them.
+template <class Place>
+double longest_step_s(const std::vector<Place>& track) {
+    constexpr double kUsualSteps = 4;
+    std::vector<double> steps_s;
+    for (std::size_t n = 1; n < track.size(); ++n) steps_s.push_back(track[n].time_s - track[n - 1].time_s);
+    std::nth_element(steps_s.begin(), steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2), steps_s.end());
+    return kUsualSteps * steps_s[steps_s.size() / 2];
+}
+
+std::string one_track(const Map& map, const MapTrack& track) {
+    const double gap_s = longest_step_s(track.places);
+    std::string lines, points;
+    for (std::size_t n = 0; n < track.places.size(); ++n) {
+        if (n > 0 && track.places[n].time_s - track.places[n - 1].time_s > gap_s) {
+            lines += line(points, track.color, track.width);
+            points.clear();
+        }
+        points += point(map, track.places[n]);
+    }
+    return lines + line(points, track.color, track.width);
 }
 
 const char* phase_at(const RunStory& story, double time_s) {
@@ -134,31 +157,79 @@ std::string dot(const Map& map, double latitude_deg, double longitude_deg, const
            "' r='4.5' fill='" + fill + "' stroke='#fff' stroke-width='1.5'/>" + text_at(x + 7, y + 4, label) + "</g>";
 }
 
+std::string map_begin(const Map& map, const terrain::TerrainDatabase* terrain, const char* description) {
+    const std::string svg = "<svg class='chart map' viewBox='0 0 " + decimal(kWidth, 0) + " " + decimal(map.height, 1) +
+                            "' role='img' aria-label='" + description + "'><rect width='100%' height='100%' fill='#dcdcdc'/>";
+    return terrain == nullptr ? svg : svg + relief(map, *terrain);
+}
+
+std::string map_end(const Map& map, const std::vector<MapMark>& marks) {
+    std::string svg;
+    for (const MapMark& mark : marks)
+        svg += dot(map, mark.latitude_deg, mark.longitude_deg, mark.color, mark.label, mark.description);
+    return svg + "</svg>\n";
+}
+
+/// Where several tracks begin or end at one place, it has the names of all of them.
+std::string track_ends(const Map& map, const std::vector<const MapTrack*>& tracks, bool is_begin) {
+    constexpr double kTogether = 14;
+    std::string svg;
+    std::vector<bool> is_named(tracks.size());
+    const auto place_of = [&](std::size_t n) { return is_begin ? tracks[n]->places.front() : tracks[n]->places.back(); };
+    for (std::size_t n = 0; n < tracks.size(); ++n) {
+        if (is_named[n]) continue;
+        const MapTrack::Place place = place_of(n);
+        std::string names = tracks[n]->name;
+        for (std::size_t other = n + 1; other < tracks.size(); ++other) {
+            const MapTrack::Place beside = place_of(other);
+            if (std::hypot(map.x(beside.longitude_deg) - map.x(place.longitude_deg),
+                           map.y(beside.latitude_deg) - map.y(place.latitude_deg)) > kTogether)
+                continue;
+            is_named[other] = true;
+            names += ", " + tracks[other]->name;
+        }
+        const std::string label = names + (is_begin ? " begin" : " end") + (names.find(',') == std::string::npos ? "s" : "");
+        svg += dot(map, place.latitude_deg, place.longitude_deg, is_begin ? "#1a7f37" : "#111", label, label);
+    }
+    return svg;
+}
+
 }  // namespace
 
 std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain, const std::vector<MapMark>& marks) {
-    constexpr double kUsualSteps = 4;
     std::vector<Sample> track;
-    for (const Sample& sample : story.samples())
-        if (sample.position_valid) track.push_back(sample);
+    GeoExtent extent;
+    for (const Sample& sample : story.samples()) {
+        if (!sample.position_valid) continue;
+        track.push_back(sample);
+        extent.include(sample.latitude_deg, sample.longitude_deg);
+    }
     if (track.size() < 2) return {};
-    const Map map = map_of(track);
-    std::vector<double> steps_s;
-    for (std::size_t n = 1; n < track.size(); ++n) steps_s.push_back(track[n].time_s - track[n - 1].time_s);
-    std::nth_element(steps_s.begin(), steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2), steps_s.end());
-    const double gap_s = kUsualSteps * steps_s[steps_s.size() / 2];
-    std::string svg = "<svg class='chart map' viewBox='0 0 " + decimal(kWidth, 0) + " " + decimal(map.height, 1) +
-                      "' role='img' aria-label='The track on a map, north up'><rect width='100%' height='100%' fill='#dcdcdc'/>";
-    if (terrain != nullptr) svg += relief(map, *terrain);
-    svg += track_lines(map, story, track, gap_s) + scale_bar(map) + corners(map);
+    const Map map = map_of(extent);
+    std::string svg = map_begin(map, terrain, "The track on a map, north up");
+    svg += track_lines(map, story, track, longest_step_s(track)) + scale_bar(map) + corners(map);
     const auto end = [&](const Sample& sample, const char* fill, const char* label) {
         return dot(map, sample.latitude_deg, sample.longitude_deg, fill, label,
                    std::string(label) + ", " + decimal(sample.time_s, 0) + " s");
     };
-    svg += end(track.front(), "#1a7f37", "begin") + end(track.back(), "#111", "end");
-    for (const MapMark& mark : marks)
-        svg += dot(map, mark.latitude_deg, mark.longitude_deg, "#c22", mark.label, mark.description);
-    return svg + "</svg>\n";
+    return svg + end(track.front(), "#1a7f37", "begin") + end(track.back(), "#111", "end") + map_end(map, marks);
+}
+
+std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::TerrainDatabase* terrain,
+                           const std::vector<MapMark>& marks) {
+    std::vector<const MapTrack*> drawn;
+    GeoExtent extent;
+    for (const MapTrack& track : tracks) {
+        if (track.places.size() < 2) continue;
+        drawn.push_back(&track);
+        for (const MapTrack::Place& place : track.places) extent.include(place.latitude_deg, place.longitude_deg);
+    }
+    if (drawn.empty()) return {};
+    const Map map = map_of(extent);
+    std::string svg = map_begin(map, terrain, "The tracks on a map, north up");
+    for (const MapTrack* const track : drawn) svg += one_track(map, *track);
+    return svg + scale_bar(map) + corners(map) + track_ends(map, drawn, true) + track_ends(map, drawn, false) +
+           map_end(map, marks);
 }
 
 }  // namespace tedavis::host_sim

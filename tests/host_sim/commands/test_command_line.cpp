@@ -36,7 +36,8 @@ TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_THAT(run({"--version"}).results, HasSubstr("tedavis "));
     const Outcome help = run({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* command : {"convert", "scenario", "scene", "terrain", "shot", "sheet", "calibrate", "diff", "check"})
+    for (const char* command :
+         {"convert", "scenario", "scene", "terrain", "shot", "sheet", "calibrate", "diff", "compare", "check"})
         EXPECT_THAT(help.results, HasSubstr(command));
     EXPECT_EQ(run({"convert", "--help"}).code, 0);
     EXPECT_THAT(run({"terrain", "build", "--help"}).results, HasSubstr("--vertical-datum"));
@@ -57,6 +58,9 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndTwo) {
                                                {"terrain"},
                                                {"terrain", "nonsense"},
                                                {"diff", "a"},
+                                               {"compare", "a", "b"},
+                                               {"compare", "a", "b", "-o", "p.html", "--align", "altitude"},
+                                               {"compare", "a", "b", "-o", "p.html", "--within", "0"},
                                                {"check"},
                                                {"convert", "a", "-o", "b", "--nonsense"},
                                                {"convert", "a", "-o", "b", "--qnh", "high"},

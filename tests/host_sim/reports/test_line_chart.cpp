@@ -164,5 +164,19 @@ TEST(LineChart, LongCurvesKeepTheirExtremes) {
     EXPECT_NEAR(least, std::stod((*std::next(it, 2))[1]), 0.11);
 }
 
+TEST(LineChart, AGapInTheTimesIsOneInCurvesAndBands) {
+    LineChart chart{"", "", {0, 1, 2, 30, 31}, {{"a", "#111", {1, 2, 3, 4, 5}}}, {}};
+    chart.bands = {{"#222", {0, 1, 2, 3, 4}, {2, 3, 4, 5, 6}}};
+    const LineChart parted = with_gaps(chart);
+    ASSERT_EQ(parted.times_s.size(), 6u);
+    EXPECT_EQ(parted.times_s[3], 16);
+    for (const auto* const values : {&parted.curves[0].values, &parted.bands[0].low, &parted.bands[0].high}) {
+        ASSERT_EQ(values->size(), 6u);
+        EXPECT_TRUE(std::isnan((*values)[3]));
+    }
+    chart.times_s = {0, 1, 2, 3, 4};
+    EXPECT_EQ(with_gaps(chart).times_s, chart.times_s);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_line_chart

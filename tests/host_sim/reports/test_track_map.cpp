@@ -77,5 +77,29 @@ TEST(TrackMap, MarksStandWhereTheyAreAndAreExplained) {
     EXPECT_THAT(svg, HasSubstr(" km</text>"));
 }
 
+MapTrack straight(const std::string& name, const std::string& color, double east_deg) {
+    MapTrack track{name, color, 3, {}};
+    for (int n = 0; n < 10; ++n) track.places.push_back({1.0 * n, 46.5 + 0.01 * n, 9.7 + east_deg});
+    return track;
+}
+
+TEST(TracksMap, EachTrackHasItsColorAndTheNamesOfItsEnds) {
+    const std::string apart = tracks_map_svg({straight("A", "#111111", 0), straight("B", "#222222", 0.05)}, nullptr);
+    for (const char* part : {"stroke='#111111'", "stroke='#222222'", ">A begins<", ">B begins<", ">A ends<", ">B ends<"})
+        EXPECT_THAT(apart, HasSubstr(part));
+    const std::string together = tracks_map_svg({straight("A", "#111111", 0), straight("B", "#222222", 0)}, nullptr);
+    EXPECT_THAT(together, HasSubstr(">A, B begin<"));
+    EXPECT_THAT(together, Not(HasSubstr(">B begins<")));
+}
+
+TEST(TracksMap, GapsBreakTheLineAndShortTracksAreLeftOut) {
+    MapTrack track = straight("A", "#111111", 0);
+    EXPECT_EQ(count_of(tracks_map_svg({track}, nullptr), "<polyline"), 2u);
+    for (std::size_t n = 5; n < 10; ++n) track.places[n].time_s += 60;
+    EXPECT_EQ(count_of(tracks_map_svg({track}, nullptr), "<polyline"), 4u);
+    track.places.resize(1);
+    EXPECT_EQ(tracks_map_svg({track}, nullptr), "");
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_track_map

@@ -1,0 +1,174 @@
+#include "host_sim/comparison/compared_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "host_sim/calendar_time.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/run_folder.hpp"
+#include "host_sim/reports/run_records.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/base/units.hpp"
+#include "render_core/earth/wgs84.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using RunJson = nlohmann::ordered_json;
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+/// Null where the record lacks it.
+RunJson entry_at(const RunJson& record, const char* pointer) {
+    const RunJson::json_pointer place(pointer);
+    return record.contains(place) ? record.at(place) : RunJson();
+}
+
+double number_at(const RunJson& record, const char* pointer) {
+    const RunJson entry = entry_at(record, pointer);
+    return entry.is_number() ? entry.get<double>() : kNoValue;
+}
+
+std::string string_at(const RunJson& record, const char* pointer) {
+    const RunJson entry = entry_at(record, pointer);
+    return entry.is_string() ? entry.get<std::string>() : std::string();
+}
+
+int alert_at(const RunJson& record, const char* pointer) {
+    const std::string level = string_at(record, pointer);
+    return level == "warning" ? 2 : level == "caution" ? 1 : 0;
+}
+
+/// Features of all types of data together.
+double data_drawn(const RunJson& record) {
+    const RunJson data = entry_at(record, "/data");
+    if (!data.is_object()) return kNoValue;
+    double sum = 0;
+    for (const auto& type : data.items()) {
+        const double drawn = number_at(type.value(), "/drawn");
+        sum += std::isfinite(drawn) ? drawn : 0;
+    }
+    return sum;
+}
+
+/// Regions are listed also where they keep the budget because data were decluttered.
+double crowded_regions(const RunJson& record) {
+    const double budget = number_at(record, "/clutter/budget");
+    if (!std::isfinite(budget) || entry_at(record, "/clutter/is_measured") != true) return kNoValue;
+    double count = 0;
+    for (const RunJson& region : entry_at(record, "/clutter/regions")) count += number_at(region, "/clutter") > budget ? 1 : 0;
+    return count;
+}
+
+void read_effects(const RunJson& record, ComparedFrame& frame) {
+    const RunJson effects = entry_at(record, "/effects");
+    frame.values[kEffectsDrawn] = kNoValue;
+    if (!effects.is_array()) return;
+    for (const RunJson& effect : effects)
+        if (string_at(effect, "/state") == "run") frame.effects.push_back(string_at(effect, "/name"));
+    frame.values[kEffectsDrawn] = static_cast<double>(frame.effects.size());
+}
+
+void read_values(const RunJson& record, ComparedFrame& frame) {
+    frame.values[kAltitude] = number_at(record, "/own_ship/alt_msl_m");
+    frame.values[kHeightAboveTerrain] = number_at(record, "/alerts/terrain/height_above_terrain_m");
+    frame.values[kClearance] = number_at(record, "/clearance/nearest/distance_m");
+    frame.values[kLabelsPlaced] = number_at(record, "/labels/placed");
+    frame.values[kLabelsLeftOut] = number_at(record, "/labels/suppressed");
+    frame.values[kDataDrawn] = data_drawn(record);
+    frame.values[kCrowdedRegions] = crowded_regions(record);
+    frame.values[kFrameTime] = number_at(record, "/ms/total");
+    read_effects(record, frame);
+}
+
+void read_place(const RunJson& record, ComparedFrame& frame) {
+    frame.latitude_deg = number_at(record, "/own_ship/lat_deg");
+    frame.longitude_deg = number_at(record, "/own_ship/lon_deg");
+    frame.has_place = string_at(record, "/own_ship/state") == "valid" && std::isfinite(frame.latitude_deg) &&
+                      std::isfinite(frame.longitude_deg);
+}
+
+ComparedFrame compared_frame(const RunJson& record, const RunRecords& records, const std::string& folder) {
+    ComparedFrame frame;
+    frame.frame = record["frame"].get<std::uint64_t>();
+    frame.time_s = number_at(record, "/time_s");
+    if (!std::isfinite(frame.time_s))
+        throw UserError(records.path() + ":" + std::to_string(records.line()) +
+                        ": a record without time_s; replay the run again");
+    const double utc_s = number_at(record, "/utc/time_s");
+    if (std::isfinite(utc_s)) frame.utc_s = utc_s;
+    frame.hash = string_at(record, "/hash");
+    const std::string sub = string_at(record, "/sub_phase");
+    frame.phase = string_at(record, "/phase") + (sub.empty() ? "" : "." + sub);
+    frame.terrain_alert = alert_at(record, "/alerts/terrain/level");
+    frame.obstacle_alert = alert_at(record, "/alerts/obstacles/level");
+    read_place(record, frame);
+    read_values(record, frame);
+    frame.picture = frame_picture_path(folder, frame.frame);
+    if (!std::filesystem::exists(frame.picture)) frame.picture.clear();
+    return frame;
+}
+
+/// An interrupted run may have no summary.
+void read_names(ComparedRun& run) {
+    const std::string path = run.folder + "/" + kSummaryName;
+    if (!std::filesystem::exists(path)) return;
+    const RunJson summary = RunJson::parse(read_file(path), nullptr, false);
+    if (!summary.is_object()) throw UserError(path + ": no summary of a run; replay the run again");
+    run.log = string_at(summary, "/log");
+    run.design = string_at(summary, "/design");
+    run.device = string_at(summary, "/device");
+    run.aircraft = string_at(summary, "/aircraft");
+    run.palette = string_at(summary, "/palette");
+    run.light = string_at(summary, "/light");
+    run.terrain = string_at(summary, "/terrain");
+    run.scene = string_at(summary, "/scene");
+    run.size = string_at(summary, "/size");
+    run.version = string_at(summary, "/version");
+    run.closest = entry_at(summary, "/closest");
+}
+
+}  // namespace
+
+ComparedRun read_compared_run(const std::string& folder) {
+    ComparedRun run;
+    run.folder = folder;
+    RunRecords records(folder);
+    while (const std::optional<RunJson> record = records.next()) run.frames.push_back(compared_frame(*record, records, folder));
+    std::stable_sort(run.frames.begin(), run.frames.end(),
+                     [](const ComparedFrame& a, const ComparedFrame& b) { return a.time_s < b.time_s; });
+    read_names(run);
+    return run;
+}
+
+std::optional<double> utc_offset_s(const ComparedRun& run) {
+    for (const ComparedFrame& frame : run.frames)
+        if (frame.utc_s) return *frame.utc_s - frame.time_s;
+    return std::nullopt;
+}
+
+std::string frame_time_words(const ComparedRun& run, double time_s) {
+    const std::optional<double> offset_s = utc_offset_s(run);
+    if (!offset_s) return decimal(time_s, 1) + " s";
+    return utc_text(base::Time{} + base::Duration::from_seconds(time_s + *offset_s)).substr(11, 8) + " UTC";
+}
+
+double median_step_s(const ComparedRun& run) {
+    std::vector<double> steps_s;
+    for (std::size_t n = 1; n < run.frames.size(); ++n) steps_s.push_back(run.frames[n].time_s - run.frames[n - 1].time_s);
+    if (steps_s.empty()) return 0;
+    const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+    std::nth_element(steps_s.begin(), middle, steps_s.end());
+    return *middle;
+}
+
+double ground_distance_m(double latitude_a_deg, double longitude_a_deg, double latitude_b_deg, double longitude_b_deg) {
+    const double north_rad = base::radians(latitude_b_deg - latitude_a_deg);
+    const double east_rad = earth::wrap_longitude(base::radians(longitude_b_deg - longitude_a_deg)) *
+                            std::cos(base::radians(0.5 * (latitude_a_deg + latitude_b_deg)));
+    return std::hypot(north_rad, east_rad) * earth::kMeanRadius_m;
+}
+
+}  // namespace tedavis::host_sim

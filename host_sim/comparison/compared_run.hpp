@@ -1,0 +1,82 @@
+/// What a comparison needs of a run: per frame its time, place, phase, alerts, effects and numbers, and the names in its summary.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tedavis::host_sim {
+
+/// A number of a frame that is compared.
+struct Quantity {
+    const char* name;   ///< key of compare.json: "height_above_terrain"
+    const char* title;  ///< "Height above terrain"
+    const char* unit;   ///< "m"; empty for counts
+    int digits;         ///< decimals in which it is said
+    /// It belongs to the flight and varies steadily, so that it may be interpolated between two frames; else it belongs to a
+    /// picture.
+    bool is_flown;
+};
+inline constexpr std::size_t kQuantityCount = 9;
+enum QuantityIndex : std::size_t {
+    kAltitude,
+    kHeightAboveTerrain,
+    kClearance,
+    kLabelsPlaced,
+    kLabelsLeftOut,
+    kDataDrawn,
+    kEffectsDrawn,
+    kCrowdedRegions,
+    kFrameTime
+};
+/// In the order of QuantityIndex.
+inline constexpr std::array<Quantity, kQuantityCount> kQuantities = {{
+    {"altitude", "Altitude", "m", 0, true},
+    {"height_above_terrain", "Height above terrain", "m", 0, true},
+    {"clearance", "Distance to the nearest ground", "m", 0, true},
+    {"labels_placed", "Labels placed", "", 0, false},
+    {"labels_left_out", "Labels left out", "", 0, false},
+    {"data_drawn", "Data features drawn", "", 0, false},
+    {"effects_drawn", "Effects drawn", "", 0, false},
+    {"crowded_regions", "Regions above the clutter budget", "", 0, false},
+    {"frame_time", "Time per frame", "ms", 1, false},
+}};
+
+struct ComparedFrame {
+    std::uint64_t frame = 0;
+    double time_s = 0;  ///< since the log's first frame
+    std::optional<double> utc_s;
+    std::string hash;
+    std::string phase;  ///< "approach.final"
+    bool has_place = false;
+    double latitude_deg = 0, longitude_deg = 0;   ///< where it has a place
+    int terrain_alert = 0, obstacle_alert = 0;    ///< 0 none, 1 caution, 2 warning
+    std::array<double, kQuantityCount> values{};  ///< NaN where the record does not have it
+    std::vector<std::string> effects;             ///< that were drawn
+    std::string picture;                          ///< path; empty where there is none
+};
+
+struct ComparedRun {
+    std::string folder;
+    std::string log, design, device, aircraft, palette, light, terrain, scene, size, version;  ///< of its summary, or empty
+    nlohmann::ordered_json closest;     ///< `closest` of its summary, or null
+    std::vector<ComparedFrame> frames;  ///< in the order of time; at least one
+};
+
+/// Throws UserError where the folder holds no run.
+[[nodiscard]] ComparedRun read_compared_run(const std::string& folder);
+
+/// UTC minus the time of the log, s, at the first frame that knows it; nothing where none does.
+[[nodiscard]] std::optional<double> utc_offset_s(const ComparedRun& run);
+/// "12:46:05 UTC", or "312.5 s" where no date is known.
+[[nodiscard]] std::string frame_time_words(const ComparedRun& run, double time_s);
+/// The median of the steps between frames, s; 0 of a single frame.
+[[nodiscard]] double median_step_s(const ComparedRun& run);
+/// Distance along the ground, m, for places that are less than some hundred kilometres apart.
+[[nodiscard]] double ground_distance_m(double latitude_a_deg, double longitude_a_deg, double latitude_b_deg,
+                                       double longitude_b_deg);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,17 @@
+/// The curves of a comparison, as HTML.
+#pragma once
+
+#include <string>
+
+#include "host_sim/comparison/run_comparison.hpp"
+
+namespace tedavis::host_sim {
+
+inline constexpr char kColorOfA[] = "#3a78c2", kColorOfB[] = "#c8641b";
+
+/// A chart for each quantity that both runs know, with both curves; below it B minus A where that is not 0 everywhere.
+[[nodiscard]] std::string comparison_charts(const RunComparison& runs);
+/// Phases and alerts of both runs below each other; empty for a single instant.
+[[nodiscard]] std::string comparison_states(const RunComparison& runs);
+
+}  // namespace tedavis::host_sim

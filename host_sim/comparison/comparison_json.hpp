@@ -1,0 +1,15 @@
+/// `compare.json`: a comparison for scripts.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "host_sim/comparison/run_comparison.hpp"
+
+namespace tedavis::host_sim {
+
+/// `comparison` (title), `sentences`, `warnings`, `equal`, `a`, `b` (folder and names of the summary), `alignment`, `differences`
+/// (one for each quantity), `effects`, `alerts`, and `instants`: both frames with their values. Values that are not known are
+/// null.
+[[nodiscard]] nlohmann::ordered_json comparison_json(const RunComparison& runs);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,176 @@
+#include "host_sim/comparison/comparison_page.hpp"
+
+#include <cmath>
+
+#include "host_sim/comparison/comparison_charts.hpp"
+#include "host_sim/comparison/comparison_words.hpp"
+#include "host_sim/png_file.hpp"
+#include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/page_parts.hpp"
+#include "host_sim/reports/track_map.hpp"
+#include "host_sim/version.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr const char* kComparisonStyle =
+    ".pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,17rem),1fr));gap:.4rem;margin-bottom:.3rem}"
+    ".states{min-width:42rem}h3{font-size:.95rem;margin:1rem 0 .3rem}"
+    ".a{color:#3a78c2;font-weight:700}.b{color:#c8641b;font-weight:700}"
+    "@media print{.pair{grid-template-columns:1fr 1fr}}";
+
+std::string listed_sentences(const std::vector<std::string>& sentences) {
+    std::string items;
+    for (const std::string& sentence : sentences) items += "<li>" + escaped_html(sentence) + "</li>";
+    return "<ul>" + items + "</ul>";
+}
+
+std::string warning_part(const RunComparison& runs) {
+    std::string items;
+    for (const std::string& warning : comparison_warnings(runs)) items += "<li class='bad'>" + escaped_html(warning) + ".</li>";
+    return items.empty() ? items : page_section("Warnings", "<ul>" + items + "</ul>");
+}
+
+MapTrack map_track(const ComparedRun& run, const char* name, const char* color, double width) {
+    MapTrack track{name, color, width, {}};
+    for (const ComparedFrame& frame : run.frames)
+        if (frame.has_place) track.places.push_back({frame.time_s, frame.latitude_deg, frame.longitude_deg});
+    return track;
+}
+
+/// The closest point of the summary, which is searched between the frames too.
+void add_closest_mark(const ComparedRun& run, const std::string& name, const char* color, std::vector<MapMark>& marks) {
+    using Json = nlohmann::ordered_json;
+    const Json::json_pointer first("/by_height/0");
+    if (!run.closest.is_object() || !run.closest.contains(first)) return;
+    const Json& point = run.closest.at(first);
+    const auto number = [&](const char* key) {
+        return point.contains(key) && point[key].is_number() ? point[key].get<double>() : std::nan("");
+    };
+    const double height_m = number("height_above_terrain_m"), latitude_deg = number("lat_deg"), longitude_deg = number("lon_deg");
+    if (!std::isfinite(height_m) || !std::isfinite(latitude_deg) || !std::isfinite(longitude_deg)) return;
+    for (MapMark& mark : marks) {
+        if (mark.latitude_deg != latitude_deg || mark.longitude_deg != longitude_deg) continue;
+        mark.label = "A, B: " + decimal(height_m, 0) + " m";
+        mark.description = "both are closest to the ground, " + decimal(height_m, 0) + " m above it";
+        return;
+    }
+    marks.push_back({latitude_deg, longitude_deg, name + ": " + decimal(height_m, 0) + " m",
+                     name + " is closest to the ground, " + decimal(height_m, 0) + " m above it, at " +
+                         frame_time_words(run, number("time_s")),
+                     color});
+}
+
+std::string map_part(const RunComparison& runs, const terrain::TerrainDatabase* terrain) {
+    constexpr double kBelow = 5, kAbove = 2;
+    std::vector<MapMark> marks;
+    add_closest_mark(runs.a, "A", "#c22", marks);
+    add_closest_mark(runs.b, "B", "#c22", marks);
+    const std::string svg =
+        tracks_map_svg({map_track(runs.a, "A", kColorOfA, kBelow), map_track(runs.b, "B", kColorOfB, kAbove)}, terrain, marks);
+    if (svg.empty()) return {};
+    const std::string closest =
+        marks.empty() ? std::string() : " Red: where a run is closest to the ground, and how high above it.";
+    return page_section("Tracks", svg + "<p><span class='a'>A: wide line.</span> <span class='b'>B: thin line.</span>" + closest +
+                                      (terrain == nullptr ? " Without terrain below, since its database was not found." : "") +
+                                      "</p>");
+}
+
+std::string numbers_of(const RunComparison& runs, std::size_t instant, bool is_a) {
+    static constexpr const char* kAlerts[] = {"", ", terrain caution", ", terrain warning"};
+    const ComparedFrame& frame = is_a ? runs.frame_a(instant) : runs.frame_b(instant);
+    std::string text = frame.phase + kAlerts[frame.terrain_alert];
+    const double height_m = frame.values[kHeightAboveTerrain], labels = frame.values[kLabelsPlaced];
+    if (std::isfinite(height_m)) text += ", " + decimal(height_m, 0) + " m above the terrain";
+    if (std::isfinite(labels)) text += ", " + decimal(labels, 0) + (labels == 1 ? " label" : " labels");
+    return text;
+}
+
+std::string moment_figure(const RunComparison& runs, std::size_t instant, bool is_a) {
+    constexpr std::uint32_t kWidth = 640;
+    const ComparedFrame& frame = is_a ? runs.frame_a(instant) : runs.frame_b(instant);
+    const std::string caption = std::string(is_a ? "A" : "B") + ", frame " + std::to_string(frame.frame) + " at " +
+                                frame_time_words(is_a ? runs.a : runs.b, frame.time_s) + ": " + numbers_of(runs, instant, is_a);
+    return page_figure(caption, encode_small_png(view_of(shrunk(view_of(read_png(frame.picture)), kWidth))));
+}
+
+std::string moment_part(const RunComparison& runs, const std::vector<ComparisonMoment>& moments) {
+    std::string html;
+    for (const ComparisonMoment& moment : moments) {
+        std::string why;
+        for (const std::string& reason : moment.reasons) why += (why.empty() ? ": " : ", ") + reason;
+        html += "<h3>" + escaped_html(instant_words(runs, moment.instant) + why) + "</h3><div class='pair'>" +
+                moment_figure(runs, moment.instant, true) + moment_figure(runs, moment.instant, false) + "</div>\n";
+    }
+    return html.empty() ? html : page_section("Side by side", html);
+}
+
+/// Without the sign of what rounds to 0.
+std::string signed_text(double value, int digits) {
+    const std::string text = decimal(value, digits);
+    return text.find_first_of("123456789") == std::string::npos ? decimal(0, digits) : text;
+}
+
+std::string quantity_rows(const RunComparison& runs) {
+    std::string rows;
+    for (const QuantityDifference& one : runs.quantities) {
+        const Quantity& quantity = kQuantities[one.quantity];
+        const int mean_digits = std::max(quantity.digits, 1);
+        const std::string unit = quantity.unit[0] == '\0' ? std::string() : " " + std::string(quantity.unit);
+        rows += "<tr>" + text_cell(quantity.title) + number_cell(decimal(one.mean_a, mean_digits) + unit) +
+                number_cell(decimal(one.mean_b, mean_digits) + unit) +
+                number_cell(signed_text(one.mean_b - one.mean_a, mean_digits) + unit) +
+                number_cell(signed_text(one.greatest, quantity.digits) + unit) +
+                text_cell(one.greatest == 0 ? "equal everywhere" : instant_words(runs, one.greatest_at)) + "</tr>";
+    }
+    return rows;
+}
+
+std::string numbers_part(const RunComparison& runs) {
+    const std::string rows = quantity_rows(runs);
+    if (rows.empty()) return {};
+    return page_section("In numbers",
+                        page_table("<th>of the instants</th><th>mean of A</th><th>mean of B</th><th>mean of B - A</th>"
+                                   "<th>greatest B - A</th><th>at</th>",
+                                   rows));
+}
+
+std::string effects_part(const RunComparison& runs) {
+    std::string rows, equal;
+    for (const EffectDifference& effect : runs.effects) {
+        if (effect.instants_a == effect.instants_b) {
+            equal += (equal.empty() ? "" : ", ") + effect.name;
+            continue;
+        }
+        rows += "<tr>" + text_cell(effect.name) + number_cell(std::to_string(effect.instants_a)) +
+                number_cell(std::to_string(effect.instants_b)) + "</tr>";
+    }
+    if (runs.effects.empty()) return {};
+    std::string html;
+    if (!rows.empty()) html += page_table("<th>effect</th><th>instants with it in A</th><th>in B</th>", rows);
+    if (!equal.empty()) html += "<p>In equally many instants of both: " + escaped_html(equal) + ".</p>";
+    return page_section("Effects drawn", html);
+}
+
+}  // namespace
+
+std::string comparison_page(const RunComparison& runs, const std::vector<ComparisonMoment>& moments,
+                            const terrain::TerrainDatabase* terrain) {
+    const std::string title = comparison_title(runs);
+    std::string introduction;
+    for (const std::string& sentence : run_introductions(runs))
+        introduction += (introduction.empty() ? "" : " ") + escaped_html(sentence);
+    const std::string charts = comparison_states(runs) + comparison_charts(runs);
+    const std::string page = html_page(
+        title,
+        "<header><h1>" + escaped_html(title) + "</h1>" + listed_sentences(difference_sentences(runs)) + "<p>" + introduction +
+            "</p><p>TEDAVIS " + version() + ". A simulation; not certified for use in flight.</p></header>\n" +
+            warning_part(runs) + map_part(runs, terrain) + moment_part(runs, moments) +
+            (charts.empty() ? charts : page_section("Over the " + runs.aligned.axis, charts)) + numbers_part(runs) +
+            effects_part(runs),
+        kComparisonStyle);
+    const std::string common = "<!DOCTYPE html>\n<html lang='en'>";
+    return kComparisonPageBeginning + page.substr(common.size());
+}
+
+}  // namespace tedavis::host_sim

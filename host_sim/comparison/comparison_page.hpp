@@ -1,0 +1,20 @@
+/// The page of a comparison: sentences, both tracks on a map, pictures side by side, curves, tables. It needs nothing but itself.
+#pragma once
+
+#include <string>
+
+#include "host_sim/comparison/comparison_moments.hpp"
+#include "host_sim/comparison/run_comparison.hpp"
+#include "render_core/terrain/terrain_database.hpp"
+
+namespace tedavis::host_sim {
+
+/// How every page begins: by this a page is told from other files.
+inline constexpr char kComparisonPageBeginning[] = "<!DOCTYPE html>\n<html lang='en' id='tedavis-comparison'>";
+
+/// `terrain`, below the tracks: null where there is none. Reads the pictures of the moments; throws UserError where one is
+/// damaged.
+[[nodiscard]] std::string comparison_page(const RunComparison& runs, const std::vector<ComparisonMoment>& moments,
+                                          const terrain::TerrainDatabase* terrain);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,237 @@
+#include "host_sim/comparison/comparison_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "host_sim/calendar_time.hpp"
+#include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/run_findings.hpp"
+#include "render_core/base/units.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+/// Without the folders before it; of a folder its own name.
+std::string last_part(const std::string& path) {
+    std::filesystem::path trimmed(path);
+    if (!trimmed.has_filename()) trimmed = trimmed.parent_path();
+    return trimmed.filename().string();
+}
+
+std::string or_none(const std::string& name) { return name.empty() ? "none" : last_part(name); }
+
+std::string in_feet(double metres) { return decimal(metres / base::kMetresPerFoot, 0) + " ft (" + decimal(metres, 0) + " m)"; }
+
+std::string introduction(const ComparedRun& run, const char* letter) {
+    std::string text = std::string(letter) + " is " + run.folder + ": " + counted(run.frames.size(), "frame");
+    if (!run.log.empty()) text += " of " + last_part(run.log);
+    const double begin_s = run.frames.front().time_s, end_s = run.frames.back().time_s;
+    if (const auto offset_s = utc_offset_s(run))
+        text += ", " + utc_text(base::Time{} + base::Duration::from_seconds(begin_s + *offset_s)).substr(0, 10);
+    text += ", " + frame_time_words(run, begin_s) + " to " + frame_time_words(run, end_s);
+    if (!run.design.empty()) text += ", with the design " + last_part(run.design);
+    if (!run.device.empty()) text += " on the device " + last_part(run.device);
+    return text + (run.size.empty() ? "." : ", " + run.size + ".");
+}
+
+std::string distance_words(double metres) {
+    return metres < 1000 ? decimal(metres, 0) + " m" : decimal(metres / 1000, 1) + " km";
+}
+
+std::string alignment_sentence(const RunComparison& runs) {
+    const auto& instants = runs.aligned.instants;
+    double sum_m = 0, greatest_m = 0;
+    std::size_t known = 0;
+    for (const AlignedInstant& instant : instants) {
+        if (!std::isfinite(instant.distance_m)) continue;
+        sum_m += instant.distance_m;
+        greatest_m = std::max(greatest_m, instant.distance_m);
+        ++known;
+    }
+    std::string text =
+        runs.aligned.words + ". B has a counterpart to " + part_of(instants.size(), runs.a.frames.size()) + " frames of A";
+    if (known > 0 && greatest_m >= 1)
+        text += "; both places are " + distance_words(sum_m / static_cast<double>(known)) + " apart in the mean and " +
+                distance_words(greatest_m) + " at most";
+    return text + ".";
+}
+
+/// Rounded values that are equal are no difference that is worth a sentence.
+bool is_told(const QuantityDifference& one, double worth) { return std::abs(one.greatest) >= worth; }
+
+std::string higher_sentence(const RunComparison& runs) {
+    const QuantityDifference* const one = runs.find(kAltitude);
+    if (one == nullptr || !is_told(*one, 1)) return {};
+    const double mean_m = one->mean_b - one->mean_a;
+    const std::string in_mean = std::abs(mean_m) < 1 ? std::string("B flew as high as A in the mean")
+                                                     : "B flew " + in_feet(std::abs(mean_m)) +
+                                                           (mean_m < 0 ? " lower" : " higher") + " than A in the mean";
+    return in_mean + "; at most they were " + in_feet(std::abs(one->greatest)) + " apart, at " +
+           instant_words(runs, one->greatest_at) + ".";
+}
+
+std::string ground_sentence(const RunComparison& runs) {
+    const QuantityDifference* const one = runs.find(kHeightAboveTerrain);
+    if (one == nullptr || !std::isfinite(one->least_a) || !std::isfinite(one->least_b)) return {};
+    const double closer_m = one->least_a - one->least_b;
+    if (std::abs(closer_m) < 1)
+        return is_told(*one, 1) ? "In flight both came equally close to the ground, to " + in_feet(one->least_a) + " above it."
+                                : std::string();
+    const bool is_b = closer_m > 0;
+    return std::string(is_b ? "B" : "A") + " came " + in_feet(std::abs(closer_m)) + " closer to the ground in flight: A to " +
+           in_feet(one->least_a) + " above it at " + frame_time_words(runs.a, runs.frame_a(one->least_a_at).time_s) + ", B to " +
+           in_feet(one->least_b) + " at " + frame_time_words(runs.b, runs.frame_b(one->least_b_at).time_s) + ".";
+}
+
+std::string count_sentence(const RunComparison& runs, std::size_t quantity, const char* done, const char* what) {
+    const QuantityDifference* const one = runs.find(quantity);
+    if (one == nullptr || one->greatest == 0) return {};
+    const auto sum_a = std::llround(one->sum_a()), sum_b = std::llround(one->sum_b()), more = std::abs(sum_b - sum_a);
+    const std::string in_all =
+        std::to_string(sum_b) + " against " + std::to_string(sum_a) + " in " + counted(one->count, "instant");
+    if (more == 0)
+        return std::string("A and B ") + done + " equally many " + what + "s in all, but not in each instant: " + in_all + ".";
+    return std::string("B ") + done + " " + counted(static_cast<std::uint64_t>(more), what) +
+           (sum_b > sum_a ? " more: " : " fewer: ") + in_all + ".";
+}
+
+std::string effects_sentence(const RunComparison& runs) {
+    constexpr std::size_t kNamed = 4;
+    std::string text;
+    std::size_t told = 0, differing = 0;
+    for (const EffectDifference& effect : runs.effects) {
+        if (effect.instants_a == effect.instants_b) continue;
+        ++differing;
+        if (told == kNamed) continue;
+        text += (told++ == 0 ? "" : ", ") + effect.name + " (A " + std::to_string(effect.instants_a) + ", B " +
+                std::to_string(effect.instants_b) + ")";
+    }
+    if (differing == 0) return {};
+    return counted(differing, "effect") + (differing == 1 ? " was" : " were") + " drawn in unequally many instants" +
+           (differing > kNamed ? ", most of all " : ": ") + text + ".";
+}
+
+std::string levels_words(const AlertLevels& levels) {
+    return counted(levels[1], "caution") + " and " + counted(levels[2], "warning");
+}
+
+std::string alert_sentence(const char* what, const AlertLevels& a, const AlertLevels& b) {
+    if (a[1] + a[2] + b[1] + b[2] == 0) return {};
+    const std::string kind = std::string(what) + " alerts";
+    if (a == b) return "Both showed " + kind + " in equally many instants: " + levels_words(a) + ".";
+    return "Instants with " + kind + ": " + levels_words(a) + " in A, " + levels_words(b) + " in B.";
+}
+
+std::string time_sentence(const RunComparison& runs) {
+    const QuantityDifference* const one = runs.find(kFrameTime);
+    if (one == nullptr || one->greatest == 0) return {};
+    return "A frame took " + decimal(one->median_a, 1) + " ms in A and " + decimal(one->median_b, 1) +
+           " ms in B (medians, on the machine that drew each).";
+}
+
+std::string phase_sentence(const RunComparison& runs) {
+    if (runs.other_phase == 0) return {};
+    const std::size_t first = *runs.first_other_phase;
+    return "The flight phase differs in " + part_of(runs.other_phase, runs.aligned.instants.size()) + " instants, first at " +
+           instant_words(runs, first) + ": " + runs.frame_a(first).phase + " in A, " + runs.frame_b(first).phase + " in B.";
+}
+
+std::string equal_sentence(const RunComparison& runs) {
+    std::string equal;
+    const auto add = [&](const std::string& name) { equal += (equal.empty() ? "" : ", ") + name; };
+    for (const QuantityDifference& one : runs.quantities) {
+        std::string title = kQuantities[one.quantity].title;
+        title[0] = static_cast<char>(title[0] - 'A' + 'a');
+        if (one.greatest == 0) add(title);
+    }
+    if (runs.other_phase == 0) add("flight phase");
+    return equal.empty() ? equal : "Equal in all instants: " + equal + ".";
+}
+
+std::string picture_sentence(const RunComparison& runs) {
+    if (runs.equal_pictures == 0) return {};
+    return "The pictures are equal in " + part_of(runs.equal_pictures, runs.aligned.instants.size()) + " instants.";
+}
+
+std::string settings_words(const RunComparison& runs) {
+    std::string text;
+    for (const RunComparison::Setting& one : runs.settings) {
+        const bool is_told_apart = or_none(one.a) != or_none(one.b);
+        text += (text.empty() ? "" : "; ") + one.name + " " + (is_told_apart ? or_none(one.a) : one.a) + " in A, " +
+                (is_told_apart ? or_none(one.b) : one.b) + " in B";
+    }
+    return text;
+}
+
+bool has_pictures(const ComparedRun& run) {
+    return std::any_of(run.frames.begin(), run.frames.end(), [](const ComparedFrame& frame) { return !frame.picture.empty(); });
+}
+
+/// What the runs of one flight differ in: the design where that is it, else the first setting that does.
+std::string same_flight_title(const RunComparison& runs) {
+    if (runs.settings.empty()) return "Two runs of the same flight";
+    const RunComparison::Setting& first = runs.settings.front();
+    const std::string names = ": A " + or_none(first.a) + ", B " + or_none(first.b);
+    if (first.name == "design") return "The same flight with two designs" + names;
+    return "Two runs of the same flight, with another " + first.name + names;
+}
+
+}  // namespace
+
+std::string instant_words(const RunComparison& runs, std::size_t instant) {
+    const std::string a = frame_time_words(runs.a, runs.frame_a(instant).time_s);
+    const std::string b = frame_time_words(runs.b, runs.frame_b(instant).time_s);
+    return a == b ? a : "A " + a + ", B " + b;
+}
+
+std::string comparison_title(const RunComparison& runs) {
+    if (is_same_flight(runs.a, runs.b)) return same_flight_title(runs);
+    const std::string log_a = last_part(runs.a.log), log_b = last_part(runs.b.log);
+    const bool is_by_log = !log_a.empty() && !log_b.empty() && log_a != log_b;
+    return "Two flights: A " + (is_by_log ? log_a : last_part(runs.a.folder)) + ", B " +
+           (is_by_log ? log_b : last_part(runs.b.folder));
+}
+
+std::vector<std::string> run_introductions(const RunComparison& runs) {
+    std::vector<std::string> sentences = {introduction(runs.a, "A"), introduction(runs.b, "B"), alignment_sentence(runs)};
+    if (!runs.settings.empty()) sentences.push_back("They differ in this: " + settings_words(runs) + ".");
+    return sentences;
+}
+
+std::vector<std::string> difference_sentences(const RunComparison& runs) {
+    if (runs.is_equal())
+        return {"Nothing differs: pictures, phases, alerts, effects and all numbers are equal in " +
+                counted(runs.aligned.instants.size(), "instant") + "."};
+    std::vector<std::string> sentences;
+    const auto tell = [&](const std::string& sentence) {
+        if (!sentence.empty()) sentences.push_back(sentence);
+    };
+    tell(ground_sentence(runs));
+    tell(higher_sentence(runs));
+    tell(alert_sentence("terrain", runs.terrain_a, runs.terrain_b));
+    tell(alert_sentence("obstacle", runs.obstacles_a, runs.obstacles_b));
+    tell(count_sentence(runs, kLabelsPlaced, "placed", "label"));
+    tell(count_sentence(runs, kDataDrawn, "drew", "data feature"));
+    tell(count_sentence(runs, kCrowdedRegions, "had", "crowded region"));
+    tell(effects_sentence(runs));
+    tell(phase_sentence(runs));
+    tell(time_sentence(runs));
+    tell(picture_sentence(runs));
+    tell(equal_sentence(runs));
+    return sentences;
+}
+
+std::vector<std::string> comparison_warnings(const RunComparison& runs) {
+    std::vector<std::string> sentences;
+    const auto is_unlike = [](const std::string& a, const std::string& b) { return !a.empty() && !b.empty() && a != b; };
+    if (is_unlike(runs.a.size, runs.b.size))
+        sentences.push_back("the pictures of " + runs.a.folder + " are " + runs.a.size + " and those of " + runs.b.folder + " " +
+                            runs.b.size + "; labels, data and times are counted in pictures of different size");
+    for (const ComparedRun* run : {&runs.a, &runs.b})
+        if (!has_pictures(*run))
+            sentences.push_back(run->folder + " has no pictures, so that none stand side by side; replay it with --frames png");
+    return sentences;
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,74 @@
+/// The differences of two runs over their aligned instants.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host_sim/comparison/alignment.hpp"
+
+namespace tedavis::host_sim {
+
+/// Of the instants in which both runs know the quantity, of which there is at least one.
+struct QuantityDifference {
+    std::size_t quantity = 0;  ///< index into kQuantities
+    std::size_t count = 0;     ///< of such instants
+    double mean_a = 0, mean_b = 0, median_a = 0, median_b = 0;
+    /// The smallest values, and their instants; of heights and distances in flight alone. NaN where there is none.
+    double least_a = std::numeric_limits<double>::quiet_NaN(), least_b = std::numeric_limits<double>::quiet_NaN();
+    std::size_t least_a_at = 0, least_b_at = 0;
+    double greatest = 0;          ///< B - A where that is largest without its sign
+    std::size_t greatest_at = 0;  ///< its instant
+
+    [[nodiscard]] double sum_a() const { return mean_a * static_cast<double>(count); }
+    [[nodiscard]] double sum_b() const { return mean_b * static_cast<double>(count); }
+};
+
+/// Instants in which an effect was drawn.
+struct EffectDifference {
+    std::string name;
+    std::size_t instants_a = 0, instants_b = 0;
+};
+
+/// Instants by level of an alert: none, caution, warning.
+using AlertLevels = std::array<std::size_t, 3>;
+
+struct RunComparison {
+    ComparedRun a, b;
+    AlignedRuns aligned;
+    std::vector<QuantityDifference> quantities;  ///< in the order of kQuantities
+    std::vector<EffectDifference> effects;       ///< that either run drew; those that differ most first
+    AlertLevels terrain_a{}, terrain_b{}, obstacles_a{}, obstacles_b{};
+    std::size_t other_phase = 0;                   ///< instants of different flight phases
+    std::optional<std::size_t> first_other_phase;  ///< the first of them
+    std::size_t equal_pictures = 0;                ///< instants whose pictures have equal pixels, by their hashes
+    /// What the runs differ in by their summaries: {"design", "default", "cruise"}.
+    struct Setting {
+        std::string name, a, b;
+    };
+    std::vector<Setting> settings;
+
+    [[nodiscard]] const ComparedFrame& frame_a(std::size_t instant) const { return a.frames[aligned.instants[instant].a]; }
+    /// The frame that is nearest to the instant.
+    [[nodiscard]] const ComparedFrame& frame_b(std::size_t instant) const {
+        return b.frames[aligned.instants[instant].nearest_b()];
+    }
+    [[nodiscard]] double value_a(std::size_t instant, std::size_t quantity) const {
+        return a.frames[aligned.instants[instant].a].values[quantity];
+    }
+    [[nodiscard]] double value_b(std::size_t instant, std::size_t quantity) const {
+        return value_at(b, aligned.instants[instant].b, quantity);
+    }
+    [[nodiscard]] const QuantityDifference* find(std::size_t quantity) const;
+    /// True where no instant has a difference in anything that is compared, pictures included.
+    [[nodiscard]] bool is_equal() const;
+};
+
+/// Throws UserError where the runs cannot be aligned.
+[[nodiscard]] RunComparison compared_runs(ComparedRun a, ComparedRun b, const AlignmentRequest& request);
+
+}  // namespace tedavis::host_sim

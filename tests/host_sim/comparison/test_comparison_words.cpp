@@ -1,0 +1,92 @@
+#include "host_sim/comparison/comparison_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/host_sim/comparison/made_runs.hpp"
+
+namespace tedavis::host_sim::test_comparison_words {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+RunComparison two_designs() {
+    ComparedRun a = made_run("out/a", 10), b = with_log(made_run("out/b", 10), a.log);
+    a.design = "configs/default.toml";
+    b.design = "cruise";
+    return compared_runs(a, b, {});
+}
+
+TEST(ComparisonWords, TheTitleSaysWhatIsCompared) {
+    EXPECT_EQ(comparison_title(two_designs()), "The same flight with two designs: A default.toml, B cruise");
+    ComparedRun a = made_run("out/a/", 10), b = made_run("out/b", 10);
+    a.log = "x/one.log", b.log = "y/two.log";
+    EXPECT_EQ(comparison_title(compared_runs(a, b, {})), "Two flights: A one.log, B two.log");
+    a.log = "x/flight.log", b.log = "y/flight.log";
+    EXPECT_EQ(comparison_title(compared_runs(a, b, {})), "Two flights: A a, B b");
+    EXPECT_EQ(comparison_title(compared_runs(a, a, {})), "Two runs of the same flight");
+    ComparedRun night = a;
+    night.light = "night";
+    EXPECT_EQ(comparison_title(compared_runs(a, night, {})), "Two runs of the same flight, with another light: A none, B night");
+}
+
+TEST(ComparisonWords, WhereNothingDiffersItIsSaid) {
+    const ComparedRun run = made_run("a", 10);
+    EXPECT_THAT(difference_sentences(compared_runs(run, run, {})), ElementsAre(HasSubstr("Nothing differs")));
+}
+
+TEST(ComparisonWords, NumbersAreThoseOfTheRuns) {
+    ComparedRun a = made_run("a", 10), b = with_log(made_run("b", 10), "a.log");
+    for (ComparedFrame& frame : b.frames) {
+        frame.values[kLabelsPlaced] = 8;
+        frame.values[kAltitude] += 100;
+        frame.effects = {"fog"};
+    }
+    b.frames[4].values[kHeightAboveTerrain] = 400 - 95.1;
+    b.frames[6].phase = "approach.final";
+    b.frames[6].terrain_alert = 2;
+    const auto sentences = difference_sentences(compared_runs(a, b, {}));
+    EXPECT_THAT(sentences, Contains(HasSubstr("B came 312 ft (95 m) closer to the ground in flight: A to 1312 ft (400 m)")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("B placed 30 labels more: 80 against 50 in 10 instants")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("B flew 328 ft (100 m) higher than A")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("1 effect was drawn in unequally many instants: shadow (A 10, B 0)")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("The flight phase differs in 1 of 10 instants, first at 6.0 s: cruise in A, "
+                                              "approach.final in B")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("0 cautions and 1 warning in B")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("The pictures are equal in all 10 instants")));
+    for (const std::string& sentence : sentences) EXPECT_EQ(sentence.back(), '.');
+    const auto exchanged = difference_sentences(compared_runs(with_log(b, "b.log"), with_log(a, "b.log"), {}));
+    EXPECT_THAT(exchanged, Contains(HasSubstr("A came 312 ft (95 m) closer to the ground in flight")));
+    EXPECT_THAT(exchanged, Contains(HasSubstr("B placed 30 labels fewer")));
+}
+
+TEST(ComparisonWords, TheIntroductionStatesTheAlignment) {
+    const auto sentences = run_introductions(two_designs());
+    EXPECT_THAT(sentences, Contains(HasSubstr("A is out/a: 10 frames of a.log, 0.0 s to 9.0 s, with the design default.toml")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("aligned by its time. B has a counterpart to all 10 frames of A")));
+    EXPECT_THAT(sentences, Contains("They differ in this: design default.toml in A, cruise in B."));
+}
+
+TEST(ComparisonWords, WarnsOfSizesAndMissingPictures) {
+    ComparedRun a = made_run("a", 3), b = with_log(made_run("b", 3), "a.log");
+    b.size = "640x480";
+    EXPECT_THAT(comparison_warnings(compared_runs(a, b, {})), Contains(HasSubstr("are 960x540 and those of b 640x480")));
+    EXPECT_THAT(comparison_warnings(compared_runs(a, b, {})), Contains(HasSubstr("b has no pictures")));
+    a.frames[0].picture = b.frames[0].picture = "x.png";
+    b.size = a.size;
+    EXPECT_THAT(comparison_warnings(compared_runs(a, b, {})), IsEmpty());
+}
+
+TEST(ComparisonWords, AnInstantHasBothTimesWhereTheyDiffer) {
+    EXPECT_EQ(instant_words(two_designs(), 3), "3.0 s");
+    ComparedRun a = made_run("a", 10), b = made_run("b", 10);
+    b.frames[3].time_s = 3.2;
+    EXPECT_EQ(instant_words(compared_runs(a, b, {Alignment::place, 3000}), 3), "A 3.0 s, B 3.2 s");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_comparison_words
