@@ -67,6 +67,7 @@ void StateAssembler::take_value(const DecodedMessage& message, base::Time receiv
 /// An unhealthy value keeps the last good number beside its bad quality: no reader may show it, none may stumble over it.
 void StateAssembler::store(const DecodedMessage& message, base::Time at, base::Quality quality) {
     const std::size_t place = std::size_t{message.rank} * kMaxRedundancyChannels + message.channel;
+    has_candidates_[static_cast<std::size_t>(message.signal)] = true;
     base::Stamped<double>& candidate = candidates_[static_cast<std::size_t>(message.signal)][place];
     if (message.healthy && message.nothing_selected) {
         // Of all channels: what another one stated last is no longer selected either.
@@ -90,6 +91,7 @@ base::Stamped<double> StateAssembler::true_direction(double magnetic_rad, base::
 /// What the channels and identifiers that state a signal have agreed on.
 base::Stamped<double> StateAssembler::best(Signal signal, base::Time now) const {
     const auto& candidates = candidates_[static_cast<std::size_t>(signal)];
+    if (!has_candidates_[static_cast<std::size_t>(signal)]) return {};
     const base::Span<const base::Stamped<double>> all(candidates.data(), candidates.size());
     return candidates[vote(all, now, settings_.limits[static_cast<std::size_t>(signal)])];
 }

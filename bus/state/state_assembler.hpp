@@ -79,6 +79,7 @@ private:
     MessageDecoder decoder_;
     std::array<std::array<SourceTimeFit, kMaxRedundancyChannels>, kMaxPlaces> fits_{};
     std::array<std::array<base::Stamped<double>, kCandidates>, flight::kSignalCount> candidates_{};
+    std::array<bool, flight::kSignalCount> has_candidates_{};  ///< of most signals no bus ever states a value
     std::array<OwnShipFilter, kMaxRedundancyChannels> filters_;
     PhaseMessage phase_status_;
     PhaseMessage phase_request_;

@@ -108,12 +108,13 @@ void RunRecorder::keep() {
     if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0))) story_.add_picture(result_, shown());
     legends_.note(std::string(session_.display().planned().shown->name.view()), result_, input_);
     if (options_.frame_output() == FrameOutput::png)
-        write_png(frame_picture_path(options_.output, result_.record.frame), shown());
+        pictures_.add(frame_picture_path(options_.output, result_.record.frame), shown());
     if (video_ != nullptr) video_->add(shown());
     if (options_.layers) write_drawn_layers(frame_picture_path(options_.output, result_.record.frame), session_);
 }
 
 int RunRecorder::finish(bool interrupted, Console& console) {
+    pictures_.finish();
     records_.commit();
     RunSummary done = summary(interrupted);
     const base::BudgetTable memory = session_.display().planner().budget();  // of the run, without the legends' pictures
