@@ -47,7 +47,7 @@ GalleryFlight::GalleryFlight(const GalleryFiles& files, const PictureOptions& pi
 
 DrawnSheet::Picture GalleryFlight::draw(const GalleryMoment& moment) {
     const base::Time time = instant_of(moment, spans_, "the default flight");
-    preroll_.preroll(time);
+    static_cast<void>(preroll_.preroll(time));
     session_.display().plan(player_.at(time));
     session_.draw();
     DrawnSheet::Picture drawn;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 
 #include "host_sim/accuracy/accuracy_overlay.hpp"
@@ -17,6 +16,7 @@
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/generated_flight.hpp"
+#include "host_sim/replay/interval_store.hpp"
 #include "host_sim/replay/ledger_report.hpp"
 #include "host_sim/replay/run_estimate.hpp"
 #include "host_sim/replay/run_recorder.hpp"
@@ -27,6 +27,8 @@
 
 namespace tedavis::host_sim {
 namespace {
+
+constexpr const char* kBeforeFirstFrame = "what the flight leaves on the display before the first frame";
 
 void enter(EffectLedger& ledger, std::uint64_t n, base::Time time, const FrameResult& drawn, const RunRecorder& recorder,
            const DisplaySession& session) {
@@ -69,7 +71,7 @@ std::unique_ptr<VideoFile> opened_video(const ReplayOptions& options, const Disp
 void fly(const ReplayOptions& options, const FrameInstants& times, FramePreroll& preroll, RunRecorder& recorder,
          EffectLedger& ledger, DisplaySession& session, const InterruptGuard& interrupt, Console& console) {
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
-        preroll.preroll(times.at(n));
+        if (!preroll.preroll(times.at(n))) break;
         const FrameResult& drawn = recorder.draw(times.at(n));
         recorder.keep();
         if (options.ledger) enter(ledger, n, times.at(n), drawn, recorder, session);
@@ -107,12 +109,6 @@ void require_consent_to(const ReplayOptions& options, const FrameInstants& times
     if (times.count() > kFramesWithoutAWord) require_consent(estimate_run(options, times, player, session), options, console);
 }
 
-IndexPolicy index_policy(const ReplayOptions& options) {
-    IndexPolicy policy;
-    if (!options.keeps_index) policy.smallest_kept_log = std::numeric_limits<std::uint64_t>::max();
-    return policy;
-}
-
 int run_batch(const ReplayOptions& options, Console& console) {
     const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
     DisplaySession session(options.picture, is_generated_flight(options.log));
@@ -130,6 +126,11 @@ int run_batch(const ReplayOptions& options, Console& console) {
     if (!parts.empty()) recorder.note(words_of_spans(parts, player.first(), options.picture.terrain));
     for (const std::string& note : options.notes) recorder.note(note);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
+    const IntervalStore store(options, session, player, preroll, console);
+    preroll.set_told([&](std::uint64_t done, std::uint64_t total) {
+        console.progress(kBeforeFirstFrame, done, total);
+        return !interrupt.requested();
+    });
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);
     fly(options, times, preroll, recorder, ledger, session, interrupt, console);

@@ -1,68 +1,13 @@
 #include "host_sim/replay/flight_index.hpp"
 
-#include <cstring>
-#include <type_traits>
+#include <utility>
 
-#include "render_core/base/hash.hpp"
+#include "host_sim/replay/byte_stream.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 constexpr char kMagic[] = "TEDAVIS flight index 5\n";
-
-class ByteWriter {
-public:
-    template <class T>
-    void put(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-    void put_text(std::string_view text) {
-        put(std::uint64_t{text.size()});
-        bytes_.append(text);
-    }
-    [[nodiscard]] std::string take() { return std::move(bytes_); }
-    [[nodiscard]] const std::string& bytes() const { return bytes_; }
-
-private:
-    std::string bytes_;
-};
-
-/// Beyond the end everything reads as zero and `good` falls.
-class ByteReader {
-public:
-    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
-
-    template <class T>
-    [[nodiscard]] T get() {
-        static_assert(std::is_trivially_copyable_v<T>);
-        T value{};
-        const std::string_view part = next(sizeof value);
-        if (!part.empty()) std::memcpy(&value, part.data(), sizeof value);
-        return value;
-    }
-    [[nodiscard]] std::string_view get_text() { return next(get<std::uint64_t>()); }
-    [[nodiscard]] bool good() const { return good_; }
-    [[nodiscard]] std::size_t left() const { return bytes_.size(); }
-
-private:
-    std::string_view next(std::uint64_t count) {
-        good_ = good_ && count <= bytes_.size();
-        if (!good_) return {};
-        const std::string_view part = bytes_.substr(0, static_cast<std::size_t>(count));
-        bytes_.remove_prefix(part.size());
-        return part;
-    }
-
-    std::string_view bytes_;
-    bool good_ = true;
-};
-
-std::uint64_t checksum(std::string_view bytes) {
-    base::Fnv1a64 hash;
-    hash.add(bytes.data(), bytes.size());
-    return hash.value();
-}
 
 std::vector<PackedCheckpoint> get_checkpoints(ByteReader& reader) {
     std::vector<PackedCheckpoint> checkpoints;
@@ -171,7 +116,7 @@ std::string pack_index(const FlightIndex& index, const IndexKey& key) {
         writer.put_text(checkpoint.bytes);
     }
     put_outline(index.outline, writer);
-    writer.put(checksum(writer.bytes()));
+    writer.put(checksum_of(writer.bytes()));
     return writer.take();
 }
 
@@ -181,7 +126,7 @@ UnpackedIndex unpack_index(std::string_view bytes, const IndexKey& key, const Ch
     if (bytes.substr(0, magic.size()) != magic) return {{}, "is no index of this program version"};
     if (bytes.size() < magic.size() + kSumBytes) return {{}, "is cut off"};
     const std::string_view body = bytes.substr(0, bytes.size() - kSumBytes);
-    if (ByteReader(bytes.substr(body.size())).get<std::uint64_t>() != checksum(body)) return {{}, "is damaged or cut off"};
+    if (ByteReader(bytes.substr(body.size())).get<std::uint64_t>() != checksum_of(body)) return {{}, "is damaged or cut off"};
     ByteReader reader(body.substr(magic.size()));
     if (reader.get<std::uint64_t>() != sizeof(FlightProgress)) return {{}, "was made by another build of the program"};
     if (const char* other = first_difference(reader.get<IndexKey>(), key))

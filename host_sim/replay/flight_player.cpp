@@ -47,6 +47,12 @@ PlayerFiles player_files(const ReplayOptions& options) {
             options.phase, options.aircraft_class};
 }
 
+IndexPolicy index_policy(const ReplayOptions& options) {
+    IndexPolicy policy;
+    if (!options.keeps_index) policy.smallest_kept_log = std::numeric_limits<std::uint64_t>::max();
+    return policy;
+}
+
 FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console, const IndexPolicy& policy)
     : heights_(display.planner()), console_(console), policy_(policy) {
     open_bus(files);
@@ -130,6 +136,7 @@ bool FlightPlayer::take_kept_index() {
         return false;
     }
     index_ = std::move(*unpacked.index);
+    has_kept_index_ = true;
     return true;
 }
 
@@ -140,6 +147,7 @@ void FlightPlayer::keep_index(const FileIdentity& log, base::Time opened) {
         return say(log_name_ + ": it has just been changed; its index is not kept");
     try {
         write_file_atomically(index_name(log_name_), pack_index(index_, key_));
+        has_kept_index_ = true;
     } catch (const UserError& error) {
         say(std::string(error.what()) + "; its index is not kept");
     }
@@ -165,6 +173,7 @@ void FlightPlayer::make_index() {
         run_step();
         outline_step();
         if (console_ != nullptr) console_->progress("indexing " + log_name_, source_->position().offset, log_bytes_->size());
+        if (policy_.told) policy_.told(source_->position().offset, log_bytes_->size());
         if (interrupt.requested()) throw Interrupted(log_name_ + ": interrupted while it was indexed; nothing was written");
     }
     if (console_ != nullptr) console_->progress_done();

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,7 +38,12 @@ struct IndexPolicy {
     /// A log changed less than this long before is not trusted to show its next change in its times.
     base::Duration rest = base::Duration::seconds(2);
     CheckpointSpacing spacing;
+    /// Called often while the log is indexed, with the bytes read and all of them; may throw.
+    std::function<void(std::uint64_t done, std::uint64_t total)> told{};
 };
+
+/// As the options ask for it.
+[[nodiscard]] IndexPolicy index_policy(const ReplayOptions& options);
 
 class FlightPlayer final : private bus::FrameListener {
 public:
@@ -67,6 +73,10 @@ public:
     [[nodiscard]] const LogFacts& facts() const { return index_.facts; }
     /// Of the whole log, with the switches that it was opened with.
     [[nodiscard]] const FlightOutline& outline() const { return index_.outline; }
+    /// What the flight follows from: the program, the log, and the files that it is played with.
+    [[nodiscard]] const IndexKey& key() const { return key_; }
+    /// Whether the log's index lies beside it: only then something else that follows from the log may be kept, too.
+    [[nodiscard]] bool has_kept_index() const { return has_kept_index_; }
     /// What is wrong with the log and the switch log.
     [[nodiscard]] Findings findings() const;
 
@@ -106,6 +116,7 @@ private:
     std::vector<std::string> switch_notes_;
     Findings switch_findings_;  ///< of the log that was given
     IndexKey key_;
+    bool has_kept_index_ = false;
     base::Time first_, last_;
     FlightProgress progress_;
     PlayedEdges panel_{edges_, progress_.next_edge};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "render_core/display/preroll.hpp"
 #include "render_core/flight/decision_interval.hpp"
@@ -11,6 +10,7 @@ namespace tedavis::host_sim {
 namespace {
 
 const std::int64_t kWindow = terrain::StoreSettings().window_frames;
+constexpr std::int64_t kUntold = 60;  ///< intervals or frames that take no time to speak of
 constexpr base::Duration kLongestFade = base::Duration::from_seconds(design::kLongestFade_s);
 
 }  // namespace
@@ -19,9 +19,19 @@ base::Time FramePreroll::grid_time(std::int64_t frame) const {
     return player_.first() + base::Duration::from_seconds(static_cast<double>(frame) / rate_hz_);
 }
 
-void FramePreroll::preroll(base::Time time) {
+bool FramePreroll::preroll(base::Time time) {
+    is_given_up_ = false;
     preroll_frame(time);
     reach_interval(time);
+    if (is_given_up_) leave();
+    return !is_given_up_;
+}
+
+/// Asked again after it was given up, it stays so until the next frame.
+bool FramePreroll::is_told(std::int64_t done, std::int64_t total) {
+    if (told_ && !is_given_up_ && total > kUntold)
+        is_given_up_ = !told_(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(total));
+    return !is_given_up_;
 }
 
 void FramePreroll::preroll_frame(base::Time time) {
@@ -36,10 +46,10 @@ void FramePreroll::preroll_frame(base::Time time) {
     display_.memory().cut();
     const std::int64_t needed = first_needed(frame, time);
     if (is_governed) reach(std::max<std::int64_t>(frame, 0), std::max<std::int64_t>(needed, 0));
-    if (is_governed && is_on_grid) return;
+    if (is_given_up_ || (is_governed && is_on_grid)) return;
     if (is_governed) display_.memory().cut();
     const effects::FrameGovernor governor = display_.memory().budget.governor();
-    for (std::int64_t planned = needed - kWindow; planned < frame; ++planned) {
+    for (std::int64_t planned = needed - kWindow; planned < frame && !is_given_up_; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
         if (is_governed) restore_quality_level(planned);
         plan(is_on_grid ? grid : std::max(grid + off_grid, player_.first()));
@@ -71,9 +81,10 @@ void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
         plan(grid_time(std::max<std::int64_t>(planned, 0)));
     }
     budget.restore(governors_[static_cast<std::size_t>(kept)]);
-    for (std::int64_t planned = kept * kKeepEvery; planned < frame; ++planned) {
+    const std::int64_t begin = kept * kKeepEvery;
+    for (std::int64_t planned = begin; planned < frame && is_told(planned - begin, frame - begin); ++planned) {
         plan(grid_time(planned));
-        learn(planned + 1);
+        if (!is_given_up_) learn(planned + 1);
     }
 }
 
@@ -93,22 +104,47 @@ void FramePreroll::restore_quality_level(std::int64_t frame) {
 
 void FramePreroll::plan(base::Time time) {
     reach_interval(time);
+    if (is_given_up_) return;
     display::preroll(display_, player_.at(time));
     if (display_.memory().must_be_drawn()) session_.draw();
+}
+
+/// The log's first one stands for those before it.
+std::int64_t FramePreroll::interval_of(base::Time time) const {
+    return flight::decision_interval_of(std::max(time, player_.first()));
+}
+
+/// To the nearest one that is known, at or before the one that is wanted.
+void FramePreroll::approach_interval(std::int64_t wanted) {
+    const std::int64_t known = intervals_.last_by(wanted).value_or(interval_of(player_.first()) - 1);
+    if (!interval_ || wanted < *interval_ || *interval_ < known) restore_interval(known);
 }
 
 /// What the display shows of an interval's labels remains its own from one interval to the next.
 void FramePreroll::reach_interval(base::Time time) {
     if (!display_.planner().has_intervals()) return;
-    const std::int64_t first = flight::decision_interval_of(player_.first());
-    const std::int64_t wanted = std::max(flight::decision_interval_of(time), first);
+    const std::int64_t wanted = interval_of(time);
     if (shown_interval_ == wanted) return;
-    const auto after = intervals_.upper_bound(wanted);
-    const std::int64_t known = after == intervals_.begin() ? first - 1 : std::prev(after)->first;
-    if (!interval_ || wanted < *interval_ || *interval_ < known) restore_interval(known);
-    while (*interval_ < wanted) decide_interval(*interval_ + 1);
+    approach_interval(wanted);
+    const std::int64_t begin = *interval_;
+    while (*interval_ < wanted && is_told(*interval_ - begin, wanted - begin)) decide_interval(*interval_ + 1);
+    if (is_given_up_) return;
     display_.memory().take_interval(decided_);
     shown_interval_ = wanted;
+}
+
+void FramePreroll::decide_before(base::Time time, const std::function<bool()>& goes_on) {
+    if (!display_.planner().has_intervals()) return;
+    const std::int64_t wanted = interval_of(time);
+    approach_interval(wanted);
+    while (*interval_ < wanted && goes_on()) decide_interval(*interval_ + 1);
+}
+
+std::int64_t FramePreroll::undecided_before(base::Time time) const {
+    if (!display_.planner().has_intervals()) return 0;
+    const std::int64_t wanted = interval_of(time);
+    const std::int64_t known = intervals_.last_by(wanted).value_or(interval_of(player_.first()) - 1);
+    return wanted - (interval_ && *interval_ <= wanted ? std::max(known, *interval_) : known);
 }
 
 void FramePreroll::look_ahead(base::Time until, const ToldAlert& told) {
@@ -124,8 +160,7 @@ void FramePreroll::look_ahead(base::Time until, const ToldAlert& told) {
 
 /// Before the log's first interval there are none.
 void FramePreroll::restore_interval(std::int64_t interval) {
-    const auto kept = intervals_.find(interval);
-    decided_ = kept == intervals_.end() ? display::PlannerMemory() : kept->second;
+    decided_ = intervals_.last_by(interval) == interval ? intervals_.restore(interval) : display::PlannerMemory();
     interval_ = interval;
 }
 
@@ -139,7 +174,7 @@ void FramePreroll::decide_interval(std::int64_t interval) {
     decided_.budget = display_.memory().budget;
     decided_.terrain_failed = display_.memory().terrain_failed;
     display_.planner().decide_interval(input, decided_);
-    keep_interval(interval);
+    intervals_.keep(interval, decided_);
     interval_ = interval;
 }
 
@@ -149,16 +184,16 @@ flight::PhaseStatus FramePreroll::phase_before(base::Time time) {
     return player_.at(std::max(grid_time(frame), player_.first())).phase;
 }
 
-void FramePreroll::keep_interval(std::int64_t interval) {
-    intervals_[interval] = decided_;
-    if ((interval - kKeptIntervals) % kKeepEvery != 0) intervals_.erase(interval - kKeptIntervals);
+void FramePreroll::leave() {
+    last_.reset();
+    shown_interval_.reset();
 }
 
 void FramePreroll::forget() {
-    last_.reset();
+    has_forgotten_ = true;
+    leave();
     intervals_.clear();
     interval_.reset();
-    shown_interval_.reset();
     quality_levels_.clear();
     governors_.clear();
 }

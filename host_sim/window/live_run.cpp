@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 #include "host_sim/atomic_file.hpp"
@@ -23,6 +24,9 @@ namespace {
 constexpr base::Duration kAfterThePicture{1000};
 constexpr base::Duration kDesignLook = base::Duration::milliseconds(250);
 constexpr std::size_t kEventsAtOnce = 64;
+constexpr base::Duration kSaidFor = base::Duration::seconds(4);
+/// Intervals that are decided without a picture in between, and in each turn of the window where there are more.
+constexpr std::int64_t kDecidedAtOnce = 240, kDecidedATurn = 120;
 
 /// Few enough colored rectangles for a picture that moves.
 constexpr std::uint32_t kErrorCell_px = 16;
@@ -71,7 +75,8 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
       controller_(transport_over(times_), static_cast<std::uint32_t>(player.switch_config().patterns.size()), tour_.has_value()),
       preroll_(player, session, session.device().frame_rate_hz),
       recorder_(options_, session, player),
-      overlay_({options.accuracy, true, kErrorCell_px, ErrorMapStyle::dots}, options.picture.terrain) {
+      overlay_({options.accuracy, true, kErrorCell_px, ErrorMapStyle::dots}, options.picture.terrain),
+      intervals_(options_, session, player, preroll_, console) {
     controller_.set_accuracy(options.accuracy);
     controller_.set_light(options.picture.light);
     controller_.set_legend(options.picture.legend);
@@ -79,15 +84,21 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
 
 bool LiveRun::turn(base::Duration wall) {
     take_events();
-    controller_.advance(wall);
+    controller_.advance(is_prepared() ? wall : base::Duration{});
     if (controller_.take_help()) console_.note(window_keys_help());
+    if (controller_.take_screenshot()) take_screenshot();
+    said_left_ = said_left_ - wall;
     watch_design(wall);
     turn_accuracy();
     turn_light();
     const Shown next = wanted();
-    const bool same = shown_ && shown_->frame == next.frame && shown_->revision == next.revision && shown_->mode == next.mode &&
-                      shown_->light == next.light && shown_->legend == next.legend && same_pose(shown_->camera, next.camera);
-    const bool same_overlay = same && shown_->accuracy == next.accuracy;
+    if (prepare(next)) return true;
+    const bool same = shown_ && !is_unprepared_shown_ && shown_->frame == next.frame && shown_->revision == next.revision &&
+                      shown_->mode == next.mode && shown_->light == next.light && shown_->legend == next.legend &&
+                      same_pose(shown_->camera, next.camera);
+    const bool same_overlay = same && shown_->accuracy == next.accuracy && painted_line_ == window_overlay().line &&
+                              paints_help_ == controller_.shows_help();
+    is_unprepared_shown_ = false;
     if (!same) draw(next);
     if (same && !same_overlay) draw_again();
     shown_ = next;
@@ -95,15 +106,80 @@ bool LiveRun::turn(base::Duration wall) {
     return !same_overlay;
 }
 
+/// True where this turn showed a picture that is not yet that of the flight.
+bool LiveRun::prepare(const Shown& wanted) {
+    const base::Time now = shown_time();
+    if (decided_revision_ != wanted.revision) {
+        preroll_.forget();
+        decided_revision_ = wanted.revision;
+        prepared_percent_.reset();
+    }
+    const std::int64_t left = wanted.mode == CameraMode::cockpit ? preroll_.undecided_before(now) : 0;
+    if (left <= (prepared_percent_ ? 0 : kDecidedAtOnce)) {
+        prepared_percent_.reset();
+        return false;
+    }
+    if (!prepared_percent_) undecided_ = left;
+    undecided_ = std::max(undecided_, left);
+    prepared_percent_ = static_cast<int>(100 * (undecided_ - left) / undecided_);
+    draw_unprepared(now);
+    std::int64_t decided = 0;
+    preroll_.decide_before(now, [&decided] { return decided++ < kDecidedATurn; });
+    return true;
+}
+
+/// A picture that no other one follows from: the display's memory is what it was.
+void LiveRun::draw_unprepared(base::Time now) {
+    session_.display().planner().clear_free_view();
+    const display::PlannerMemory memory = session_.display().memory();
+    session_.display().memory().cut();
+    session_.display().memory().labels.forget();
+    session_.display().memory().boost.forget();
+    const flight::FrameInput input = player_.at(now);
+    session_.display().plan({input.state, input.phase, now, input.trail, input.legend});
+    session_.draw();
+    session_.display().memory() = memory;
+    preroll_.leave();
+    is_unprepared_shown_ = true;
+    controller_.record_picture(cockpit_pose(), session_.display().planned().picture.camera.view.focal_px);
+    present();
+    show_title();
+}
+
 void LiveRun::take_events() {
     std::array<platform::WindowEvent, kEventsAtOnce> events;
     for (std::size_t count = events.size(); count == events.size();) {
         count = window_.poll_events({events.data(), events.size()});
-        for (std::size_t n = 0; n < count; ++n) {
-            controller_.handle(events[n]);
-            if (const auto pattern = controller_.take_pattern()) turn_switches(*pattern);
-        }
+        for (std::size_t n = 0; n < count; ++n) handle(events[n]);
     }
+}
+
+void LiveRun::handle(const platform::WindowEvent& event) {
+    controller_.handle(event);
+    if (const auto pattern = controller_.take_pattern()) turn_switches(*pattern);
+}
+
+void LiveRun::handle(const std::vector<platform::WindowEvent>& events) {
+    for (const platform::WindowEvent& event : events) handle(event);
+}
+
+/// The frame that is on the screen, as the display drew it.
+void LiveRun::take_screenshot() {
+    if (!shown_ || is_unprepared_shown_)
+        return console_.note("there is no picture of the flight yet; take it once the window is prepared");
+    char time[40];
+    std::snprintf(time, sizeof time, "%.3f", (session_.display().record().time - player_.first()).to_seconds());
+    const std::string begin = options_.output + "/screenshot_" + time + "s";
+    std::string path = begin + ".png";
+    for (int n = 2; std::filesystem::exists(path); ++n) path = begin + "_" + std::to_string(n) + ".png";
+    try {
+        write_png(path, session_.pixels());
+        said_ = "saved " + path;
+    } catch (const UserError& error) {
+        said_ = error.what();
+    }
+    console_.note(said_);
+    said_left_ = kSaidFor;
 }
 
 void LiveRun::turn_switches(std::uint32_t pattern) {
@@ -164,19 +240,26 @@ void LiveRun::aim(const Shown& wanted) {
 void LiveRun::draw(const Shown& wanted) {
     aim(wanted);
     turn_legend(wanted);
-    if (shown_ && (shown_->revision != wanted.revision || shown_->mode != wanted.mode)) preroll_.forget();
     const base::Time now = shown_time();
-    preroll_.preroll(now);
-    const display::FrameRecord& record = recorder_.draw(now).record;
-    CameraPose pose = wanted.camera;
+    if (wanted.mode == CameraMode::cockpit)
+        static_cast<void>(preroll_.preroll(now));
+    else
+        preroll_.leave();  // nobody comes back to these pictures
+    static_cast<void>(recorder_.draw(now));
     if (wanted.mode == CameraMode::cockpit) {
         recorder_.keep();
         latest_kept_ = latest_kept_ ? std::max(*latest_kept_, now) : now;
-        pose = {earth::from_ecef(session_.display().planned().picture.camera.view.eye), record.heading_rad, record.pitch_rad,
-                record.roll_rad};
     }
-    controller_.record_picture(pose, session_.display().planned().picture.camera.view.focal_px);
+    controller_.record_picture(wanted.mode == CameraMode::cockpit ? cockpit_pose() : wanted.camera,
+                               session_.display().planned().picture.camera.view.focal_px);
     present();
+}
+
+/// Of the frame that was drawn last.
+CameraPose LiveRun::cockpit_pose() const {
+    display::Display& display = session_.display();
+    const display::FrameRecord& record = display.record();
+    return {earth::from_ecef(display.planned().picture.camera.view.eye), record.heading_rad, record.pitch_rad, record.roll_rad};
 }
 
 void LiveRun::turn_legend(const Shown& wanted) {
@@ -214,12 +297,42 @@ void LiveRun::turn_light() {
 }
 
 void LiveRun::present() {
-    if (overlay_.shown().any()) {
+    gl::Gl& gl = session_.display().gl();
+    if (overlay_.shown().any() && is_prepared()) {
         FrameResult result = recorder_.result();
         const RgbaPicture picture = overlay_.over(session_, result);
-        paint_rects(session_.display().gl(), session_.height(), changed_rects(session_.pixels(), view_of(picture)));
+        paint_rects(gl, session_.height(), changed_rects(session_.pixels(), view_of(picture)));
     }
+    const WindowOverlay own = window_overlay();
+    paint_rects(gl, session_.height(), overlay_rects(own, session_.width(), session_.height()));
+    painted_line_ = own.line;
+    paints_help_ = controller_.shows_help();
     session_.present();
+}
+
+WindowOverlay LiveRun::window_overlay() const {
+    WindowOverlay overlay;
+    if (controller_.shows_help()) overlay.panel = window_keys_lines();
+    if (said_left_ > base::Duration{}) {
+        overlay.line = "WINDOW  " + said_;
+    } else if (!is_prepared()) {
+        overlay.line = "WINDOW  PREPARING " + std::to_string(*prepared_percent_) +
+                       " %: labels and alerts are not yet those of the flight, and nothing is recorded";
+    } else if (controller_.shows_head_up()) {
+        const Transport& transport = controller_.transport();
+        display::Display& display = session_.display();
+        overlay.line =
+            head_up_text({seconds(shown_time()), seconds(player_.last()), display.record().flight_time, transport.speed(),
+                          transport.backwards(), transport.playing(), phase_text(display.record().phase),
+                          std::string(display.planned().shown->name.view()), camera_text()});
+    }
+    return overlay;
+}
+
+std::string LiveRun::camera_text() const {
+    if (controller_.camera_mode() == CameraMode::tour) return "tour";
+    if (controller_.camera_mode() == CameraMode::cockpit) return {};
+    return "free camera " + std::to_string(std::lround(controller_.camera().speed_mps())) + " m/s";
 }
 
 void LiveRun::show_title() {
@@ -229,9 +342,8 @@ void LiveRun::show_title() {
                   transport.speed(), transport.backwards() ? " backwards" : "", transport.playing() ? "" : "  paused",
                   phase_text(session_.display().record().phase).c_str());
     std::string title = text;
-    if (controller_.camera_mode() == CameraMode::tour) title += "  tour";
-    if (controller_.camera_mode() == CameraMode::free)
-        title += "  free camera " + std::to_string(std::lround(controller_.camera().speed_mps())) + " m/s";
+    if (const std::string camera = camera_text(); !camera.empty()) title += "  " + camera;
+    if (!is_prepared()) title += "  preparing " + std::to_string(*prepared_percent_) + " %";
     if (title == title_) return;
     title_ = title;
     window_.set_title(title_.c_str());

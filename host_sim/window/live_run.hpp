@@ -3,12 +3,16 @@
 /// What is seen from the cockpit goes into the folder as in a batch run: frames.jsonl, summary.json, report.html. Keys of
 /// the phase switches act at the shown instant: from there on the panel stands as the keys leave it, and what an earlier
 /// switch log or key said about later times is forgotten. The resulting switches stand in window.switches; with them a
-/// batch replay draws the same pictures. The overlay of the pictures' accuracy is on the screen alone. Neither a clock nor a
-/// screen is needed.
+/// batch replay draws the same pictures. The overlay of the pictures' accuracy and the window's own (window_overlay.hpp) are on
+/// the screen alone. Neither a clock nor a screen is needed.
+///
+/// Where much of the flight before a picture has not been decided, as at its first one with --from or after a long leap, a turn
+/// decides a part of it and shows the instant as it looks without what came before; the window says so, and no record has it.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host_sim/accuracy/accuracy_overlay.hpp"
 #include "host_sim/console.hpp"
@@ -16,10 +20,12 @@
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
+#include "host_sim/replay/interval_store.hpp"
 #include "host_sim/replay/run_recorder.hpp"
 #include "host_sim/window/camera_tour.hpp"
 #include "host_sim/window/design_watch.hpp"
 #include "host_sim/window/window_controller.hpp"
+#include "host_sim/window/window_overlay.hpp"
 #include "platform/window/window_surface.hpp"
 
 namespace tedavis::host_sim {
@@ -32,8 +38,12 @@ public:
 
     /// Takes the window's events, lets `wall` go by, and draws where something changed; true when it drew.
     bool turn(base::Duration wall);
+    /// Acts on events that came before the run began.
+    void handle(const std::vector<platform::WindowEvent>& events);
     [[nodiscard]] bool closed() const { return controller_.closed(); }
     [[nodiscard]] const WindowController& controller() const { return controller_; }
+    /// False while the flight before the shown instant is being decided.
+    [[nodiscard]] bool is_prepared() const { return !prepared_percent_; }
 
     /// Writes the folder and, on request, the config that replays the session. To be called once, at the end. Returns the exit
     /// code, as RunRecorder::finish.
@@ -50,6 +60,13 @@ private:
         std::optional<flight::LegendShow> legend;
     };
     void take_events();
+    void handle(const platform::WindowEvent& event);
+    [[nodiscard]] bool prepare(const Shown& wanted);
+    void draw_unprepared(base::Time now);
+    void take_screenshot();
+    [[nodiscard]] WindowOverlay window_overlay() const;
+    [[nodiscard]] std::string camera_text() const;
+    [[nodiscard]] CameraPose cockpit_pose() const;
     void turn_switches(std::uint32_t pattern);
     void watch_design(base::Duration wall);
     [[nodiscard]] Shown wanted() const;
@@ -83,6 +100,15 @@ private:
     base::Duration since_look_;
     std::optional<base::Time> latest_kept_;
     std::string title_;
+    std::string painted_line_;  ///< of the window's overlay, as it is on the screen
+    bool paints_help_ = false;
+    IntervalStore intervals_;
+    std::uint64_t decided_revision_ = 0;
+    bool is_unprepared_shown_ = false;
+    std::int64_t undecided_ = 0;  ///< intervals, when preparing began
+    std::optional<int> prepared_percent_;
+    std::string said_;  ///< the last screenshot's name, for a while
+    base::Duration said_left_;
 };
 
 }  // namespace tedavis::host_sim

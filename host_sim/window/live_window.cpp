@@ -1,11 +1,13 @@
 #include "host_sim/window/live_window.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/generated_flight.hpp"
 #include "host_sim/window/live_run.hpp"
+#include "host_sim/window/start_screen.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 
 namespace tedavis::host_sim {
@@ -36,9 +38,13 @@ int run_live_window(const ReplayOptions& options, Console& console, const Window
         return std::unique_ptr<base::Surface>(std::move(made.value()));
     };
     DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
-    FlightPlayer player(player_files(options), session.display(), &console);
+    StartScreen screen(*window, session, std::filesystem::path(options.log).filename().string());
+    IndexPolicy policy = index_policy(options);
+    policy.told = [&screen](std::uint64_t done, std::uint64_t total) { screen.show(done, total, platform::monotonic_now()); };
+    FlightPlayer player(player_files(options), session.display(), &console, policy);
     const InterruptGuard interrupt;  // before anything is written
     LiveRun run(options, session, player, *window, console);
+    run.handle(screen.events());
     return run_until_closed(run, interrupt, console);
 }
 

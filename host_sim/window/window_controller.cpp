@@ -8,7 +8,10 @@ using platform::WindowEventKind;
 
 constexpr base::Duration kSeek = base::Duration::seconds(5), kFarSeek = base::Duration::seconds(60);
 
-constexpr std::uint32_t bit_of(WindowAction action) { return std::uint32_t{1} << static_cast<unsigned>(action); }
+/// Of an action that lasts while its key is held.
+constexpr std::uint32_t bit_of(WindowAction action) {
+    return std::uint32_t{1} << (static_cast<unsigned>(action) - static_cast<unsigned>(WindowAction::fly_forward));
+}
 
 base::Duration negative(base::Duration duration) { return {-duration.ns}; }
 
@@ -61,7 +64,6 @@ bool WindowController::press_transport(WindowAction action) {
 void WindowController::press_once(const KeyMeaning& meaning) {
     switch (meaning.action) {
         case WindowAction::close: closed_ = true; break;
-        case WindowAction::help: help_ = true; break;
         case WindowAction::play_or_pause: transport_.play_or_pause(); break;
         case WindowAction::reverse: transport_.reverse(); break;
         case WindowAction::switch_pattern: select(meaning.pattern); break;
@@ -72,9 +74,23 @@ void WindowController::press_once(const KeyMeaning& meaning) {
         case WindowAction::tour:
             if (has_tour_) toggle(CameraMode::tour);
             break;
+        default: press_shown(meaning.action); break;
+    }
+}
+
+/// What lies over the picture, and the picture itself. Where nobody flies the camera back, its key is free.
+void WindowController::press_shown(WindowAction action) {
+    switch (action) {
         case WindowAction::show_accuracy: accuracy_.figures = !accuracy_.figures; break;
         case WindowAction::error_map: accuracy_.error_map = !accuracy_.error_map; break;
         case WindowAction::light: toggle_light(); break;
+        case WindowAction::head_up: shows_head_up_ = !shows_head_up_; break;
+        case WindowAction::help:
+            shows_help_ = !shows_help_;
+            help_ = help_ || shows_help_;
+            break;
+        case WindowAction::fly_back: screenshot_ = screenshot_ || mode_ != CameraMode::free; break;
+        case WindowAction::screenshot: screenshot_ = true; break;
         default: break;
     }
 }
@@ -123,6 +139,12 @@ void WindowController::record_picture(const CameraPose& pose, double focal_px) {
 std::optional<std::uint32_t> WindowController::take_pattern() {
     const auto wanted = wanted_pattern_;
     wanted_pattern_.reset();
+    return wanted;
+}
+
+bool WindowController::take_screenshot() {
+    const bool wanted = screenshot_;
+    screenshot_ = false;
     return wanted;
 }
 

@@ -50,11 +50,17 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> take_pattern();
     /// True where the list of keys was requested since the last call.
     [[nodiscard]] bool take_help();
+    /// True where a picture of the shown frame was requested since the last call.
+    [[nodiscard]] bool take_screenshot();
+    /// Whether the list of keys and the line with time and phase lie over the picture.
+    [[nodiscard]] bool shows_help() const { return shows_help_; }
+    [[nodiscard]] bool shows_head_up() const { return shows_head_up_; }
 
 private:
     void press(const platform::WindowEvent& event);
     [[nodiscard]] bool press_transport(WindowAction action);
     void press_once(const KeyMeaning& meaning);
+    void press_shown(WindowAction action);
     void select(std::uint32_t pattern);
     void ask_next_legend();
     void set_held(WindowAction action, bool held);
@@ -64,7 +70,8 @@ private:
     Transport transport_;
     std::uint32_t patterns_;
     bool has_tour_;
-    bool closed_ = false, help_ = false;
+    bool closed_ = false, help_ = false, screenshot_ = false;
+    bool shows_help_ = false, shows_head_up_ = true;
     CameraMode mode_ = CameraMode::cockpit;
     FreeCamera camera_;
     AccuracyShown accuracy_;

@@ -1,5 +1,7 @@
 #include "host_sim/window/window_keys.hpp"
 
+#include <sstream>
+
 namespace tedavis::host_sim {
 namespace {
 
@@ -46,7 +48,12 @@ constexpr KeyRow kRows[] = {
     {Key::character, 'd', Shift::any, WindowAction::fly_right, nullptr, nullptr},
     {Key::character, 'e', Shift::any, WindowAction::fly_up, nullptr, nullptr},
     {Key::character, 'q', Shift::any, WindowAction::fly_down, nullptr, nullptr},
-    {Key::character, 'h', Shift::any, WindowAction::help, "h", "this list"},
+    {Key::character, 'o', Shift::any, WindowAction::head_up, "o", "line with time, speed and phase on or off"},
+    {Key::character, 'p', Shift::any, WindowAction::screenshot, "p",
+     "the display's frame to OUT/screenshot_TIME.png; s too, without the free camera"},
+    {Key::character, 'h', Shift::any, WindowAction::help, "h ?", "this list on or off"},
+    {Key::character, '?', Shift::any, WindowAction::help, nullptr, nullptr},
+    {Key::character, '/', Shift::down, WindowAction::help, nullptr, nullptr},
     {Key::escape, '\0', Shift::any, WindowAction::close, "escape", "end"},
 };
 
@@ -88,6 +95,13 @@ std::string window_keys_help() {
         help_line("1 .. 9 0", "phase switch: pattern 1 to 10 of the panel, with shift 11 to 20; recorded in OUT/window.switches");
     text += help_line("mouse", "drag: the free camera looks around; wheel: its speed");
     return text;
+}
+
+std::vector<std::string> window_keys_lines() {
+    std::vector<std::string> lines;
+    std::istringstream text(window_keys_help());
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
 }
 
 }  // namespace tedavis::host_sim

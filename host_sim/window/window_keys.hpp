@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "platform/window/window_events.hpp"
 
@@ -34,6 +35,8 @@ enum class WindowAction : std::uint8_t {
     show_accuracy,
     error_map,
     light,
+    head_up,
+    screenshot,
     fly_forward,
     fly_back,
     fly_left,
@@ -50,7 +53,9 @@ struct KeyMeaning {
 /// What a pressed or released key stands for. The actions fly_... last while their key is held.
 [[nodiscard]] KeyMeaning meaning_of_key(const platform::WindowEvent& event);
 
-/// A line a key.
+/// A line a key, below a title.
 [[nodiscard]] std::string window_keys_help();
+/// The same lines, for a panel.
+[[nodiscard]] std::vector<std::string> window_keys_lines();
 
 }  // namespace tedavis::host_sim

@@ -68,7 +68,8 @@ std::uint32_t oldest_of(base::Span<Kept> kept) {
 }  // namespace
 
 std::uint64_t HeightQuery::bytes_needed() {
-    return kKeptChunks * (sizeof(KeptChunk) + kPayloadBytes) + kKeptPages * (sizeof(KeptPage) + sizeof(DirectoryPage)) + 128;
+    return kKeptChunks * (sizeof(KeptChunk) + kPayloadBytes) + kKeptPages * (sizeof(KeptPage) + sizeof(DirectoryPage)) + 128 +
+           KeptHeights::bytes_needed();
 }
 
 bool HeightQuery::start(const TerrainDatabase& database, base::Arena& arena) {
@@ -77,7 +78,7 @@ bool HeightQuery::start(const TerrainDatabase& database, base::Arena& arena) {
     kept_pages_ = arena.allocate_array<KeptPage>(kKeptPages);
     pages_ = arena.allocate_array<DirectoryPage>(kKeptPages);
     auto* memory = static_cast<std::uint8_t*>(arena.allocate(kKeptChunks * kPayloadBytes, alignof(ChunkVertex)));
-    if (chunks_.empty() || kept_pages_.empty() || pages_.empty() || memory == nullptr) return false;
+    if (chunks_.empty() || kept_pages_.empty() || pages_.empty() || memory == nullptr || !heights_.start(arena)) return false;
     payloads_ = {memory, kKeptChunks * kPayloadBytes};
     return true;
 }
@@ -140,9 +141,17 @@ ExactChunk HeightQuery::exact_chunk(std::uint32_t i, std::uint32_t j) {
     return {&entry, payload_vertices(entry, payload(kept))};
 }
 
+/// What is damaged may be read better the next time.
 HeightAnswer HeightQuery::at(double latitude_rad, double longitude_rad) {
+    if (!std::isfinite(latitude_rad) || !std::isfinite(longitude_rad)) return {};
+    if (const HeightAnswer* const kept = heights_.find(latitude_rad, longitude_rad); kept != nullptr) return *kept;
+    const HeightAnswer answer = read_height(latitude_rad, longitude_rad);
+    if (answer.status != HeightStatus::damaged) heights_.keep(latitude_rad, longitude_rad, answer);
+    return answer;
+}
+
+HeightAnswer HeightQuery::read_height(double latitude_rad, double longitude_rad) {
     HeightAnswer answer;
-    if (!std::isfinite(latitude_rad) || !std::isfinite(longitude_rad)) return answer;
     answer.undulation = database_->undulation(latitude_rad, longitude_rad);
     const LatticePoint point = database_->lattice().point(latitude_rad, longitude_rad);
     if (!point.inside) return answer;

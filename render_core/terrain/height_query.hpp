@@ -1,22 +1,16 @@
 /// Height of the true surface at a point, from the posts of the exact chunk there: two triangles per cell with the fixed
 /// diagonal; a cell at a pole is one triangle with its apex there.
 ///
-/// Reads what it needs at once and caches the last few pages and chunks; answers do not depend on the cache.
+/// Reads what it needs at once and caches the last few pages and chunks, and the answers at many places (kept_heights.hpp): what
+/// stands on the ground is asked for again and again. Answers do not depend on the caches.
 /// Memory  from the arena at start(). Thread  one.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/terrain/kept_heights.hpp"
 #include "render_core/terrain/terrain_database.hpp"
 
 namespace tedavis::terrain {
-
-enum class HeightStatus : std::uint8_t { land, sea, void_, outside, damaged };
-
-struct HeightAnswer {
-    HeightStatus status = HeightStatus::outside;
-    earth::MslHeight height;            ///< valid for land and sea only
-    earth::GeoidUndulation undulation;  ///< valid everywhere, clamped to the database's border
-};
 
 /// An exact chunk; its vertices are all posts of its grid (regular_chunk.hpp).
 struct ExactChunk {
@@ -49,6 +43,7 @@ private:
         std::uint32_t page_index;
         std::uint64_t asked;  ///< 0: empty
     };
+    [[nodiscard]] HeightAnswer read_height(double latitude_rad, double longitude_rad);
     [[nodiscard]] base::Span<std::uint8_t> payload(std::uint32_t kept) const;
     [[nodiscard]] const ChunkEntry* exact_entry(std::uint32_t i, std::uint32_t j);
     [[nodiscard]] std::uint32_t chunk_over(std::uint32_t i, std::uint32_t j);
@@ -58,6 +53,7 @@ private:
     base::Span<std::uint8_t> payloads_;
     base::Span<KeptPage> kept_pages_;
     base::Span<DirectoryPage> pages_;
+    KeptHeights heights_;
     std::uint64_t asked_ = 0;
 };
 

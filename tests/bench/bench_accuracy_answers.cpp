@@ -115,7 +115,7 @@ Flown fly(const Setting& setting, const host_sim::TracedGround& ground, const st
         for (std::size_t n = 0; n <= kFrames; ++n) {
             const base::Time now = begin + base::Duration::from_seconds(static_cast<double>(n) / session.device().frame_rate_hz);
             if (now > player.last()) break;
-            preroll.preroll(now);
+            static_cast<void>(preroll.preroll(now));
             const flight::FrameInput input = player.at(now);
             const double begun = clock_ms();
             session.display().plan(input);

@@ -49,7 +49,7 @@ TEST(FlightEvents, AlertsBeginWhereTheFramesOfARunShowThem) {
     auto before = policy::TerrainAhead::none;
     Flown run;
     for (base::Time time = run.whole[0].from; time <= run.whole[0].to; time = time + base::Duration::milliseconds(100)) {
-        run.preroll.preroll(time);
+        EXPECT_TRUE(run.preroll.preroll(time));
         const flight::FrameInput input = run.player.at(time);
         run.session.display().plan({input.state, input.phase, time, input.trail, input.legend});
         const auto alert = run.session.display().memory().boost.terrain_ahead();

@@ -59,7 +59,7 @@ std::map<std::int64_t, Frame> run(const ReplayOptions& asked, bool has_preroll) 
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
     std::map<std::int64_t, Frame> frames;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
-        if (has_preroll) preroll.preroll(times.at(n));
+        EXPECT_TRUE(!has_preroll || preroll.preroll(times.at(n)));
         const flight::FrameInput instant = player.at(times.at(n));
         session.display().plan({instant.state, instant.phase, times.at(n)});
         session.draw();
@@ -144,7 +144,7 @@ std::map<std::int64_t, Frame> governed(const ReplayOptions& asked, bool has_prer
     std::map<std::int64_t, Frame> frames;
     std::set<std::uint32_t> quality_levels;
     for (std::uint64_t n = 0; n < times.count(); ++n) {
-        if (has_preroll) preroll.preroll(times.at(n));
+        EXPECT_TRUE(!has_preroll || preroll.preroll(times.at(n)));
         const flight::FrameInput instant = player.at(times.at(n));
         session.display().plan({instant.state, instant.phase, times.at(n)});
         session.draw();
@@ -357,6 +357,65 @@ TEST(FramePreroll, ABudgetOfClutterIsHeldTheSameHoweverAFrameIsReached) {
         EXPECT_EQ(differences(all, run(budgeted(0, -15 * kStep_s, device), true)), 0u) << "every 15th, backwards";
         EXPECT_GT(differences(all, run(budgeted(100 * kStep_s, kStep_s, device), false)), 0u) << "control";
     }
+}
+
+/// A run that begins late, on what another one has decided.
+struct Begun {
+    explicit Begun(const ReplayOptions& asked)
+        : session(asked.picture, false),
+          player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display()),
+          preroll(player, session, session.device().frame_rate_hz) {}
+    [[nodiscard]] base::Time at(double seconds) const { return player.first() + base::Duration::from_seconds(seconds); }
+    std::uint64_t draw(base::Time time) {
+        const flight::FrameInput instant = player.at(time);
+        session.display().plan({instant.state, instant.phase, time});
+        session.draw();
+        return session.frame_hash();
+    }
+    DisplaySession session;
+    FlightPlayer player;
+    FramePreroll preroll;
+};
+
+TEST(FramePreroll, WhatWasGivenUpOrDecidedInPartsGivesTheSameFrame) {
+    constexpr double kLate_s = 7;
+    const auto all = run(crowded(kLate_s, kLate_s, kStep_s), true);
+    {
+        Begun begun(crowded(0, 8, kStep_s));
+        const base::Time late = begun.at(kLate_s);
+        const std::int64_t undecided = begun.preroll.undecided_before(late);
+        EXPECT_GE(undecided, 14);
+        int left = 5;
+        begun.preroll.decide_before(late, [&left] { return left-- > 0; });
+        EXPECT_EQ(begun.preroll.undecided_before(late), undecided - 5);
+        static_cast<void>(begun.draw(begun.at(3)));  // a picture in between that nothing led to
+        begun.preroll.leave();
+        EXPECT_TRUE(begun.preroll.preroll(late));
+        EXPECT_EQ(begun.preroll.undecided_before(late), 0);
+        EXPECT_EQ(begun.draw(late), all.begin()->second.hash);
+    }
+    Begun control(crowded(0, 8, kStep_s));
+    EXPECT_NE(control.draw(control.at(kLate_s)), all.begin()->second.hash);
+}
+
+/// The governor's frames are told; giving up leaves nothing that a later frame would notice.
+TEST(FramePreroll, IsToldHowFarItIsAndMayBeGivenUp) {
+    const ReplayOptions asked = options(0, 4, kStep_s);
+    Begun begun(asked);
+    begun.session.display().memory().budget.hold(kScarce_ms, costs_of_triangles(), test_support::six_levels());
+    std::uint64_t most = 0, total = 0;
+    bool goes_on = false;
+    begun.preroll.set_told([&](std::uint64_t done, std::uint64_t all) {
+        most = std::max(most, done);
+        total = all;
+        return goes_on || done < 30;
+    });
+    EXPECT_FALSE(begun.preroll.preroll(begun.at(4)));
+    EXPECT_EQ(most, 30u);
+    EXPECT_EQ(total, 120u);
+    goes_on = true;
+    EXPECT_TRUE(begun.preroll.preroll(begun.at(4)));
+    EXPECT_GT(most, 30u);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ struct Flown {
         FramePreroll preroll(player, session, session.device().frame_rate_hz);
         std::vector<std::uint64_t> measured;
         for (std::uint64_t n = 0; n < times.count(); ++n) {
-            preroll.preroll(times.at(n));
+            EXPECT_TRUE(preroll.preroll(times.at(n)));
             const flight::FrameInput input = player.at(times.at(n));
             session.display().plan({input.state, input.phase, times.at(n), input.trail, input.legend});
             session.draw();

@@ -105,7 +105,7 @@ const std::vector<Shown>& flown() {
         std::vector<Shown> shown;
         for (double s = 0; s < 70; s += 0.2) {
             const base::Time time = player.first() + base::Duration::from_seconds(s);
-            preroll.preroll(time);
+            EXPECT_TRUE(preroll.preroll(time));
             const flight::FrameInput instant = player.at(time);
             session.display().plan({instant.state, instant.phase, time, instant.trail});
             session.draw();

@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/options/replay_config.hpp"
+#include "host_sim/png_file.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "render_core/gl/readback.hpp"
 #include "tests/host_sim/window/scripted_window.hpp"
@@ -101,7 +104,8 @@ TEST(LiveRun, ShowsThePicturesOfABatchReplay) {
     const auto shown = hashes_by_time(desk.options.output);
     EXPECT_GE(shown.size(), 5u);
     expect_within(shown, hashes_by_time(files().folder.file("batch_plain")));
-    EXPECT_EQ(test_support::summary_of(desk.options.output).at("frames"), presented);
+    EXPECT_EQ(test_support::summary_of(desk.options.output).at("frames").get<int>() + 1, presented)
+        << "one frame was shown again, as paused";
 }
 
 /// What is on the screen, read back from it when it is shown.
@@ -142,6 +146,104 @@ TEST(LiveRun, TheOverlayIsOnTheScreenAlone) {
     expect_within(shown, hashes_by_time(files().folder.file("batch_overlay")));
     for (const nlohmann::json& line : test_support::frame_lines(desk.options.output))
         EXPECT_FALSE(line.contains("accuracy_overlay"));
+}
+
+/// As the display drew the frame that is on the screen; its rows from the top.
+std::vector<std::uint8_t> display_frame(Desk& desk) { return upright(desk.session->pixels()).pixels; }
+
+TEST(LiveRun, TheLineAndTheKeysAreOnTheScreenAlone) {
+    Desk desk(files().options("live_line"));
+    desk.turns(3);
+    desk.window->press(Key::space);
+    const std::vector<std::uint8_t> line = on_screen(desk);
+    desk.window->press('h');
+    const std::vector<std::uint8_t> help = on_screen(desk);
+    EXPECT_NE(help, line);
+    EXPECT_THAT(desk.notes.str(), HasSubstr("Keys of the window"));
+    desk.window->press('?');
+    EXPECT_EQ(on_screen(desk), line) << "off again";
+    desk.window->press('o');
+    const std::vector<std::uint8_t> bare = on_screen(desk);
+    EXPECT_NE(bare, line);
+    EXPECT_EQ(bare, std::vector<std::uint8_t>(desk.session->pixels().pixels, desk.session->pixels().pixels + bare.size()))
+        << "nothing but the display's frame";
+    EXPECT_EQ(desk.session->display().gl().denied().total, 0u);
+    desk.finish();
+    replay_batch(files().options("batch_line"));
+    expect_within(hashes_by_time(desk.options.output), hashes_by_time(files().folder.file("batch_line")));
+}
+
+TEST(LiveRun, AScreenshotIsTheFrameOfTheDisplay) {
+    Desk desk(files().options("live_screenshot"));
+    desk.turns(2);
+    desk.window->press(Key::space);
+    desk.window->press('h');
+    desk.turn();
+    const std::vector<std::uint8_t> frame = display_frame(desk);
+    desk.window->press('p');
+    desk.window->press('s');
+    desk.turn();
+    desk.window->press('s');
+    desk.turn();
+    std::vector<std::string> pictures;
+    for (const auto& entry : std::filesystem::directory_iterator(desk.options.output))
+        if (entry.path().filename().string().rfind("screenshot_", 0) == 0) pictures.push_back(entry.path().string());
+    ASSERT_EQ(pictures.size(), 2u) << "the second has a name of its own";
+    for (const std::string& picture : pictures) {
+        EXPECT_EQ(read_png(picture).pixels, frame);
+        EXPECT_THAT(desk.notes.str(), HasSubstr("saved " + picture));
+    }
+    desk.window->press('.');
+    desk.turn();
+    EXPECT_NE(display_frame(desk), frame) << "control";
+    desk.finish();
+}
+
+TEST(LiveRun, KeysFromBeforeItBeganAreNotLost) {
+    Desk desk(files().options("live_early"));
+    desk.run->handle({ScriptedWindow::key_event(Key::space), ScriptedWindow::key_event(Key::character, '3')});
+    desk.turn();
+    EXPECT_FALSE(desk.run->controller().transport().playing());
+    EXPECT_THAT(read_file(desk.switches()), HasSubstr("panel."));
+    desk.finish();
+}
+
+/// Four minutes in one place: more intervals than are decided before a picture.
+class LongCircle final : public test_support::FlownCircle {
+public:
+    base::Time end() const override { return begin() + Duration::seconds(240); }
+    std::optional<SignalSample> at(base::Time time) const override {
+        const double s = (time - begin()).to_seconds();
+        return FlownCircle::at(begin() + Duration::from_seconds(4 + 4 * std::sin(s / 40)));
+    }
+};
+
+TEST(LiveRun, FarIntoAFlightAPictureComesAtOnceAndTheRecordIsThatOfTheFlight) {
+    static const test_support::FlownFiles kFiles{LongCircle()};
+    const auto late = [](const char* output) {
+        ReplayOptions options = kFiles.options(output);
+        options.from_s = 200;
+        options.to_s = 202;
+        options.step_s = 0.5;
+        return options;
+    };
+    Desk desk(late("live_late"));
+    EXPECT_TRUE(desk.turn());
+    EXPECT_EQ(desk.window->presented(), 1);
+    EXPECT_FALSE(desk.run->is_prepared());
+    EXPECT_THAT(desk.window->title(), HasSubstr("preparing"));
+    desk.window->press('p');
+    int turns = 0;
+    while (!desk.run->is_prepared() && turns++ < 100) desk.turn();
+    EXPECT_GT(turns, 1);
+    EXPECT_THAT(desk.notes.str(), HasSubstr("no picture of the flight yet"));
+    desk.turns(3);
+    desk.finish();
+    replay_batch(late("batch_late"));
+    const auto shown = hashes_by_time(desk.options.output), batch = hashes_by_time(kFiles.folder.file("batch_late"));
+    EXPECT_GE(shown.size(), 3u);
+    EXPECT_EQ(shown.begin()->first, std::next(batch.begin())->first) << "it goes on by the first turn alone, then waits";
+    expect_within(shown, batch);
 }
 
 TEST(LiveRun, AKeyShowsAnotherLegendAndTheRunSaysSo) {

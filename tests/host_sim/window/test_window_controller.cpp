@@ -230,6 +230,35 @@ TEST(WindowController, AKeyAsksForOneLegendAfterTheOther) {
     EXPECT_EQ(other.controller.asked_legend(), LegendShow::none) << "after the one of the option";
 }
 
+TEST(WindowController, TakesAScreenshotWhereItsKeyDoesNotFly) {
+    Session session;
+    EXPECT_FALSE(session.controller.take_screenshot());
+    for (const char key : {'p', 's'}) {
+        session.press(key);
+        EXPECT_TRUE(session.controller.take_screenshot());
+        EXPECT_FALSE(session.controller.take_screenshot());
+    }
+    session.press('c');
+    session.press('s');
+    EXPECT_FALSE(session.controller.take_screenshot()) << "it flies back";
+    session.press('p');
+    EXPECT_TRUE(session.controller.take_screenshot());
+}
+
+TEST(WindowController, KeysTurnTheLineAndTheListOnAndOff) {
+    Session session;
+    EXPECT_TRUE(session.controller.shows_head_up());
+    EXPECT_FALSE(session.controller.shows_help());
+    session.press('o');
+    session.press('h');
+    EXPECT_FALSE(session.controller.shows_head_up());
+    EXPECT_TRUE(session.controller.shows_help());
+    session.press('o');
+    session.press('?');
+    EXPECT_TRUE(session.controller.shows_head_up());
+    EXPECT_FALSE(session.controller.shows_help());
+}
+
 TEST(WindowController, ClosesAndHelps) {
     Session session;
     session.press('h');

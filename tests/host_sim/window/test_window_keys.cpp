@@ -43,6 +43,13 @@ TEST(WindowKeys, DigitsArePatterns) {
     EXPECT_EQ(of('0', true).pattern, 19u);
 }
 
+TEST(WindowKeys, HelpAndTheFrameHaveKeys) {
+    for (const KeyMeaning& meaning : {of('h'), of('?'), of('/', true)}) EXPECT_EQ(meaning.action, WindowAction::help);
+    EXPECT_EQ(of('/').action, WindowAction::none);
+    EXPECT_EQ(of('p').action, WindowAction::screenshot);
+    EXPECT_EQ(of('o').action, WindowAction::head_up);
+}
+
 TEST(WindowKeys, OtherKeysMeanNothing) {
     EXPECT_EQ(of('x').action, WindowAction::none);
     EXPECT_EQ(of(Key::tab).action, WindowAction::none);
@@ -51,9 +58,13 @@ TEST(WindowKeys, OtherKeysMeanNothing) {
 
 TEST(WindowKeys, HelpNamesThemAll) {
     const std::string help = window_keys_help();
-    for (const char* word : {"space", "escape", "backspace", "home end", "w s a d e q", "1 .. 9 0", "proven error",
-                             "error of the ground", "symbology by night", "mouse", "window.switches"})
+    for (const char* word :
+         {"space", "escape", "backspace", "home end", "w s a d e q", "1 .. 9 0", "proven error", "error of the ground",
+          "symbology by night", "mouse", "window.switches", "screenshot", "h ?", "line with time"})
         EXPECT_THAT(help, ::testing::HasSubstr(word));
+    std::string lines;
+    for (const std::string& line : window_keys_lines()) lines += line + "\n";
+    EXPECT_EQ(lines, help);
 }
 
 }  // namespace

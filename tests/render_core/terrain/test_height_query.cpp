@@ -83,6 +83,22 @@ TEST(HeightQuery, ReadsAChunkOnceWhereItIsAskedOften) {
     EXPECT_EQ(q.bytes.reads, reads + 1) << "the way down is kept";
 }
 
+/// What stands on the ground, in more chunks than are kept.
+TEST(HeightQuery, PlacesThatAreAskedForAgainNeedNoReading) {
+    Query q(rough(500, 400));
+    const auto ask_all = [&q] {
+        std::vector<double> heights;
+        for (int n = 0; n < 300; ++n) heights.push_back(q.ask((n * 37) % 499 + 0.3, (n * 53) % 399 + 0.6).height.m);
+        return heights;
+    };
+    const std::vector<double> first = ask_all();
+    const int reads = q.bytes.reads;
+    EXPECT_GT(reads, 200) << "control: each was in another chunk";
+    q.bytes.fails = true;
+    EXPECT_EQ(ask_all(), first);
+    EXPECT_EQ(q.bytes.reads, reads);
+}
+
 TEST(HeightQuery, ExactChunksOfCoarserLevelsAnswerWithTheirOwnPosts) {
     TdbSpec spec = rough(257, 257);
     spec.is_exact = [](const ChunkKey& key) { return key.level == 2 && key.i == 1; };
