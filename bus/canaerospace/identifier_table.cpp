@@ -12,7 +12,8 @@ using base::kPi;
 using flight::Signal;
 
 constexpr std::uint32_t kAnalogue = type_bit(DataType::float32) | type_bit(DataType::short16x2);
-constexpr std::uint32_t kSelectable = kAnalogue | type_bit(DataType::nodata);  ///< a message without data: nothing is selected
+constexpr std::uint32_t kSelectable =
+    kAnalogue | type_bit(DataType::nodata);  ///< a message without data: nothing is selected, or no ground is in range
 constexpr std::uint32_t kPosition =
     kAnalogue | type_bit(DataType::double_high) | type_bit(DataType::double_low) | type_bit(DataType::long32);
 constexpr std::uint32_t kUnsigned = type_bit(DataType::ulong32) | type_bit(DataType::ushort16);
@@ -96,7 +97,7 @@ constexpr IdentifierEntry kTable[] = {
     {1057, "INS vertical figure of merit", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, 0, 100000.0},
     {1058, "INS horizontal figure of merit", BusUnit::metre, kAnalogue, Signal::count_, 0, false, false, 0, 100000.0},
     {1069, "magnetic heading", BusUnit::degree, kAnalogue, Signal::magnetic_heading, 0, false, false, -kPi, 2 * kPi},
-    {1070, "radio height", BusUnit::metre, kAnalogue, Signal::radio_height, 0, false, false, -20, 10000},
+    {1070, "radio height", BusUnit::metre, kSelectable, Signal::radio_height, 0, false, false, -20, 10000},
     {1087, "ILS 1 localizer deviation", BusUnit::degree, kAnalogue, Signal::ils1_localizer_deviation, 0, false, false, -kPi, kPi},
     {1088, "ILS 2 localizer deviation", BusUnit::degree, kAnalogue, Signal::ils2_localizer_deviation, 0, false, false, -kPi, kPi},
     {1089, "ILS 3 localizer deviation", BusUnit::degree, kAnalogue, Signal::count_, 0, false, false, -kPi, kPi},

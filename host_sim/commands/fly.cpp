@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "host_sim/atomic_file.hpp"
-#include "host_sim/written_files.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/terrain_cache.hpp"
@@ -25,6 +24,7 @@
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
 #include "host_sim/user_error.hpp"
+#include "host_sim/written_files.hpp"
 #include "render_core/scene/sdb_format.hpp"
 #include "render_core/terrain/tdb_format.hpp"
 

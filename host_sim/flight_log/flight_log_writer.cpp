@@ -118,11 +118,18 @@ private:
         const auto identifier =
             static_cast<std::uint16_t>(message.identifier + (message.is_guidance ? guidance_.first_identifier : 0));
         last_sent_[message.signal] = sample[message.signal];
+        has_radio_height_ = has_radio_height_ || sample.has(flight::Signal::radio_height);
         if (message.signal == flight::Signal::magnetic_variation) encoder_.set_variation(sample[message.signal]);
         if (sample.has(message.signal))
             send(encoder_.encode(identifier, sample[message.signal], message.type, time, out()));
-        else if (message.is_guidance && flight_.states_guidance())
+        else if (states_nothing(message))
             send(encoder_.encode_nothing_selected(identifier, time, out()));
+    }
+
+    /// Nothing is selected, or the ground is out of the radio altimeter's range.
+    [[nodiscard]] bool states_nothing(const ScheduledMessage& message) const {
+        return message.signal == flight::Signal::radio_height ? has_radio_height_
+                                                              : message.is_guidance && flight_.states_guidance();
     }
 
     void send_clock(base::Time time) {
@@ -180,6 +187,7 @@ private:
     std::uint16_t first_traffic_;  ///< 0: the bus carries none
     bus::GuidanceSettings guidance_;
     const DueMessages due_ = due_messages();
+    bool has_radio_height_ = false;  ///< the aircraft has a radio altimeter
     SignalSample last_sent_;
     bus::MessageEncoder encoder_;
     StreamSink sink_;

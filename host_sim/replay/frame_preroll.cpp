@@ -133,15 +133,16 @@ void FramePreroll::reach_interval(base::Time time) {
     shown_interval_ = wanted;
 }
 
+/// With a deadline an interval follows from the governor of its time, which only the frames before it have.
 void FramePreroll::decide_before(base::Time time, const std::function<bool()>& goes_on) {
-    if (!display_.planner().has_intervals()) return;
+    if (!display_.planner().has_intervals() || display_.memory().budget.is_held()) return;
     const std::int64_t wanted = interval_of(time);
     approach_interval(wanted);
     while (*interval_ < wanted && goes_on()) decide_interval(*interval_ + 1);
 }
 
 std::int64_t FramePreroll::undecided_before(base::Time time) const {
-    if (!display_.planner().has_intervals()) return 0;
+    if (!display_.planner().has_intervals() || display_.memory().budget.is_held()) return 0;
     const std::int64_t wanted = interval_of(time);
     const std::int64_t known = intervals_.last_by(wanted).value_or(interval_of(player_.first()) - 1);
     return wanted - (interval_ && *interval_ <= wanted ? std::max(known, *interval_) : known);

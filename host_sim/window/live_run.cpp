@@ -313,11 +313,11 @@ void LiveRun::present() {
 WindowOverlay LiveRun::window_overlay() const {
     WindowOverlay overlay;
     if (controller_.shows_help()) overlay.panel = window_keys_lines();
-    if (said_left_ > base::Duration{}) {
-        overlay.line = "WINDOW  " + said_;
-    } else if (!is_prepared()) {
+    if (!is_prepared()) {
         overlay.line = "WINDOW  PREPARING " + std::to_string(*prepared_percent_) +
                        " %: labels and alerts are not yet those of the flight, and nothing is recorded";
+    } else if (said_left_ > base::Duration{}) {
+        overlay.line = "WINDOW  " + said_;
     } else if (controller_.shows_head_up()) {
         const Transport& transport = controller_.transport();
         display::Display& display = session_.display();

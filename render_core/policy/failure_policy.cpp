@@ -123,10 +123,17 @@ private:
                                          fits ? Signal::airspeed_rate : Signal::count_};
     }
 
+    /// By the height of the wheels that a radio altimeter measures. A terrain database is not that exact: by its height only in a
+    /// phase of the ground, so that no flare and no error of the database takes the warnings of low speeds away.
     void decide_on_ground() {
-        constexpr double kOnGround_m = 5;
+        constexpr double kMeasured_m = 1, kComputed_m = 5;
         const ElementDecision& ground = out_[Element::ground_height];
-        out_.is_on_ground = ground.show == ElementShow::normal && state_[ground.source].value_or(0) < kOnGround_m;
+        if (ground.show != ElementShow::normal) return;
+        const double height_m = state_[ground.source].value_or(0);
+        const flight::FlightPhase phase = conditions_.phase.phase;
+        const bool rolls =
+            phase.scenario == flight::Scenario::ground || phase == flight::kTakeoffStart || phase == flight::kApproachLanding;
+        out_.is_on_ground = ground.source == Signal::radio_height ? height_m < kMeasured_m : rolls && height_m < kComputed_m;
     }
 
     void decide_heading() {

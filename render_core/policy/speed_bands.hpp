@@ -53,7 +53,7 @@ struct SpeedConditions {
     FlapsRange flaps;
     double load_factor = 1;  ///< normal acceleration in units of standard gravity; counts from 1 to kMaxLoadFactor
     double pressure_altitude_m = std::numeric_limits<double>::quiet_NaN();  ///< NaN where it is not known
-    bool is_on_ground = false;  ///< no low-speed warning and caution then: normal begins at 0
+    bool is_on_ground = false;                                              ///< no low-speed warning and caution then
 };
 
 struct SpeedBands {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <sstream>
@@ -96,6 +97,39 @@ TEST(FlightLogWriter, WhatGoesInComesOutOfTheDecoder) {
     EXPECT_EQ(snapshot.counters.alien, 0u);
     EXPECT_EQ(snapshot.state.utc.state, base::SignalState::valid);
     EXPECT_NEAR(snapshot.state.utc.ahead.to_seconds(), 0, 0.01) << "its stamps are UTC";
+}
+
+/// Above 100 m the radio altimeter has no ground in range.
+class FlightWithRadioHeight final : public FlightSource {
+public:
+    base::Time begin() const override { return kBegin; }
+    base::Time end() const override { return kBegin + base::Duration::seconds(20); }
+    std::optional<SignalSample> at(base::Time time) const override {
+        const double height_m = 10 * (time - kBegin).to_seconds();
+        SignalSample sample;
+        sample[Signal::latitude] = base::radians(46.5);
+        sample[Signal::longitude] = base::radians(-84.1);
+        if (height_m < 100) sample[Signal::radio_height] = height_m;
+        return sample;
+    }
+    std::optional<flight::FlightPhase> stated_phase(base::Time) const override { return std::nullopt; }
+};
+
+TEST(FlightLogWriter, ARadioAltimeterOutOfRangeSaysSoAndIsNotLost) {
+    const auto frames = read_back(write(FlightWithRadioHeight()).text);
+    const auto state_at = [&](double s) {
+        const base::Time now = kBegin + base::Duration::from_seconds(s);
+        std::size_t count = 0;
+        while (count < frames.size() && frames[count].time <= now) ++count;
+        const auto assembler = std::make_unique<bus::StateAssembler>();
+        assembler->feed({frames.data(), count});
+        return assembler->snapshot(now).state.state_of(Signal::radio_height, now);
+    };
+    EXPECT_EQ(state_at(9), base::SignalState::valid);
+    for (const double s : {10.5, 12.0, 19.0}) EXPECT_EQ(state_at(s), base::SignalState::missing) << s;
+    const auto others = read_back(write(KnownFlight()).text);
+    EXPECT_TRUE(std::none_of(others.begin(), others.end(), [](const bus::CanFrame& frame) { return frame.id == 1070; }))
+        << "an aircraft without one says nothing of it";
 }
 
 /// Two aircraft, the second of which cannot be said after a while.

@@ -98,8 +98,6 @@ TEST(NaturalGround, P38TintsFollowTheHeightWithinTheTerrain) {
     }
 }
 
-/// Of level land from above at any height: neighbors differ, and what lies 24 pixels apart is not alike, so that no block of a
-/// cell is seen. Control: without the grain the ground is one color.
 /// A slope of 12 degrees is all woods below the tree line and none above. Control: with a higher line it has woods throughout.
 TEST(NaturalGround, P38WoodsEndAtTheTreeLine) {
     constexpr double kPerPost_m = 14, kLine_m = 1000, kFade_m = 200;
@@ -128,6 +126,8 @@ TEST(NaturalGround, P38WoodsEndAtTheTreeLine) {
     }
 }
 
+/// Of level land from above at any height: neighbors differ, and what lies 24 pixels apart is not alike, so that no block of a
+/// cell is seen. Control: without the grain the ground is one color.
 TEST(NaturalGround, P38TheGrainIsAsFineFarAwayAsNear) {
     RasterScene scene(flat_land());
     const auto seen = [&](const char* device, const design::DesignSettings& design, auto&& look) {

@@ -267,6 +267,31 @@ TEST(FailurePolicy, BelowTerrainIsAWarningUnlessTheAircraftIsParked) {
     EXPECT_FALSE(decide_on(state).below_terrain) << "control";
 }
 
+/// By a radio altimeter within a metre; by the database, which may err by more than a flare is high, in phases of the ground
+/// alone.
+TEST(FailurePolicy, OnTheGroundIsWhatItsSourceCanTell) {
+    const auto on_ground = [](std::optional<double> radio_m, double terrain_m, flight::FlightPhase phase) {
+        AircraftState state = everything_valid();
+        put_signal(state, Signal::radio_height, SignalState::missing);
+        if (radio_m) state[Signal::radio_height] = {*radio_m, kPolicyNow};
+        state[Signal::height_above_terrain] = {terrain_m, kPolicyNow};
+        DisplayConditions conditions = good_conditions();
+        conditions.phase.phase = phase;
+        return decide_on(state, conditions).is_on_ground;
+    };
+    constexpr flight::FlightPhase kCruise{flight::Scenario::cruise, 0}, kGround{flight::Scenario::ground, 0};
+    for (const flight::FlightPhase phase : {flight::kApproachFinal, flight::kApproachLanding, kCruise, kGround}) {
+        EXPECT_TRUE(on_ground(0.2, 7, phase));
+        EXPECT_FALSE(on_ground(3, 0, phase)) << "in the flare";
+    }
+    for (const flight::FlightPhase phase : {kGround, flight::kTakeoffStart, flight::kApproachLanding}) {
+        EXPECT_TRUE(on_ground(std::nullopt, 3, phase));
+        EXPECT_FALSE(on_ground(std::nullopt, 6, phase));
+    }
+    for (const flight::FlightPhase phase : {flight::kApproachFinal, flight::kTakeoffFirstClimb, kCruise})
+        for (const double terrain_m : {3.0, -20.0}) EXPECT_FALSE(on_ground(std::nullopt, terrain_m, phase)) << terrain_m;
+}
+
 TEST(FailurePolicy, TerrainAheadIsSaidFirstWhateverIsShownOfIt) {
     DisplayConditions conditions = good_conditions();
     EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "TERRAIN AHEAD")) << "control";

@@ -103,7 +103,8 @@ TEST(GuidanceDecisions, MinimumsAreReachedOnAnApproachInTheAir) {
     EXPECT_EQ(state_at(85, flight::kApproachFinal), MinimumsState::near);
     EXPECT_EQ(state_at(59, flight::kApproachFinal), MinimumsState::at_or_below);
     EXPECT_EQ(state_at(59, flight::kTakeoffFirstClimb), MinimumsState::none);
-    EXPECT_EQ(state_at(2, flight::kApproachFinal), MinimumsState::none) << "landed";
+    EXPECT_EQ(state_at(2, flight::kApproachFinal), MinimumsState::at_or_below) << "in the flare";
+    EXPECT_EQ(state_at(0.5, flight::kApproachFinal), MinimumsState::none) << "landed";
 }
 
 TEST(GuidanceDecisions, EachMinimumCountsByItself) {
