@@ -26,6 +26,10 @@ std::string folder_of(const std::string& file) {
 void require_page_name(const std::string& output) {
     if (output.empty() || output.back() == '/' || std::filesystem::is_directory(output))
         throw UserError("-o " + output + ": this is a folder; name the page in it, such as page.html");
+    if (std::filesystem::path(output).filename() == kCompareJsonName)
+        throw UserError("-o " + output + ": " + kCompareJsonName +
+                        " is the name of the file for scripts that stands beside the page; name the page otherwise, such as "
+                        "page.html");
 }
 
 /// The page says where it has no terrain, so that a database that has moved since is no error.

@@ -333,6 +333,24 @@ void add_replay_instants(CLI::App* command, ReplayOptions& o) {
         "png, hash or none; default: png, with --window hash");
 }
 
+void add_ghosts(CLI::App* command, ReplayOptions& o) {
+    static const std::map<std::string, GhostAlign> kAlign = {
+        {"time", GhostAlign::time}, {"place", GhostAlign::place}, {"takeoff", GhostAlign::takeoff}};
+    CLI::Option* ghost =
+        command
+            ->add_option("--ghost", o.ghosts,
+                         "log of another flight that is shown beside this one, with its name and its way; may be "
+                         "repeated, 4 at most")
+            ->allow_extra_args(false);
+    command
+        ->add_option_function<std::string>(
+            "--ghost-align", [&o](const std::string& word) { o.ghost_align = choice_from("--ghost-align", word, kAlign); },
+            "which moment of it is shown: time (of the same UTC), place (nearest to the own ship's place) or takeoff (equally "
+            "long after take-off)")
+        ->default_str("time")
+        ->needs(ghost);
+}
+
 void add_replay(CLI::App& app, CommandLine& line) {
     ReplayOptions& o = line.replay;
     CLI::App* command = add_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
@@ -348,6 +366,7 @@ void add_replay(CLI::App& app, CommandLine& line) {
     command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
     add_picture_options(command, o.picture);
     add_legend(command, o.picture);
+    add_ghosts(command, o);
     add_accuracy_shown(command, o.accuracy);
     CLI::Option* layers = command->add_flag("--layers", o.layers, kLayersText);
     CLI::Option* ledger = command->add_flag(

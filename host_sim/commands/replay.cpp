@@ -16,12 +16,14 @@
 #include "host_sim/replay/frame_instants.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/generated_flight.hpp"
+#include "host_sim/replay/ghost_flights.hpp"
 #include "host_sim/replay/interval_store.hpp"
 #include "host_sim/replay/ledger_report.hpp"
 #include "host_sim/replay/run_estimate.hpp"
 #include "host_sim/replay/run_recorder.hpp"
 #include "host_sim/replay/terrain_span.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/temporary_folder.hpp"
 #include "host_sim/user_error.hpp"
 #include "host_sim/window/live_window.hpp"
 
@@ -143,7 +145,14 @@ int run_batch(const ReplayOptions& options, Console& console) {
 }  // namespace
 
 int run_replay(const ReplayOptions& options, Console& console) {
-    return options.window ? run_live_window(options, console) : run_batch(options, console);
+    const auto run = [&console](const ReplayOptions& shown) {
+        return shown.window ? run_live_window(shown, console) : run_batch(shown, console);
+    };
+    if (options.ghosts.empty()) return run(options);
+    const TemporaryFolder folder;
+    ReplayOptions with_ghosts = options;
+    with_ghosts.picture.ghosts = make_ghosts(options, folder.path(), console);
+    return run(with_ghosts);
 }
 
 }  // namespace tedavis::host_sim

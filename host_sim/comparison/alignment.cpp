@@ -114,12 +114,13 @@ AlignedRuns by_takeoff(const ComparedRun& a, const ComparedRun& b) {
 struct PlacedFrames {
     std::vector<std::size_t> frames;  // indices of frames of the run
     std::vector<TrackPlace> track;
+    std::size_t stride = 1;  // 2 where every second frame was looked at
 };
 
 PlacedFrames placed_frames(const ComparedRun& run) {
     constexpr std::size_t kMaxPlaces = 4000;
     PlacedFrames placed;
-    const std::size_t stride = run.frames.size() / kMaxPlaces + 1;
+    const std::size_t stride = placed.stride = run.frames.size() / kMaxPlaces + 1;
     const double longest_s = kUsualSteps * median_step_s(run) * static_cast<double>(stride);
     for (std::size_t n = 0; n < run.frames.size(); n += stride) {
         const ComparedFrame& frame = run.frames[n];
@@ -170,7 +171,9 @@ AlignedRuns by_place(const ComparedRun& a, const ComparedRun& b, double within_m
             decimal(within_m / 1000, 1) + " km away",
         "distance along the track of A",
         "km",
-        {}};
+        {},
+        placed_a.stride,
+        placed_b.stride};
     double along_m = 0;
     for (std::size_t n = 0; n < pairs.size(); ++n) {
         const TrackPlace& here = placed_a.track[n];
@@ -205,6 +208,36 @@ AlignedRuns by_what_fits(const ComparedRun& a, const ComparedRun& b, double with
         "compare; --align place with a greater --within takes places that are farther apart");
 }
 
+/// Of logs that are gone. The same path is taken for the same log.
+bool has_same_log_by_summary(const ComparedRun& a, const ComparedRun& b) {
+    if (!a.log.empty() && a.log == b.log) return true;
+    const std::optional<double> utc_a_s = utc_offset_s(a), utc_b_s = utc_offset_s(b);
+    return a.can_frames && a.can_frames == b.can_frames && utc_a_s && utc_b_s && std::abs(*utc_a_s - *utc_b_s) <= kSameTime_s;
+}
+
+bool is_takeoff(const ComparedFrame& frame) { return frame.phase.rfind("takeoff", 0) == 0; }
+
+/// A run that begins during the climb shows a take-off, but not when it was.
+std::optional<std::size_t> takeoff_by_phase(const ComparedRun& run) {
+    if (run.frames.front().phase == "takeoff.start") return 0;
+    for (std::size_t n = 1; n < run.frames.size(); ++n) {
+        const ComparedFrame &before = run.frames[n - 1], &here = run.frames[n];
+        if (!is_takeoff(here) || is_takeoff(before)) continue;
+        if (knows_phase(before) || here.phase == "takeoff.start") return n;
+    }
+    return std::nullopt;
+}
+
+AlignedRuns aligned_as_asked(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request) {
+    if (!request.by) return by_what_fits(a, b, request.within_m);
+    switch (*request.by) {
+        case Alignment::time: return by_time(a, b);
+        case Alignment::place: return by_place(a, b, request.within_m);
+        case Alignment::takeoff: break;
+    }
+    return by_takeoff(a, b);
+}
+
 }  // namespace
 
 const char* name_of(Alignment by) {
@@ -217,14 +250,14 @@ const char* name_of(Alignment by) {
 }
 
 bool is_same_flight(const ComparedRun& a, const ComparedRun& b) {
-    if (!a.log.empty() && a.log == b.log) return true;
     std::error_code ignored;
-    return std::filesystem::equivalent(a.folder, b.folder, ignored);
+    if (std::filesystem::equivalent(a.folder, b.folder, ignored)) return true;
+    if (a.log_content && b.log_content) return *a.log_content == *b.log_content;
+    return has_same_log_by_summary(a, b);
 }
 
 std::optional<std::size_t> takeoff_frame(const ComparedRun& run) {
-    for (std::size_t n = 0; n < run.frames.size(); ++n)
-        if (run.frames[n].phase.rfind("takeoff", 0) == 0) return n;
+    if (const auto by_phase = takeoff_by_phase(run)) return by_phase;
     constexpr double kStanding_mps = 15, kRolling_mps = 20;
     bool was_slow = false;
     for (std::size_t n = 0; n + 1 < run.frames.size(); ++n) {
@@ -240,13 +273,9 @@ std::optional<std::size_t> takeoff_frame(const ComparedRun& run) {
 }
 
 AlignedRuns aligned(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request) {
-    if (!request.by) return by_what_fits(a, b, request.within_m);
-    switch (*request.by) {
-        case Alignment::time: return by_time(a, b);
-        case Alignment::place: return by_place(a, b, request.within_m);
-        case Alignment::takeoff: break;
-    }
-    return by_takeoff(a, b);
+    AlignedRuns runs = aligned_as_asked(a, b, request);
+    runs.searched = (a.frames.size() + runs.stride_a - 1) / runs.stride_a;
+    return runs;
 }
 
 double value_at(const ComparedRun& run, double position, std::size_t quantity) {

@@ -32,6 +32,9 @@ struct AlignedRuns {
     std::string axis;                      ///< "time of the log", for charts
     std::string axis_unit;                 ///< "s", "km"
     std::vector<AlignedInstant> instants;  ///< in the order of A's frames; at least one
+    /// 1 where every frame is looked at, 2 where every second one is, as by place in long runs.
+    std::size_t stride_a = 1, stride_b = 1;
+    std::size_t searched = 0;  ///< frames of A that were looked at, with a counterpart or without one
 };
 
 struct AlignmentRequest {
@@ -41,10 +44,11 @@ struct AlignmentRequest {
 
 /// "time", "place", "takeoff".
 [[nodiscard]] const char* name_of(Alignment by);
-/// True where both show the same log, or are the same folder.
+/// True where both are the same folder or show the same log: by its content where both logs are still there, else by its path, or
+/// by its number of frames and the UTC of its begin.
 [[nodiscard]] bool is_same_flight(const ComparedRun& a, const ComparedRun& b);
-/// The index of the first frame of take-off: of the phase, else of the ground speed between frames, which rises above 20 m/s
-/// after it was below 15 m/s. Nothing where there is none.
+/// The index of the first frame of take-off: of the phase, where the run shows its begin, else of the ground speed between
+/// frames, which rises above 20 m/s after it was below 15 m/s. Nothing where there is none.
 [[nodiscard]] std::optional<std::size_t> takeoff_frame(const ComparedRun& run);
 /// Throws UserError where no frame of A has a counterpart; the sentence names what may be tried.
 [[nodiscard]] AlignedRuns aligned(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request);

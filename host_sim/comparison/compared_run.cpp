@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "host_sim/calendar_time.hpp"
@@ -11,6 +12,7 @@
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/reports/run_records.hpp"
 #include "host_sim/user_error.hpp"
+#include "render_core/base/hash.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 
@@ -111,6 +113,33 @@ ComparedFrame compared_frame(const RunJson& record, const RunRecords& records, c
     return frame;
 }
 
+/// What `fly` wrote lies in the folder of the run, which may have been moved or copied since.
+std::string path_of_log(const ComparedRun& run) {
+    const std::string beside = (std::filesystem::path(run.folder) / std::filesystem::path(run.log).filename()).string();
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(beside, ignored) ? beside : run.log;
+}
+
+/// Logs may have gigabytes: of two that have the same size, begin and end alike, the middle is not read.
+void read_log_content(ComparedRun& run) {
+    constexpr std::uint64_t kSampleBytes = 64u << 10;
+    std::error_code failure;
+    if (run.log.empty()) return;
+    const std::string path = path_of_log(run);
+    if (!std::filesystem::is_regular_file(path, failure)) return;
+    const std::uint64_t size = std::filesystem::file_size(path, failure);
+    std::ifstream file(path, std::ios::binary);
+    if (failure || !file) return;
+    std::vector<char> bytes(std::min(kSampleBytes, size));
+    base::Fnv1a64 hash;
+    for (const std::uint64_t offset : {std::uint64_t{0}, size - bytes.size()}) {
+        file.seekg(static_cast<std::streamoff>(offset));
+        if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return;
+        hash.add(bytes.data(), bytes.size());
+    }
+    run.log_content = std::make_pair(size, hash.value());
+}
+
 /// An interrupted run may have no summary.
 void read_names(ComparedRun& run) {
     const std::string path = run.folder + "/" + kSummaryName;
@@ -127,6 +156,8 @@ void read_names(ComparedRun& run) {
     run.scene = string_at(summary, "/scene");
     run.size = string_at(summary, "/size");
     run.version = string_at(summary, "/version");
+    const RunJson can_frames = entry_at(summary, "/can/frames");
+    if (can_frames.is_number_unsigned()) run.can_frames = can_frames.get<std::uint64_t>();
     run.closest = entry_at(summary, "/closest");
 }
 
@@ -140,8 +171,13 @@ ComparedRun read_compared_run(const std::string& folder) {
     std::stable_sort(run.frames.begin(), run.frames.end(),
                      [](const ComparedFrame& a, const ComparedFrame& b) { return a.time_s < b.time_s; });
     read_names(run);
+    read_log_content(run);
     return run;
 }
+
+bool knows_picture(const ComparedFrame& frame) { return frame.hash.find_first_not_of('0') != std::string::npos; }
+
+bool knows_phase(const ComparedFrame& frame) { return !frame.phase.empty() && frame.phase.rfind("unknown", 0) != 0; }
 
 std::optional<double> utc_offset_s(const ComparedRun& run) {
     for (const ComparedFrame& frame : run.frames)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tedavis::host_sim {
@@ -49,7 +50,7 @@ struct ComparedFrame {
     std::uint64_t frame = 0;
     double time_s = 0;  ///< since the log's first frame
     std::optional<double> utc_s;
-    std::string hash;
+    std::string hash;   ///< of the picture; see knows_picture()
     std::string phase;  ///< "approach.final"
     bool has_place = false;
     double latitude_deg = 0, longitude_deg = 0;   ///< where it has a place
@@ -62,12 +63,20 @@ struct ComparedFrame {
 struct ComparedRun {
     std::string folder;
     std::string log, design, device, aircraft, palette, light, terrain, scene, size, version;  ///< of its summary, or empty
-    nlohmann::ordered_json closest;     ///< `closest` of its summary, or null
-    std::vector<ComparedFrame> frames;  ///< in the order of time; at least one
+    /// Size and hash of the log's content, of its first and last 64 KiB; nothing where the file is gone.
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> log_content;
+    std::optional<std::uint64_t> can_frames;  ///< of its summary
+    nlohmann::ordered_json closest;           ///< `closest` of its summary, or null
+    std::vector<ComparedFrame> frames;        ///< in the order of time; at least one
 };
 
 /// Throws UserError where the folder holds no run.
 [[nodiscard]] ComparedRun read_compared_run(const std::string& folder);
+
+/// False where the record has no hash of the picture, as with --frames none, which writes 0.
+[[nodiscard]] bool knows_picture(const ComparedFrame& frame);
+/// False where the record states none, as with --phase none.
+[[nodiscard]] bool knows_phase(const ComparedFrame& frame);
 
 /// UTC minus the time of the log, s, at the first frame that knows it; nothing where none does.
 [[nodiscard]] std::optional<double> utc_offset_s(const ComparedRun& run);

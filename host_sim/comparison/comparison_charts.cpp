@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "host_sim/comparison/state_rows.hpp"
 #include "host_sim/reports/line_chart.hpp"
@@ -10,6 +11,34 @@
 
 namespace tedavis::host_sim {
 namespace {
+
+/// By place the axis is a distance, which a fast aircraft and a gap both make great: the time of A tells gaps.
+std::vector<bool> gaps_before_instants(const RunComparison& runs) {
+    constexpr double kGapSteps = 4;
+    const std::size_t count = runs.aligned.instants.size();
+    std::vector<bool> gaps(count, false);
+    std::vector<double> steps_s;
+    const auto step_s = [&](std::size_t n) { return runs.frame_a(n).time_s - runs.frame_a(n - 1).time_s; };
+    for (std::size_t n = 1; n < count; ++n) steps_s.push_back(step_s(n));
+    if (steps_s.empty()) return gaps;
+    const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+    std::nth_element(steps_s.begin(), middle, steps_s.end());
+    for (std::size_t n = 1; n < count; ++n) gaps[n] = step_s(n) > kGapSteps * *middle;
+    return gaps;
+}
+
+/// No line joins instants with a gap between them.
+LineChart with_gaps_in_time(LineChart chart, const RunComparison& runs) {
+    const std::vector<bool> gaps = gaps_before_instants(runs);
+    for (std::size_t n = gaps.size(); n-- > 1;) {
+        if (!gaps[n]) continue;
+        const auto at = static_cast<std::ptrdiff_t>(n);
+        chart.times_s.insert(chart.times_s.begin() + at, (chart.times_s[n - 1] + chart.times_s[n]) / 2);
+        for (ChartCurve& curve : chart.curves)
+            curve.values.insert(curve.values.begin() + at, std::numeric_limits<double>::quiet_NaN());
+    }
+    return chart;
+}
 
 LineChart empty_chart(const RunComparison& runs, const std::string& title, const std::string& unit) {
     LineChart chart{title, unit, {}, {}, {}};
@@ -32,13 +61,13 @@ std::string quantity_charts(const RunComparison& runs, const QuantityDifference&
         apart.curves[0].values.push_back(b - a);
     }
     both.description = std::string(quantity.title) + " of both runs, over the " + runs.aligned.axis;
-    if (difference.greatest == 0) {
+    if (runs.has_equal(difference.quantity)) {
         both.curves.pop_back();
         both.title += ", equal in A and B";
-        return "<div>" + line_chart_svg(with_gaps(both)) + "</div>\n";
+        return "<div>" + line_chart_svg(with_gaps_in_time(both, runs)) + "</div>\n";
     }
     apart.description = std::string(quantity.title) + ": what B has more than A";
-    return "<div>" + line_chart_svg(with_gaps(both)) + line_chart_svg(with_gaps(apart)) + "</div>\n";
+    return "<div>" + line_chart_svg(with_gaps_in_time(both, runs)) + line_chart_svg(with_gaps_in_time(apart, runs)) + "</div>\n";
 }
 
 /// Instants in a row of one state; states without a color are left out.

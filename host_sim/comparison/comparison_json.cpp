@@ -41,7 +41,7 @@ ComparisonJson frame_json(const ComparedFrame& frame, Value value_of) {
     ComparisonJson json{{"frame", frame.frame},
                         {"time_s", frame.time_s},
                         {"utc_s", frame.utc_s ? ComparisonJson(*frame.utc_s) : ComparisonJson()},
-                        {"hash", frame.hash},
+                        {"hash", knows_picture(frame) ? ComparisonJson(frame.hash) : ComparisonJson()},
                         {"phase", frame.phase},
                         {"lat_deg", frame.has_place ? ComparisonJson(frame.latitude_deg) : ComparisonJson()},
                         {"lon_deg", frame.has_place ? ComparisonJson(frame.longitude_deg) : ComparisonJson()},
@@ -76,15 +76,22 @@ nlohmann::ordered_json comparison_json(const RunComparison& runs) {
                           {"words", runs.aligned.words},
                           {"axis", runs.aligned.axis},
                           {"unit", runs.aligned.axis_unit},
-                          {"without_counterpart", runs.a.frames.size() - runs.aligned.instants.size()}}}};
+                          {"stride_a", runs.aligned.stride_a},
+                          {"stride_b", runs.aligned.stride_b},
+                          {"searched", runs.aligned.searched},
+                          {"without_counterpart", runs.aligned.searched - runs.aligned.instants.size()}}}};
     json["differences"] = ComparisonJson::array();
     for (const QuantityDifference& one : runs.quantities) json["differences"].push_back(quantity_json(one));
+    json["known_by_one"] = ComparisonJson::object();
+    for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity)
+        json["known_by_one"][kQuantities[quantity].name] = runs.known_by_one[quantity];
     json["effects"] = ComparisonJson::array();
     for (const EffectDifference& one : runs.effects)
         json["effects"].push_back({{"name", one.name}, {"instants_a", one.instants_a}, {"instants_b", one.instants_b}});
     json["alerts"] = {{"terrain", {{"a", levels_json(runs.terrain_a)}, {"b", levels_json(runs.terrain_b)}}},
                       {"obstacles", {{"a", levels_json(runs.obstacles_a)}, {"b", levels_json(runs.obstacles_b)}}}};
     json["other_phase"] = runs.other_phase;
+    json["known_pictures"] = runs.known_pictures;
     json["equal_pictures"] = runs.equal_pictures;
     json["instants"] = ComparisonJson::array();
     for (std::size_t n = 0; n < runs.aligned.instants.size(); ++n) json["instants"].push_back(instant_json(runs, n));

@@ -7,6 +7,7 @@
 #include "host_sim/png_file.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/reports/page_parts.hpp"
+#include "host_sim/reports/run_findings.hpp"
 #include "host_sim/reports/track_map.hpp"
 #include "host_sim/version.hpp"
 
@@ -111,17 +112,29 @@ std::string signed_text(double value, int digits) {
     return text.find_first_of("123456789") == std::string::npos ? decimal(0, digits) : text;
 }
 
+/// With the number of instants that the row is of, where it is not all of them.
+std::string title_with_count(const RunComparison& runs, const QuantityDifference& one) {
+    const std::size_t instants = runs.aligned.instants.size();
+    const std::string title = kQuantities[one.quantity].title;
+    return one.count == instants ? title : title + " (" + part_of(one.count, instants) + " instants)";
+}
+
+std::string place_of_greatest(const RunComparison& runs, const QuantityDifference& one) {
+    if (one.greatest != 0) return instant_words(runs, one.greatest_at);
+    return one.count == runs.aligned.instants.size() ? "equal everywhere" : "equal where both know it";
+}
+
 std::string quantity_rows(const RunComparison& runs) {
     std::string rows;
     for (const QuantityDifference& one : runs.quantities) {
         const Quantity& quantity = kQuantities[one.quantity];
         const int mean_digits = std::max(quantity.digits, 1);
         const std::string unit = quantity.unit[0] == '\0' ? std::string() : " " + std::string(quantity.unit);
-        rows += "<tr>" + text_cell(quantity.title) + number_cell(decimal(one.mean_a, mean_digits) + unit) +
+        rows += "<tr>" + text_cell(title_with_count(runs, one)) + number_cell(decimal(one.mean_a, mean_digits) + unit) +
                 number_cell(decimal(one.mean_b, mean_digits) + unit) +
                 number_cell(signed_text(one.mean_b - one.mean_a, mean_digits) + unit) +
-                number_cell(signed_text(one.greatest, quantity.digits) + unit) +
-                text_cell(one.greatest == 0 ? "equal everywhere" : instant_words(runs, one.greatest_at)) + "</tr>";
+                number_cell(signed_text(one.greatest, quantity.digits) + unit) + text_cell(place_of_greatest(runs, one)) +
+                "</tr>";
     }
     return rows;
 }

@@ -39,6 +39,38 @@ std::string distance_words(double metres) {
     return metres < 1000 ? decimal(metres, 0) + " m" : decimal(metres / 1000, 1) + " km";
 }
 
+/// "every frame", "every 3rd frame".
+std::string every_words(std::size_t stride) {
+    if (stride == 1) return "every frame";
+    const std::size_t last = stride / 10 % 10 == 1 ? 0 : stride % 10;
+    return "every " + std::to_string(stride) + (last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th") + " frame";
+}
+
+std::string thinned_sentence(const RunComparison& runs) {
+    const std::size_t stride_a = runs.aligned.stride_a, stride_b = runs.aligned.stride_b;
+    if (stride_a == 1 && stride_b == 1) return {};
+    return "The runs are long, so that " + every_words(stride_a) + " of A and " + every_words(stride_b) + " of B was looked at. ";
+}
+
+/// Frames that do not meet make differences of their own, which the page must say.
+std::string pairing_sentence(const RunComparison& runs) {
+    constexpr double kTold_s = 0.05;
+    double greatest_s = 0;
+    for (const AlignedInstant& instant : runs.aligned.instants) {
+        const std::size_t nearest = instant.nearest_b(),
+                          other = instant.b < static_cast<double>(nearest) ? nearest - 1 : nearest + 1;
+        const double share = std::abs(instant.b - static_cast<double>(nearest));
+        if (share == 0 || other >= runs.b.frames.size()) continue;
+        const double apart_s = std::abs(runs.b.frames[other].time_s - runs.b.frames[nearest].time_s);
+        greatest_s = std::max(greatest_s, share * apart_s);
+    }
+    if (!(greatest_s >= kTold_s)) return {};
+    return " The frames of B that are compared lie up to " + decimal(greatest_s, greatest_s < 10 ? 1 : 0) +
+           " s from these moments: pictures, labels, effects, alerts and phases are those of the nearest frame, heights are "
+           "interpolated "
+           "between frames. Differences may come from that alone; runs with the same --from and --step have none.";
+}
+
 std::string alignment_sentence(const RunComparison& runs) {
     const auto& instants = runs.aligned.instants;
     double sum_m = 0, greatest_m = 0;
@@ -49,12 +81,13 @@ std::string alignment_sentence(const RunComparison& runs) {
         greatest_m = std::max(greatest_m, instant.distance_m);
         ++known;
     }
-    std::string text =
-        runs.aligned.words + ". B has a counterpart to " + part_of(instants.size(), runs.a.frames.size()) + " frames of A";
+    std::string text = runs.aligned.words + ". " + thinned_sentence(runs) + "B has a counterpart to " +
+                       part_of(instants.size(), runs.aligned.searched) + " frames of A";
+    if (runs.aligned.stride_a > 1) text += " that were looked at";
     if (known > 0 && greatest_m >= 1)
         text += "; both places are " + distance_words(sum_m / static_cast<double>(known)) + " apart in the mean and " +
                 distance_words(greatest_m) + " at most";
-    return text + ".";
+    return text + "." + pairing_sentence(runs);
 }
 
 /// Rounded values that are equal are no difference that is worth a sentence.
@@ -76,12 +109,14 @@ std::string ground_sentence(const RunComparison& runs) {
     if (one == nullptr || !std::isfinite(one->least_a) || !std::isfinite(one->least_b)) return {};
     const double closer_m = one->least_a - one->least_b;
     if (std::abs(closer_m) < 1)
-        return is_told(*one, 1) ? "In flight both came equally close to the ground, to " + in_feet(one->least_a) + " above it."
+        return is_told(*one, 1) ? "Of the instants compared, both came equally close to the ground in flight, to " +
+                                      in_feet(one->least_a) + " above it."
                                 : std::string();
     const bool is_b = closer_m > 0;
-    return std::string(is_b ? "B" : "A") + " came " + in_feet(std::abs(closer_m)) + " closer to the ground in flight: A to " +
-           in_feet(one->least_a) + " above it at " + frame_time_words(runs.a, runs.frame_a(one->least_a_at).time_s) + ", B to " +
-           in_feet(one->least_b) + " at " + frame_time_words(runs.b, runs.frame_b(one->least_b_at).time_s) + ".";
+    return std::string("Of the instants compared, ") + (is_b ? "B" : "A") + " came " + in_feet(std::abs(closer_m)) +
+           " closer to the ground in flight: A to " + in_feet(one->least_a) + " above it at " +
+           frame_time_words(runs.a, runs.frame_a(one->least_a_at).time_s) + ", B to " + in_feet(one->least_b) + " at " +
+           frame_time_words(runs.b, runs.frame_b(one->least_b_at).time_s) + ".";
 }
 
 std::string count_sentence(const RunComparison& runs, std::size_t quantity, const char* done, const char* what) {
@@ -137,21 +172,75 @@ std::string phase_sentence(const RunComparison& runs) {
            instant_words(runs, first) + ": " + runs.frame_a(first).phase + " in A, " + runs.frame_b(first).phase + " in B.";
 }
 
+std::string title_within(std::size_t quantity) {
+    std::string title = kQuantities[quantity].title;
+    title[0] = static_cast<char>(title[0] - 'A' + 'a');
+    return title;
+}
+
+void add_listed(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
+
+bool is_known_in_all(const RunComparison& runs, const QuantityDifference& one) {
+    return one.count == runs.aligned.instants.size();
+}
+
+bool has_all_phases(const RunComparison& runs) {
+    for (std::size_t n = 0; n < runs.aligned.instants.size(); ++n)
+        if (!knows_phase(runs.frame_a(n)) || !knows_phase(runs.frame_b(n))) return false;
+    return true;
+}
+
 std::string equal_sentence(const RunComparison& runs) {
     std::string equal;
-    const auto add = [&](const std::string& name) { equal += (equal.empty() ? "" : ", ") + name; };
-    for (const QuantityDifference& one : runs.quantities) {
-        std::string title = kQuantities[one.quantity].title;
-        title[0] = static_cast<char>(title[0] - 'A' + 'a');
-        if (one.greatest == 0) add(title);
-    }
-    if (runs.other_phase == 0) add("flight phase");
+    for (const QuantityDifference& one : runs.quantities)
+        if (one.greatest == 0 && is_known_in_all(runs, one)) add_listed(equal, title_within(one.quantity));
+    if (runs.other_phase == 0 && has_all_phases(runs)) add_listed(equal, "flight phase");
     return equal.empty() ? equal : "Equal in all instants: " + equal + ".";
+}
+
+std::string equal_where_known_sentence(const RunComparison& runs) {
+    std::string equal;
+    for (const QuantityDifference& one : runs.quantities)
+        if (one.greatest == 0 && !is_known_in_all(runs, one))
+            add_listed(equal, title_within(one.quantity) + " (" + part_of(one.count, runs.aligned.instants.size()) + ")");
+    return equal.empty() ? equal : "Equal where both know it, in instants: " + equal + ".";
+}
+
+std::string known_by_one_sentence(const RunComparison& runs) {
+    std::string alone;
+    for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity)
+        if (const std::size_t count = runs.known_by_one[quantity]; count > 0)
+            add_listed(alone, title_within(quantity) + " (" + part_of(count, runs.aligned.instants.size()) + ")");
+    return alone.empty() ? alone : "Known in one run alone, in instants: " + alone + ".";
 }
 
 std::string picture_sentence(const RunComparison& runs) {
     if (runs.equal_pictures == 0) return {};
-    return "The pictures are equal in " + part_of(runs.equal_pictures, runs.aligned.instants.size()) + " instants.";
+    const bool are_all_known = runs.known_pictures == runs.aligned.instants.size();
+    return "The pictures are equal in " + part_of(runs.equal_pictures, runs.known_pictures) + " instants" +
+           (are_all_known ? "." : " in which both records have their hash.");
+}
+
+std::string nothing_differs_sentence(const RunComparison& runs) {
+    const std::size_t instants = runs.aligned.instants.size();
+    const bool is_pictured = runs.known_pictures == instants, has_phases = has_all_phases(runs);
+    std::string text = std::string("Nothing differs") + (is_pictured && has_phases ? ": " : " in what is known: ") +
+                       (is_pictured ? "pictures, " : "") + (has_phases ? "phases, " : "") +
+                       "alerts, effects and all numbers that are not measured times are equal in " + counted(instants, "instant");
+    if (is_pictured) return text + ".";
+    return text + ", and the pictures " +
+           (runs.known_pictures == 0 ? "of none are known."
+                                     : "in the " + std::to_string(runs.known_pictures) + " that have them.");
+}
+
+/// Empty where all records have the hashes of their pictures.
+std::string unknown_pictures_warning(const ComparedRun& run) {
+    const auto known = static_cast<std::size_t>(std::count_if(run.frames.begin(), run.frames.end(), knows_picture));
+    if (known == run.frames.size()) return {};
+    return run.folder + " has no hash of the picture in " + part_of(run.frames.size() - known, run.frames.size()) +
+           " records, as with --frames none, so that it is not known whether these pictures are equal; replay it with --frames "
+           "hash "
+           "or png";
 }
 
 std::string settings_words(const RunComparison& runs) {
@@ -200,13 +289,15 @@ std::vector<std::string> run_introductions(const RunComparison& runs) {
 }
 
 std::vector<std::string> difference_sentences(const RunComparison& runs) {
-    if (runs.is_equal())
-        return {"Nothing differs: pictures, phases, alerts, effects and all numbers are equal in " +
-                counted(runs.aligned.instants.size(), "instant") + "."};
     std::vector<std::string> sentences;
     const auto tell = [&](const std::string& sentence) {
         if (!sentence.empty()) sentences.push_back(sentence);
     };
+    if (runs.is_equal()) {
+        tell(nothing_differs_sentence(runs));
+        tell(time_sentence(runs));
+        return sentences;
+    }
     tell(ground_sentence(runs));
     tell(higher_sentence(runs));
     tell(alert_sentence("terrain", runs.terrain_a, runs.terrain_b));
@@ -219,6 +310,8 @@ std::vector<std::string> difference_sentences(const RunComparison& runs) {
     tell(time_sentence(runs));
     tell(picture_sentence(runs));
     tell(equal_sentence(runs));
+    tell(equal_where_known_sentence(runs));
+    tell(known_by_one_sentence(runs));
     return sentences;
 }
 
@@ -228,9 +321,11 @@ std::vector<std::string> comparison_warnings(const RunComparison& runs) {
     if (is_unlike(runs.a.size, runs.b.size))
         sentences.push_back("the pictures of " + runs.a.folder + " are " + runs.a.size + " and those of " + runs.b.folder + " " +
                             runs.b.size + "; labels, data and times are counted in pictures of different size");
-    for (const ComparedRun* run : {&runs.a, &runs.b})
+    for (const ComparedRun* run : {&runs.a, &runs.b}) {
+        if (const std::string warning = unknown_pictures_warning(*run); !warning.empty()) sentences.push_back(warning);
         if (!has_pictures(*run))
             sentences.push_back(run->folder + " has no pictures, so that none stand side by side; replay it with --frames png");
+    }
     return sentences;
 }
 

@@ -15,7 +15,7 @@ double median_of(std::vector<double> values) {
 /// On the runway everything is close to the ground.
 bool counts_for_least(const ComparedFrame& frame, std::size_t quantity) {
     if (quantity != kHeightAboveTerrain && quantity != kClearance) return true;
-    return frame.phase != "ground" && frame.phase != "takeoff.start" && frame.phase != "approach.landing";
+    return knows_phase(frame) && frame.phase != "ground" && frame.phase != "takeoff.start" && frame.phase != "approach.landing";
 }
 
 void take_least(double value, std::size_t instant, bool counts, double& least, std::size_t& least_at) {
@@ -75,11 +75,20 @@ void count_states(RunComparison& runs) {
         ++runs.terrain_b[static_cast<std::size_t>(b.terrain_alert)];
         ++runs.obstacles_a[static_cast<std::size_t>(a.obstacle_alert)];
         ++runs.obstacles_b[static_cast<std::size_t>(b.obstacle_alert)];
-        runs.equal_pictures += a.hash == b.hash ? 1 : 0;
+        const bool is_known = knows_picture(a) && knows_picture(b);
+        runs.known_pictures += is_known ? 1 : 0;
+        runs.equal_pictures += is_known && a.hash == b.hash ? 1 : 0;
         if (a.phase == b.phase) continue;
         if (!runs.first_other_phase) runs.first_other_phase = n;
         ++runs.other_phase;
     }
+}
+
+void count_known_by_one(RunComparison& runs) {
+    for (std::size_t n = 0; n < runs.aligned.instants.size(); ++n)
+        for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity)
+            if (std::isfinite(runs.value_a(n, quantity)) != std::isfinite(runs.value_b(n, quantity)))
+                ++runs.known_by_one[quantity];
 }
 
 void list_settings(RunComparison& runs) {
@@ -105,13 +114,18 @@ const QuantityDifference* RunComparison::find(std::size_t quantity) const {
     return nullptr;
 }
 
+bool RunComparison::has_equal(std::size_t quantity) const {
+    const QuantityDifference* const one = find(quantity);
+    return known_by_one[quantity] == 0 && (one == nullptr || one->greatest == 0);
+}
+
 bool RunComparison::is_equal() const {
-    const auto has_values_equal = [](const QuantityDifference& one) { return one.greatest == 0; };
     const auto is_drawn_alike = [&](std::size_t n) { return frame_a(n).effects == frame_b(n).effects; };
     for (std::size_t n = 0; n < aligned.instants.size(); ++n)
         if (!is_drawn_alike(n)) return false;
-    return std::all_of(quantities.begin(), quantities.end(), has_values_equal) && terrain_a == terrain_b &&
-           obstacles_a == obstacles_b && other_phase == 0 && equal_pictures == aligned.instants.size();
+    for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity)
+        if (quantity != kFrameTime && !has_equal(quantity)) return false;
+    return terrain_a == terrain_b && obstacles_a == obstacles_b && other_phase == 0 && equal_pictures == known_pictures;
 }
 
 RunComparison compared_runs(ComparedRun a, ComparedRun b, const AlignmentRequest& request) {
@@ -121,6 +135,7 @@ RunComparison compared_runs(ComparedRun a, ComparedRun b, const AlignmentRequest
     runs.aligned = aligned(runs.a, runs.b, request);
     for (std::size_t quantity = 0; quantity < kQuantityCount; ++quantity)
         if (const auto difference = difference_of(runs, quantity)) runs.quantities.push_back(*difference);
+    count_known_by_one(runs);
     count_effects(runs);
     count_states(runs);
     list_settings(runs);

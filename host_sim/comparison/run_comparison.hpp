@@ -18,7 +18,8 @@ struct QuantityDifference {
     std::size_t quantity = 0;  ///< index into kQuantities
     std::size_t count = 0;     ///< of such instants
     double mean_a = 0, mean_b = 0, median_a = 0, median_b = 0;
-    /// The smallest values, and their instants; of heights and distances in flight alone. NaN where there is none.
+    /// The smallest values, and their instants; of heights and distances in flight alone, by a known phase. NaN where there is
+    /// none.
     double least_a = std::numeric_limits<double>::quiet_NaN(), least_b = std::numeric_limits<double>::quiet_NaN();
     std::size_t least_a_at = 0, least_b_at = 0;
     double greatest = 0;          ///< B - A where that is largest without its sign
@@ -41,11 +42,14 @@ struct RunComparison {
     ComparedRun a, b;
     AlignedRuns aligned;
     std::vector<QuantityDifference> quantities;  ///< in the order of kQuantities
-    std::vector<EffectDifference> effects;       ///< that either run drew; those that differ most first
+    /// Instants in which one run alone knows the quantity, by the index into kQuantities.
+    std::array<std::size_t, kQuantityCount> known_by_one{};
+    std::vector<EffectDifference> effects;  ///< that either run drew; those that differ most first
     AlertLevels terrain_a{}, terrain_b{}, obstacles_a{}, obstacles_b{};
     std::size_t other_phase = 0;                   ///< instants of different flight phases
     std::optional<std::size_t> first_other_phase;  ///< the first of them
-    std::size_t equal_pictures = 0;                ///< instants whose pictures have equal pixels, by their hashes
+    std::size_t known_pictures = 0;                ///< instants in which both records have the hash of their picture
+    std::size_t equal_pictures = 0;                ///< of these, instants whose pictures have equal pixels, by their hashes
     /// What the runs differ in by their summaries: {"design", "default", "cruise"}.
     struct Setting {
         std::string name, a, b;
@@ -64,7 +68,10 @@ struct RunComparison {
         return value_at(b, aligned.instants[instant].b, quantity);
     }
     [[nodiscard]] const QuantityDifference* find(std::size_t quantity) const;
-    /// True where no instant has a difference in anything that is compared, pictures included.
+    /// True where its greatest difference is 0 and both know the quantity in the same instants.
+    [[nodiscard]] bool has_equal(std::size_t quantity) const;
+    /// True where no instant has a difference in anything that is compared. Times per frame are measured and do not count;
+    /// pictures count in the instants of `known_pictures`, which may be none.
     [[nodiscard]] bool is_equal() const;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/options/asked_weights.hpp"
+#include "host_sim/options/ghost_options.hpp"
 #include "render_core/design/symbology_palette.hpp"
 #include "render_core/design/view_effects.hpp"
 #include "render_core/effects/effect_planner.hpp"
@@ -28,6 +29,7 @@ struct PictureSize {
 struct PictureOptions {
     std::string terrain;  ///< .tdb; empty: no terrain
     std::string scene;    ///< .sdb; empty: no spatial data
+    ShownGhosts ghosts;   ///< of a replay, which makes them
     std::string design = "default";
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
@@ -50,6 +52,7 @@ struct PictureOptions {
     effects::EffectSet with, without;                     ///< effects added to the design (effects::with_effect), and removed
     effects::EffectSet forbidden;                         ///< effects treated as if the device file forbade them
     flight::LegendShow legend = flight::LegendShow::key;  ///< where neither switches nor bus ask for another
+    [[nodiscard]] const std::string& drawn_scene() const { return ghosts.scene.empty() ? scene : ghosts.scene; }
     bool symbology = true;  ///< without it only the legend and the map's own ship and scale are drawn over the terrain
 };
 

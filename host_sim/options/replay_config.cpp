@@ -62,6 +62,10 @@ public:
     void number(const char* key, const std::optional<double>& value) {
         if (value) text_ << key << " = " << std::showpoint << *value << '\n';
     }
+    void paths(const char* key, std::vector<std::string> values) {
+        for (std::string& value : values) value = absolute(value);
+        words(key, values);
+    }
     void words(const char* key, const std::vector<std::string>& values) {
         if (values.empty()) return;
         text_ << key << " = [";
@@ -114,6 +118,13 @@ void read_picture(base::ConfigSection section, PictureOptions& picture) {
     }
 }
 
+void read_ghosts(base::ConfigSection& root, ReplayOptions& options) {
+    std::array<std::string_view, kMaxGhosts> logs;
+    const std::size_t count = root.texts("ghosts", logs);
+    options.ghosts.assign(logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(std::min(count, logs.size())));
+    if (root.has("ghost_align")) root.choose("ghost_align", kGhostAlignNames, options.ghost_align);
+}
+
 }  // namespace
 
 std::string replay_config_text(const ReplayOptions& options) {
@@ -130,6 +141,8 @@ std::string replay_config_text(const ReplayOptions& options) {
     if (options.over_terrain) toml.truth("over_terrain");
     if (options.spread) toml.integer("spread", static_cast<std::uint32_t>(*options.spread));
     if (options.frames) toml.word("frames", kFrameNames[static_cast<std::size_t>(*options.frames)]);
+    toml.paths("ghosts", options.ghosts);
+    if (!options.ghosts.empty()) toml.word("ghost_align", name_of(options.ghost_align));
     if (options.accuracy.figures) toml.truth("show_accuracy");
     if (options.accuracy.error_map) toml.truth("error_map");
     const PictureOptions& picture = options.picture;
@@ -182,6 +195,7 @@ ReplayOptions load_replay_config(const std::string& path) {
     options.over_terrain = root.boolean("over_terrain", false);
     if (root.has("spread")) options.spread = static_cast<std::uint64_t>(root.integer("spread", 2, kMaxSpread));
     if (root.has("frames")) root.choose("frames", kFrameNames, options.frames.emplace());
+    read_ghosts(root, options);
     options.accuracy = {root.boolean("show_accuracy", false), root.boolean("error_map", false)};
     read_picture(root.section("picture"), options.picture);
     if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));

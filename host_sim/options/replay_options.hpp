@@ -28,6 +28,8 @@ struct ReplayOptions {
     std::string phase;  ///< holds for the whole run as if a switch stated it; kNoPhase: motion states none; empty: as recorded
     std::optional<flight::AircraftClass> aircraft_class;  ///< by which motion tells the phase; nothing: that of the aircraft file
     PictureOptions picture;
+    std::vector<std::string> ghosts;  ///< logs of other flights that are shown beside this one; at most kMaxGhosts
+    GhostAlign ghost_align = GhostAlign::time;
     AccuracyShown accuracy;               ///< in a window only at its start, and on the screen alone
     std::optional<double> from_s, to_s;   ///< seconds since the log's first frame
     std::optional<double> step_s;         ///< nothing: one frame of the device's rate; negative: backwards

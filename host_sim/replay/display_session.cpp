@@ -59,7 +59,7 @@ platform::DisplayHostSettings host_settings(const PictureOptions& options, const
     settings.display.legend = options.legend;
     settings.surface = headless_surface(options.gl);
     settings.terrain.path = options.terrain.c_str();
-    settings.scene.path = options.scene.c_str();
+    settings.scene.path = options.drawn_scene().c_str();
     return settings;
 }
 

@@ -54,14 +54,17 @@ IndexPolicy index_policy(const ReplayOptions& options) {
 }
 
 FlightPlayer::FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console, const IndexPolicy& policy)
-    : heights_(display.planner()), console_(console), policy_(policy) {
+    : FlightPlayer(files, {display.planner(), display.planner().terrain_database()}, console, policy) {}
+
+FlightPlayer::FlightPlayer(const PlayerFiles& files, const PlayedGround& ground, Console* console, const IndexPolicy& policy)
+    : heights_(ground.heights), console_(console), policy_(policy) {
     open_bus(files);
     open_log(files);
     open_switches(files);
     take_phases(files);
     bus_name_ = files.bus;
     key_.parts[IndexKey::program] = program_identity();
-    key_.parts[IndexKey::terrain] = terrain_identity(display.planner().terrain_database());
+    key_.parts[IndexKey::terrain] = terrain_identity(ground.terrain);
     const base::Time opened = wall_clock_now();
     const FileIdentity log = identify_log();
     key_.parts[IndexKey::log] = log.hash;

@@ -45,12 +45,20 @@ struct IndexPolicy {
 /// As the options ask for it.
 [[nodiscard]] IndexPolicy index_policy(const ReplayOptions& options);
 
+/// What a flight is played over.
+struct PlayedGround {
+    flight::TerrainHeights& heights;
+    const terrain::TerrainDatabase* terrain = nullptr;  ///< null: none
+};
+
 class FlightPlayer final : private bus::FrameListener {
 public:
     /// Shows progress and says on the console why an index is made anew or cannot be kept; null: in silence.
     /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log; Interrupted.
     FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console = nullptr,
                  const IndexPolicy& policy = IndexPolicy());
+    /// The same without a display.
+    FlightPlayer(const PlayerFiles& files, const PlayedGround& ground, Console* console, const IndexPolicy& policy);
 
     /// Stamps of the first and last frame of the log.
     [[nodiscard]] base::Time first() const { return first_; }

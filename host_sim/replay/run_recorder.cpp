@@ -158,6 +158,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.terrain = options_.picture.terrain;
     s.scene = options_.picture.scene;
     s.log = options_.log;
+    s.ghosts = options_.picture.ghosts.flights;
     s.switches = options_.switches;
     if (video_ != nullptr && video_->pictures() > 0) s.video = options_.video;
     s.width = session_.width();

@@ -17,6 +17,9 @@
 namespace tedavis::host_sim {
 namespace {
 
+constexpr const char* kGhostTrackColor = "#8a2fc0";  // as in the pictures, but dark, over a light map
+constexpr std::size_t kMaxMapPlaces = 2000;          // more are no finer than its pixels
+
 std::string summary_table(const RunSummary& s) {
     std::string rows;
     const auto row = [&](const char* name, const std::string& value, bool bad = false) {
@@ -25,6 +28,8 @@ std::string summary_table(const RunSummary& s) {
             "<tr><th>" + std::string(name) + "</th><td" + (bad ? " class='bad'" : "") + ">" + escaped_html(value) + "</td></tr>";
     };
     row("log", s.log);
+    for (const ShownGhost& ghost : s.ghosts)
+        row("ghost", ghost.name + ": " + ghost.log + ", aligned by " + std::string(name_of(ghost.align)));
     row("terrain", s.terrain);
     row("switches", s.switches);
     row("scene", s.scene);
@@ -174,8 +179,17 @@ std::string map(const RunSummary& summary, const RunStory& story, const terrain:
         marks.push_back({base::degrees(place.latitude_rad), base::degrees(place.longitude_rad), number,
                          "closest to the ground, " + number + ": " + when_text(closest)});
     }
-    const std::string svg = track_map_svg(story, terrain, marks);
-    return svg.empty() ? svg : page_section("Track", svg);
+    std::vector<MapTrack> ghosts;
+    std::string beside;
+    for (const ShownGhost& ghost : summary.ghosts) {
+        ghosts.push_back({"ghost " + ghost.name, kGhostTrackColor, 2, {}});
+        const std::size_t stride = ghost.places.size() / kMaxMapPlaces + 1;
+        for (std::size_t n = 0; n < ghost.places.size(); n += stride)
+            ghosts.back().places.push_back({ghost.places[n].time_s, ghost.places[n].latitude_deg, ghost.places[n].longitude_deg});
+        beside += (beside.empty() ? "<p>Violet, without phases: " : ", ") + escaped_html(ghosts.back().name);
+    }
+    const std::string svg = track_map_svg(story, terrain, marks, ghosts);
+    return svg.empty() ? svg : page_section("Track", svg + (beside.empty() ? beside : beside + ".</p>\n"));
 }
 
 std::string memory_table(const base::BudgetTable& memory) {

@@ -54,6 +54,15 @@ Json terrain_alerts_json(const TerrainAlertCounts& alerts) {
             {"false_warnings", alerts.false_warnings}};
 }
 
+Json ghost_json(const ShownGhost& ghost) {
+    return {{"log", ghost.log},
+            {"name", ghost.name},
+            {"align", std::string(name_of(ghost.align))},
+            {"shift_s", ghost.shift_s ? Json(*ghost.shift_s) : Json()},
+            {"from_s", ghost.places.front().time_s},
+            {"to_s", ghost.places.back().time_s}};
+}
+
 }  // namespace
 
 FrameTimes frame_times(std::vector<double> total_ms) {
@@ -112,6 +121,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
                    {"traffic", traffic_json(summary.can.traffic)}};
     json["effects"] = Json::array();
     for (const EffectCount& effect : summary.effects) json["effects"].push_back(effect_count_json(effect));
+    for (const ShownGhost& ghost : summary.ghosts) json["ghosts"].push_back(ghost_json(ghost));
     if (summary.has_accuracy_overlay) json["accuracy_overlay"] = true;
     json["interrupted"] = summary.interrupted;
     json["warnings"] = findings_json(summary.warnings);

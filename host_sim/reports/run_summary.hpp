@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bus/state/traffic_table.hpp"
+#include "host_sim/options/ghost_options.hpp"
 #include "host_sim/reports/alert_tally.hpp"
 #include "host_sim/reports/closest_json.hpp"
 #include "host_sim/reports/deadline_tally.hpp"
@@ -39,6 +40,7 @@ struct RunSummary {
     std::string gl;     ///< surface and the driver's own name
     CanCounts can;
     std::vector<EffectCount> effects;   ///< that frames of the run asked for
+    std::vector<ShownGhost> ghosts;     ///< other flights that its pictures show
     bool has_accuracy_overlay = false;  ///< its pictures show how accurate they are
     bool interrupted = false;
     std::vector<std::string> notes;  ///< what the reader should know: broken lines, synthetic data

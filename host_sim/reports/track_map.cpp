@@ -194,9 +194,21 @@ std::string track_ends(const Map& map, const std::vector<const MapTrack*>& track
     return svg;
 }
 
+/// Those of two places or more, which the extent then includes.
+std::vector<const MapTrack*> drawable(const std::vector<MapTrack>& tracks, GeoExtent& extent) {
+    std::vector<const MapTrack*> drawn;
+    for (const MapTrack& track : tracks) {
+        if (track.places.size() < 2) continue;
+        drawn.push_back(&track);
+        for (const MapTrack::Place& place : track.places) extent.include(place.latitude_deg, place.longitude_deg);
+    }
+    return drawn;
+}
+
 }  // namespace
 
-std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain, const std::vector<MapMark>& marks) {
+std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain, const std::vector<MapMark>& marks,
+                          const std::vector<MapTrack>& beside) {
     std::vector<Sample> track;
     GeoExtent extent;
     for (const Sample& sample : story.samples()) {
@@ -205,9 +217,12 @@ std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase*
         extent.include(sample.latitude_deg, sample.longitude_deg);
     }
     if (track.size() < 2) return {};
+    const std::vector<const MapTrack*> others = drawable(beside, extent);
     const Map map = map_of(extent);
     std::string svg = map_begin(map, terrain, "The track on a map, north up");
+    for (const MapTrack* const other : others) svg += one_track(map, *other);
     svg += track_lines(map, story, track, longest_step_s(track)) + scale_bar(map) + corners(map);
+    svg += track_ends(map, others, true) + track_ends(map, others, false);
     const auto end = [&](const Sample& sample, const char* fill, const char* label) {
         return dot(map, sample.latitude_deg, sample.longitude_deg, fill, label,
                    std::string(label) + ", " + decimal(sample.time_s, 0) + " s");
@@ -217,13 +232,8 @@ std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase*
 
 std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::TerrainDatabase* terrain,
                            const std::vector<MapMark>& marks) {
-    std::vector<const MapTrack*> drawn;
     GeoExtent extent;
-    for (const MapTrack& track : tracks) {
-        if (track.places.size() < 2) continue;
-        drawn.push_back(&track);
-        for (const MapTrack::Place& place : track.places) extent.include(place.latitude_deg, place.longitude_deg);
-    }
+    const std::vector<const MapTrack*> drawn = drawable(tracks, extent);
     if (drawn.empty()) return {};
     const Map map = map_of(extent);
     std::string svg = map_begin(map, terrain, "The tracks on a map, north up");

@@ -27,9 +27,10 @@ struct MapTrack {
     std::vector<Place> places;  ///< in the order of time
 };
 
-/// Of the samples with a valid position; empty where there are fewer than two. `terrain`: null where the run had none.
+/// Of the samples with a valid position; empty where there are fewer than two. `terrain`: null where the run had none. `beside`:
+/// other flights' tracks, below that of the run; those of less than two places are left out.
 [[nodiscard]] std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain,
-                                        const std::vector<MapMark>& marks = {});
+                                        const std::vector<MapMark>& marks = {}, const std::vector<MapTrack>& beside = {});
 /// Tracks of less than two places are left out; empty where none is left. A later one is drawn over an earlier one.
 [[nodiscard]] std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::TerrainDatabase* terrain,
                                          const std::vector<MapMark>& marks = {});

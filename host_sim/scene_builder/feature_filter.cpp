@@ -9,6 +9,7 @@ scene::LayerShape shape_of(scene::LayerRole role, const std::vector<SourceFeatur
     switch (role) {
         case scene::LayerRole::trajectory:
         case scene::LayerRole::traffic:
+        case scene::LayerRole::ghost:
         case scene::LayerRole::road:
         case scene::LayerRole::river:
         case scene::LayerRole::runway: return scene::LayerShape::lines;

@@ -60,7 +60,8 @@ bool is_raster(const std::string& path) {
 SourceKind source_kind(const std::string& path, scene::LayerRole role) {
     require_regular_file(path);
     const std::string text = beginning_of(path);
-    const bool may_be_flight = role == scene::LayerRole::trajectory || role == scene::LayerRole::traffic;
+    using scene::LayerRole;
+    const bool may_be_flight = role == LayerRole::trajectory || role == LayerRole::traffic || role == LayerRole::ghost;
     if (may_be_flight && (is_packed(text) || (is_text(text) && !is_geojson(text)))) return SourceKind::flight;
     if (is_text(text) && is_openair(text)) return SourceKind::openair;
     if (is_text(text) && is_runway_table(text)) return SourceKind::runways;

@@ -55,13 +55,14 @@ enum class LayerRole : std::uint8_t {
     land_cover,
     building,
     model,
+    ghost,  ///< another flight beside this one, for comparison; it is neither traffic nor a plan
     count,
 };
 
 /// Names in scene files, records and reports.
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(LayerRole::count)> kLayerRoleNames = {
-    "field",      "wind",   "sample", "trajectory", "traffic", "obstacle",   "no_go",    "airspace",
-    "storm_cell", "runway", "place",  "road",       "river",   "land_cover", "building", "model"};
+    "field",  "wind",  "sample", "trajectory", "traffic",    "obstacle", "no_go", "airspace", "storm_cell",
+    "runway", "place", "road",   "river",      "land_cover", "building", "model", "ghost"};
 [[nodiscard]] constexpr std::string_view name_of(LayerRole role) { return kLayerRoleNames[static_cast<std::size_t>(role)]; }
 
 /// The datum of heights.

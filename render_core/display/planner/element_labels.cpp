@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render_core/draw/data/billboard_place.hpp"
+#include "render_core/draw/data/ghost_signs.hpp"
 #include "render_core/draw/data/layer_foci.hpp"
 #include "render_core/flight/decision_interval.hpp"
 
@@ -28,7 +29,8 @@ draw::Rect room_of(const Label& label, const draw::BillboardShape& shape) {
 
 bool has_labels(const design::DataElement& element, const scene::Layer& layer) {
     return element.technique == design::DataTechnique::billboard && element.own == design::OwnData::none &&
-           layer.entry->role != scene::LayerRole::traffic && layer.entry->shape != scene::LayerShape::grid;
+           layer.entry->role != scene::LayerRole::traffic && !draw::shows_ghosts(layer) &&
+           layer.entry->shape != scene::LayerShape::grid;
 }
 
 bool is_meant(const design::DataElement& element, const scene::Layer& layer) {

@@ -3,6 +3,7 @@
 
 #include "render_core/display/planner/element_planner.hpp"
 #include "render_core/draw/data/diagrams.hpp"
+#include "render_core/draw/data/ghost_signs.hpp"
 #include "render_core/draw/data/motion_times.hpp"
 #include "render_core/draw/data/traffic_signs.hpp"
 #include "render_core/draw/data/wind_barbs.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::ElementInput& input) {
     if (input.element.technique == design::DataTechnique::diagram) return draw::add_diagrams(sheet, input);
+    if (draw::shows_ghosts(input.layer)) return draw::add_ghost_signs(sheet, input);
     return draw::add_traffic_signs(sheet, input);
 }
 

@@ -236,6 +236,7 @@ private:
         const design::DataElement& element = *report.element;
         const LayerRole role = report.layer->entry->role;
         if (role == LayerRole::traffic) add_traffic(element);
+        if (role == LayerRole::ghost) add_icon("GHOST FLIGHT", SampleLook::icon, draw::Icon::ghost, element.color);
         add_rim(report);
         add_margin(report, "POS", element.color);
         if (role == LayerRole::obstacle) add_obstacles(report);

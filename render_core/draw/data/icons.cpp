@@ -44,6 +44,9 @@ constexpr Stroke kDiamond[] = {{0, -0.9f, 0.9f, 0}, {0.9f, 0, 0, 0.9f}, {0, 0.9f
 constexpr Stroke kSample[] = {{0, 0.5f, 0, 1}, {-0.3f, 1, 0.3f, 1}};
 constexpr Stroke kStorm[] = {{0.3f, -1, -0.4f, 0.1f}, {-0.4f, 0.1f, 0.3f, -0.05f}, {0.3f, -0.05f, -0.3f, 1}};
 constexpr Stroke kNoGo[] = {{-0.6f, 0.6f, 0.6f, -0.6f}};
+/// An aeroplane from above: fuselage, wings, tail.
+constexpr Stroke kGhost[] = {
+    {0, -1, 0, 0.8f}, {-1, 0.2f, 0, -0.3f}, {0, -0.3f, 1, 0.2f}, {-0.45f, 0.95f, 0, 0.7f}, {0, 0.7f, 0.45f, 0.95f}};
 constexpr Stroke kModel[] = {{-0.7f, 0.9f, 0.7f, 0.9f},
                              {-0.7f, 0.9f, -0.7f, -0.1f},
                              {0.7f, 0.9f, 0.7f, -0.1f},
@@ -52,8 +55,8 @@ constexpr Stroke kModel[] = {{-0.7f, 0.9f, 0.7f, 0.9f},
 
 constexpr std::size_t kIcons = static_cast<std::size_t>(Icon::count);
 constexpr std::array<std::string_view, kIcons> kNames = {
-    "generic", "obstacle", "mast",    "turbine", "chimney", "crane", "pole",  "cable", "place",        "village",
-    "town",    "summit",   "airport", "traffic", "sample",  "storm", "no_go", "model", "near_traffic", "high_obstacle"};
+    "generic", "obstacle", "mast",    "turbine", "chimney", "crane", "pole",  "cable",        "place",         "village", "town",
+    "summit",  "airport",  "traffic", "sample",  "storm",   "no_go", "model", "near_traffic", "high_obstacle", "ghost"};
 
 Shape shape_of(Icon icon) {
     constexpr float kWhole = 0.9f, kPlace = 0.7f, kVillage = 0.5f, kBalloon = 0.5f, kField = 0.65f;
@@ -76,6 +79,7 @@ Shape shape_of(Icon icon) {
         case Icon::model: return {kModel};
         case Icon::high_obstacle: return {kHighObstacle};
         case Icon::near_traffic: return {kDiamond, 0, true};
+        case Icon::ghost: return {kGhost};
         default: return {kDiamond};
     }
 }
@@ -91,6 +95,7 @@ Icon icon_of(scene::LayerRole role, scene::LayerShape shape) {
         case scene::LayerRole::no_go: return Icon::no_go;
         case scene::LayerRole::building:
         case scene::LayerRole::model: return Icon::model;
+        case scene::LayerRole::ghost: return Icon::ghost;
         default: return Icon::generic;
     }
 }
@@ -109,9 +114,22 @@ Point on_circle(Point middle, float radius_px, float turn) {
     return {middle.x + radius_px * std::cos(angle), middle.y + radius_px * std::sin(angle)};
 }
 
-bool draw_shape(QuadBatch& batch, const Shape& shape, Point middle, float half_px, float width_px, design::Color color) {
+Stroke turned(const Stroke& stroke, float turn_rad) {
+    const float along = std::cos(turn_rad), across = std::sin(turn_rad);
+    return {along * stroke.x0 - across * stroke.y0, across * stroke.x0 + along * stroke.y0,
+            along * stroke.x1 - across * stroke.y1, across * stroke.x1 + along * stroke.y1};
+}
+
+struct IconLook {
+    float half_px, width_px, turn_rad;
+    design::Color color;
+};
+
+bool draw_shape(QuadBatch& batch, const Shape& shape, Point middle, const IconLook& look) {
+    const auto [half_px, width_px, turn_rad, color] = look;
     bool fits = true;
-    for (const Stroke& stroke : shape.strokes) {
+    for (const Stroke& upright : shape.strokes) {
+        const Stroke stroke = turn_rad == 0 ? upright : turned(upright, turn_rad);
         const float past = stroke.x0 == stroke.x1 && stroke.y0 == stroke.y1 ? width_px : 0;  // dots have a length
         fits = batch.line({middle.x + half_px * stroke.x0 - past, middle.y + half_px * stroke.y0},
                           {middle.x + half_px * stroke.x1 + past, middle.y + half_px * stroke.y1},
@@ -151,12 +169,12 @@ Icon icon_by_height(Icon icon, double height_m) {
     }
 }
 
-bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color) {
+bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color, float turn_rad) {
     const Shape shape = shape_of(icon);
     const float width_px = std::max(kMinIconStroke_px, kIconStroke * half_px);
     const design::Color rim{0, 0, 0, color.alpha};
-    const bool fits = draw_shape(batch, shape, middle, half_px, width_px + 2 * kIconRim_px, rim);
-    return draw_shape(batch, shape, middle, half_px, width_px, color) && fits;
+    const bool fits = draw_shape(batch, shape, middle, {half_px, width_px + 2 * kIconRim_px, turn_rad, rim});
+    return draw_shape(batch, shape, middle, {half_px, width_px, turn_rad, color}) && fits;
 }
 
 bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color, float share) {

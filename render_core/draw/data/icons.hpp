@@ -30,6 +30,7 @@ enum class Icon : std::uint8_t {
     model,
     near_traffic,
     high_obstacle,
+    ghost,
     count
 };
 
@@ -42,8 +43,9 @@ inline constexpr double kHighObstacle_m = 304.8;
 /// Returns that icon for an obstacle's, unless it is a turbine or a cable, whose kind says more.
 [[nodiscard]] Icon icon_by_height(Icon icon, double height_m);
 
-/// Draws an icon over a dark rim of the same opacity. `half_px` is from its middle to its edge.
-bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color);
+/// Draws an icon over a dark rim of the same opacity. `half_px` is from its middle to its edge; `turn_rad` turns its strokes
+/// about its middle, clockwise.
+bool draw_icon(QuadBatch& batch, Icon icon, Point middle, float half_px, design::Color color, float turn_rad = 0);
 /// Draws a dashed circle whose dashes cover `share` of it; the share stands for the certainty of a value.
 bool draw_dashed_rim(QuadBatch& batch, Point middle, float radius_px, design::Color color, float share);
 

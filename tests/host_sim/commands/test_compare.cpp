@@ -46,6 +46,7 @@ TEST_F(CompareCommand, WritesThePageAndItsJson) {
 TEST_F(CompareCommand, BadInputLeavesNothing) {
     expect_user_error([&] { (void)compare("out/page.html", false, "none"); }, "name a folder that replay wrote");
     expect_user_error([&] { (void)compare("a"); }, "name the page in it");
+    expect_user_error([&] { (void)compare("out/compare.json"); }, "name the page otherwise");
     place_.write("notes.html", "mine");
     expect_user_error([&] { (void)compare("notes.html"); }, "notes.html");
     place_.write("a/frames/000000.png", "damaged");

@@ -98,6 +98,49 @@ TEST(Replay, TheOverlayIsTheSameTwiceAndLeavesHashesAlone) {
     EXPECT_NE(pictures[0], without);
 }
 
+/// The own flight again, 5 s later: it is not there before.
+TEST(Replay, GhostsChangePicturesOnlyWhereTheyAre) {
+    ReplayOptions options = files().options("no_ghost");
+    options.picture.legend = flight::LegendShow::none;
+    const auto without = replayed(options);
+    options.output = files().folder.file("ghost");
+    options.ghosts = {files().folder.write("later.log", test_support::log_of(test_support::FlownLater(5)))};
+    const auto with = replayed(options);
+    ASSERT_EQ(with.size(), without.size());
+    for (const auto& [time_s, hash] : with)
+        if (time_s < 4.5) {
+            EXPECT_EQ(hash, without.at(time_s)) << time_s;
+        }
+    EXPECT_EQ(summary_of(options.output).at("ghosts").at(0).at("name"), "later");
+    EXPECT_EQ(summary_of(options.output).at("scene"), "") << "as it was named";
+    EXPECT_THAT(read_file(options.output + "/report.html"), HasSubstr(">ghost later begins<"));
+    // 3 s before the own ship it flies 180 m in front of it.
+    options.output = files().folder.file("ghost_in_front");
+    options.ghosts = {files().folder.write("earlier.log", test_support::log_of(test_support::FlownLater(-3)))};
+    std::size_t changed = 0;
+    for (const auto& [time_s, hash] : replayed(options)) changed += hash == without.at(time_s) ? 0 : 1;
+    EXPECT_GT(changed, 5u);
+}
+
+/// Right in front of the own ship, where any traffic would be an intruder.
+TEST(Replay, GhostsRaiseNoAlertAndNoFlag) {
+    ReplayOptions options = files().options("alerts_without");
+    replayed(options);
+    const auto without = frame_lines(options.output);
+    options.output = files().folder.file("alerts_with");
+    options.ghosts = {files().folder.write("close.log", test_support::log_of(test_support::FlownLater(-1)))};
+    replayed(options);
+    const auto with = frame_lines(options.output);
+    ASSERT_EQ(with.size(), without.size());
+    bool is_shown = false;
+    for (std::size_t n = 0; n < with.size(); ++n) {
+        for (const char* key : {"alerts", "flags", "own_ship", "phase", "signals"})
+            EXPECT_EQ(with[n].at(key), without[n].at(key)) << key;
+        is_shown = is_shown || (with[n].at("data").contains("ghost") && with[n].at("data").at("ghost").at("drawn") > 0);
+    }
+    EXPECT_TRUE(is_shown);
+}
+
 /// A flight that comes over the terrain after 15.6 s and leaves it after 65.6 s.
 ReplayOptions across(const std::string& output) {
     ReplayOptions options = files().options(output);

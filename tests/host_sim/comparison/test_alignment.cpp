@@ -141,5 +141,65 @@ TEST(Alignment, FlownQuantitiesAreInterpolatedAndOthersAreNot) {
     EXPECT_TRUE(std::isnan(value_at(run, 0.5, kCrowdedRegions)));
 }
 
+TEST(Alignment, ARunThatBeginsInTheClimbDoesNotShowItsTakeOff) {
+    ComparedRun climbing = made_run("a", 30);
+    for (std::size_t n = 0; n < 12; ++n) climbing.frames[n].phase = "takeoff.first_climb";
+    EXPECT_FALSE(takeoff_frame(climbing));
+    climbing.frames[0].phase = climbing.frames[1].phase = "unknown";
+    EXPECT_FALSE(takeoff_frame(climbing)) << "it climbs already when the phase is first known";
+    climbing.frames[2].phase = "takeoff.start";
+    EXPECT_EQ(takeoff_frame(climbing), 2u);
+    ComparedRun rolling = made_run("b", 30);
+    for (std::size_t n = 0; n < 5; ++n) rolling.frames[n].phase = "takeoff.start";
+    EXPECT_EQ(takeoff_frame(rolling), 0u);
+}
+
+/// The take-off after a landing is in the run, though the first one is not.
+TEST(Alignment, ALaterTakeOffIsShown) {
+    ComparedRun run = made_run("a", 30);
+    for (std::size_t n = 0; n < 30; ++n)
+        run.frames[n].phase = n < 5 ? "takeoff.first_climb" : n < 20 ? "approach.landing" : "takeoff.first_climb";
+    EXPECT_EQ(takeoff_frame(run), 20u);
+}
+
+TEST(Alignment, LogsAreTheSameByWhatTheyHold) {
+    ComparedRun a = made_run("out/day", 10), b = made_run("out/night", 10);
+    EXPECT_FALSE(is_same_flight(a, b));
+    a.log_content = b.log_content = std::make_pair(std::uint64_t{500}, std::uint64_t{7});
+    EXPECT_TRUE(is_same_flight(a, b)) << "of one recording flown twice";
+    EXPECT_EQ(aligned(a, b, {}).axis, "time of the log");
+    b.log_content->second = 8;
+    b.log = a.log;
+    EXPECT_FALSE(is_same_flight(a, b)) << "the folder was renamed, and another flight has its name";
+    a.log_content.reset();
+    EXPECT_TRUE(is_same_flight(a, b)) << "the path is all that is left";
+}
+
+TEST(Alignment, LogsThatAreGoneAreToldByTheirFramesAndTheirBegin) {
+    ComparedRun a = made_run("a", 10), b = made_run("b", 10, 2);
+    know_utc(a, 1000);
+    know_utc(b, 1000);
+    EXPECT_FALSE(is_same_flight(a, b)) << "the number of frames is not known";
+    a.can_frames = b.can_frames = 777;
+    EXPECT_TRUE(is_same_flight(a, b));
+    b.can_frames = 778;
+    EXPECT_FALSE(is_same_flight(a, b));
+    b.can_frames = 777;
+    know_utc(b, 1001);
+    EXPECT_FALSE(is_same_flight(a, b));
+}
+
+TEST(Alignment, TheFramesThatAreSkippedAreNotWithoutACounterpart) {
+    const ComparedRun a = made_run("a", 8000), b = made_run("b", 100);
+    const AlignedRuns runs = by(Alignment::place, a, b);
+    EXPECT_EQ(runs.stride_a, 3u);
+    EXPECT_EQ(runs.stride_b, 1u);
+    EXPECT_EQ(runs.searched, 2667u);
+    for (const AlignedInstant& instant : runs.instants) EXPECT_EQ(instant.a % 3, 0u);
+    const AlignedRuns all = by(Alignment::place, a, a);
+    EXPECT_EQ(all.instants.size(), all.searched);
+    EXPECT_EQ(by(Alignment::time, a, b).searched, 8000u);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_alignment

@@ -98,5 +98,41 @@ TEST(ComparedRun, TheUsualStepIsTheMedian) {
     EXPECT_EQ(median_step_s(made_run("b", 1)), 0);
 }
 
+TEST(ComparedRun, KnowsItsLogByWhatItHolds) {
+    const test_support::TemporaryFolder place;
+    const auto with_log_of = [&](const std::string& name, const std::string& log, const std::string& content) {
+        std::filesystem::create_directories(place.file(name));
+        place.write(name + "/frames.jsonl", "{\"frame\":0,\"hash\":\"0\",\"time_s\":0}\n");
+        place.write(name + "/summary.json", "{\"log\": \"" + log + "\", \"can\": {\"frames\": 12}}");
+        if (!content.empty()) place.write(name + "/flight.log", content);
+        return read_compared_run(place.file(name));
+    };
+    const std::string text(200'000, 'x');
+    const ComparedRun day = with_log_of("day", "out/day/flight.log", text);
+    ASSERT_TRUE(day.log_content.has_value()) << "the run was moved from out/day, with its log";
+    EXPECT_EQ(day.log_content->first, 200'000u);
+    EXPECT_EQ(day.can_frames, 12u);
+    EXPECT_EQ(with_log_of("night", place.file("night/flight.log"), text).log_content, day.log_content);
+    EXPECT_NE(with_log_of("begin", "flight.log", "y" + text.substr(1)).log_content, day.log_content);
+    EXPECT_NE(with_log_of("end", "flight.log", text.substr(1) + "y").log_content, day.log_content);
+    EXPECT_NE(with_log_of("size", "flight.log", text + "x").log_content, day.log_content);
+    EXPECT_EQ(with_log_of("elsewhere", place.file("day/flight.log"), "").log_content, day.log_content);
+    EXPECT_FALSE(with_log_of("gone", "out/gone/flight.log", "").log_content.has_value());
+    EXPECT_TRUE(with_log_of("short", "flight.log", "x").log_content.has_value());
+}
+
+TEST(ComparedRun, APictureOrPhaseMayBeUnknown) {
+    ComparedFrame frame = made_frame(0, 0, 0, 0);
+    EXPECT_TRUE(knows_picture(frame) && knows_phase(frame));
+    for (const char* hash : {"", "0", "0000000000000000"}) {
+        frame.hash = hash;
+        EXPECT_FALSE(knows_picture(frame)) << hash;
+    }
+    for (const char* phase : {"", "unknown"}) {
+        frame.phase = phase;
+        EXPECT_FALSE(knows_phase(frame)) << phase;
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_compared_run

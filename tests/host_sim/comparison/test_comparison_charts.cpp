@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
+
 #include "tests/host_sim/comparison/made_runs.hpp"
 
 namespace tedavis::host_sim::test_comparison_charts {
@@ -32,6 +34,34 @@ TEST(ComparisonCharts, ADifferenceHasACurveOfItsOwn) {
     EXPECT_EQ(charts_in(html), kQuantityCount);
     EXPECT_THAT(html, HasSubstr("B - A"));
     EXPECT_THAT(html, Not(HasSubstr("Labels placed, equal")));
+}
+
+std::size_t curves_begun_in(const std::string& svg) {
+    std::size_t count = 0;
+    for (std::size_t at = svg.find('M'); at < svg.size() - 1; at = svg.find('M', at + 1))
+        count += std::isdigit(static_cast<unsigned char>(svg[at + 1])) != 0 ? 1 : 0;
+    return count;
+}
+
+/// The curve of an aircraft that becomes much faster is whole; a time that is not shown breaks it.
+TEST(ComparisonCharts, GapsByPlaceAreThoseInTime) {
+    ComparedRun run = made_run("a", 40);
+    double north_m = 0;
+    for (std::size_t n = 0; n < 40; ++n) {
+        run.frames[n] = made_frame(n, static_cast<double>(n), north_m, 0);
+        north_m += n < 30 ? 1 : 60;
+    }
+    const AlignmentRequest by_place{Alignment::place, 3000};
+    const std::size_t whole = curves_begun_in(comparison_charts(compared_runs(run, run, by_place)));
+    EXPECT_EQ(whole, kQuantityCount - 1) << "though it is faster at the end";
+    for (std::size_t n = 20; n < 40; ++n) run.frames[n].time_s += 100;
+    EXPECT_EQ(curves_begun_in(comparison_charts(compared_runs(run, run, by_place))), 2 * whole);
+}
+
+TEST(ComparisonCharts, WhatOneRunAloneKnowsIsNotDrawnAsEqual) {
+    ComparedRun a = made_run("a", 20), b = a;
+    for (std::size_t n = 0; n < 8; ++n) b.frames[n].values[kAltitude] = kUnknown;
+    EXPECT_THAT(comparison_charts(compared_runs(a, b, {})), Not(HasSubstr("Altitude, equal in A and B")));
 }
 
 TEST(ComparisonStates, HaveARowForEachRunAndAlertsWhereThereAreAny) {

@@ -28,5 +28,22 @@ TEST(ComparisonJson, HasBothValuesOfEachInstant) {
     EXPECT_EQ(comparison_json(compared_runs(a, a, {}))["equal"], true);
 }
 
+TEST(ComparisonJson, SaysWhatIsNotKnownAndNotSearched) {
+    ComparedRun a = made_run("a", 8000), b = made_run("b", 10);
+    for (ComparedFrame& frame : b.frames) frame.hash = "0000000000000000";
+    for (ComparedFrame& frame : b.frames) frame.values[kAltitude] = kUnknown;
+    const RunComparison runs = compared_runs(a, b, {Alignment::place, 3000});
+    const auto json = comparison_json(runs);
+    EXPECT_EQ(json["alignment"]["stride_a"], 3);
+    EXPECT_EQ(json["alignment"]["stride_b"], 1);
+    EXPECT_EQ(json["alignment"]["searched"], 2667);
+    EXPECT_EQ(json["alignment"]["without_counterpart"], 2667 - runs.aligned.instants.size());
+    EXPECT_EQ(json["known_pictures"], 0);
+    EXPECT_EQ(json["equal_pictures"], 0);
+    EXPECT_EQ(json["known_by_one"]["altitude"], runs.aligned.instants.size());
+    EXPECT_EQ(json["instants"][0]["a"]["hash"], "5f");
+    EXPECT_TRUE(json["instants"][0]["b"]["hash"].is_null());
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_comparison_json

@@ -70,6 +70,16 @@ TEST_F(ComparisonPage, EveryElementIsClosed) {
     }
 }
 
+TEST_F(ComparisonPage, RowsSayOfHowManyInstantsTheyAre) {
+    for (std::size_t n = 0; n < 5; ++n) b_.frames[n].values[kAltitude] = kUnknown;
+    b_.log = a_.log;
+    const std::string html = page();
+    EXPECT_THAT(html, HasSubstr("Altitude (15 of 20 instants)"));
+    EXPECT_THAT(html, HasSubstr("equal where both know it"));
+    EXPECT_THAT(html, HasSubstr("equal everywhere")) << "the other quantities";
+    EXPECT_THAT(html, HasSubstr("Known in one run alone, in instants: altitude (5 of 20)"));
+}
+
 TEST_F(ComparisonPage, WithoutPicturesItSaysSo) {
     for (ComparedFrame& frame : b_.frames) frame.picture.clear();
     const std::string html = page();

@@ -8,11 +8,13 @@
 namespace tedavis::host_sim::test_comparison_words {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 RunComparison two_designs() {
     ComparedRun a = made_run("out/a", 10), b = with_log(made_run("out/b", 10), a.log);
@@ -86,6 +88,77 @@ TEST(ComparisonWords, AnInstantHasBothTimesWhereTheyDiffer) {
     ComparedRun a = made_run("a", 10), b = made_run("b", 10);
     b.frames[3].time_s = 3.2;
     EXPECT_EQ(instant_words(compared_runs(a, b, {Alignment::place, 3000}), 3), "A 3.0 s, B 3.2 s");
+}
+
+TEST(ComparisonWords, RunsWithoutHashesClaimNoEqualPictures) {
+    ComparedRun a = made_run("a", 10);
+    for (ComparedFrame& frame : a.frames) frame.hash = "0000000000000000";
+    const RunComparison alike = compared_runs(a, a, {});
+    EXPECT_THAT(difference_sentences(alike), ElementsAre(HasSubstr("the pictures of none are known")));
+    EXPECT_THAT(comparison_warnings(alike), Contains(HasSubstr("a has no hash of the picture in all 10 records")));
+    ComparedRun b = a;
+    b.frames[4].values[kAltitude] += 100;
+    for (const std::string& sentence : difference_sentences(compared_runs(a, b, {})))
+        EXPECT_THAT(sentence, Not(HasSubstr("picture")));
+    for (std::size_t n = 0; n < 4; ++n) a.frames[n].hash = b.frames[n].hash = "5f";
+    EXPECT_THAT(difference_sentences(compared_runs(a, b, {})),
+                Contains("The pictures are equal in all 4 instants in which both records have their hash."));
+    EXPECT_THAT(difference_sentences(compared_runs(a, a, {})), ElementsAre(HasSubstr("the pictures in the 4 that have them.")));
+}
+
+TEST(ComparisonWords, MeasuredTimesAreToldThoughNothingDiffers) {
+    const ComparedRun a = made_run("a", 10);
+    ComparedRun b = a;
+    for (ComparedFrame& frame : b.frames) frame.values[kFrameTime] = 40;
+    EXPECT_THAT(difference_sentences(compared_runs(a, b, {})),
+                ElementsAre(HasSubstr("Nothing differs"), HasSubstr("30.0 ms in A and 40.0 ms in B")));
+}
+
+TEST(ComparisonWords, EqualIsSaidOfTheInstantsThatKnowIt) {
+    ComparedRun a = made_run("a", 10), b = a;
+    for (std::size_t n = 0; n < 4; ++n) a.frames[n].values[kAltitude] = kUnknown;
+    b.frames[9].values[kLabelsPlaced] = 9;
+    const auto sentences = difference_sentences(compared_runs(a, b, {}));
+    EXPECT_THAT(sentences, Contains("Equal where both know it, in instants: altitude (6 of 10)."));
+    EXPECT_THAT(sentences, Contains("Known in one run alone, in instants: altitude (4 of 10)."));
+    EXPECT_THAT(sentences, Contains(StartsWith("Equal in all instants: height above terrain")));
+    EXPECT_THAT(sentences, Not(Contains(AllOf(StartsWith("Equal in all"), HasSubstr("altitude")))));
+}
+
+TEST(ComparisonWords, WithoutThePhaseNothingIsSaidOfTheGround) {
+    ComparedRun a = made_run("a", 10), b = a;
+    b.frames[0].values[kHeightAboveTerrain] = 0;
+    EXPECT_THAT(difference_sentences(compared_runs(a, b, {})), Contains(StartsWith("Of the instants compared, B came")));
+    for (ComparedRun* const run : {&a, &b})
+        for (ComparedFrame& frame : run->frames) frame.phase = "unknown";
+    EXPECT_THAT(difference_sentences(compared_runs(a, a, {})),
+                ElementsAre(StartsWith("Nothing differs in what is known: pictures, alerts, effects and")));
+    for (const std::string& sentence : difference_sentences(compared_runs(a, b, {}))) {
+        EXPECT_THAT(sentence, Not(HasSubstr("to the ground")));
+        EXPECT_THAT(sentence, Not(HasSubstr("flight phase")));
+    }
+}
+
+TEST(ComparisonWords, LongRunsSayHowManyFramesWereLookedAt) {
+    ComparedRun a = made_run("a", 8000), b = made_run("b", 100);
+    EXPECT_THAT(run_introductions(compared_runs(a, b, {Alignment::place, 3000}))[2],
+                HasSubstr("every 3rd frame of A and every frame of B was looked at. B has a counterpart to "));
+    EXPECT_THAT(run_introductions(compared_runs(a, b, {Alignment::place, 3000}))[2],
+                HasSubstr(" of 2667 frames of A that were looked at"));
+    EXPECT_THAT(run_introductions(compared_runs(b, b, {Alignment::place, 3000}))[2], Not(HasSubstr("looked at")));
+}
+
+TEST(ComparisonWords, FramesThatDoNotMeetAreSaid) {
+    const ComparedRun a = made_run("a", 10);
+    const auto words = [&a](double first_s) {
+        std::string all;
+        for (const std::string& one : run_introductions(compared_runs(a, with_log(made_run("b", 10, first_s), a.log), {})))
+            all += one;
+        return all;
+    };
+    EXPECT_THAT(words(0.4), HasSubstr("lie up to 0.4 s from these moments"));
+    EXPECT_THAT(words(-0.3), HasSubstr("lie up to 0.3 s from these moments"));
+    EXPECT_THAT(words(0), Not(HasSubstr("from these moments")));
 }
 
 }  // namespace

@@ -85,5 +85,56 @@ TEST(RunComparison, ListsTheSettingsThatDiffer) {
     EXPECT_EQ(runs.settings[0].b, "cruise");
 }
 
+/// As of runs with --frames none: their pictures are neither equal nor unequal.
+TEST(RunComparison, PicturesWithoutAHashAreNotCompared) {
+    for (const char* unknown : {"", "0000000000000000"}) {
+        ComparedRun a = made_run("a", 30), b = a;
+        for (std::size_t n = 0; n < 20; ++n) a.frames[n].hash = b.frames[n + 10].hash = unknown;
+        EXPECT_EQ(compared_runs(a, b, {}).known_pictures, 0u) << "each instant lacks one";
+        EXPECT_EQ(compared_runs(a, a, {}).known_pictures, 10u);
+        EXPECT_EQ(compared_runs(a, a, {}).equal_pictures, 10u);
+        EXPECT_EQ(compared_runs(a, b, {}).equal_pictures, 0u);
+        EXPECT_TRUE(compared_runs(a, b, {}).is_equal());
+        ComparedRun c = a;
+        c.frames[25].hash = "11";
+        EXPECT_FALSE(compared_runs(a, c, {}).is_equal()) << "the others still count";
+    }
+}
+
+TEST(RunComparison, MeasuredTimesAreNoDifference) {
+    const ComparedRun a = made_run("a", 30);
+    ComparedRun b = a;
+    for (ComparedFrame& frame : b.frames) frame.values[kFrameTime] += static_cast<double>(frame.frame);
+    b.frames[3].values[kFrameTime] = kUnknown;
+    const RunComparison runs = compared_runs(a, b, {});
+    EXPECT_EQ(runs.find(kFrameTime)->greatest, 29) << "it is told all the same";
+    EXPECT_TRUE(runs.is_equal());
+}
+
+TEST(RunComparison, WhatOneRunAloneKnowsIsADifference) {
+    ComparedRun a = made_run("a", 30), b = a;
+    for (std::size_t n = 0; n < 12; ++n) b.frames[n].values[kAltitude] = kUnknown;
+    const RunComparison runs = compared_runs(a, b, {});
+    EXPECT_EQ(runs.known_by_one[kAltitude], 12u);
+    EXPECT_EQ(runs.find(kAltitude)->count, 18u);
+    EXPECT_FALSE(runs.is_equal());
+    EXPECT_TRUE(compared_runs(b, b, {}).is_equal()) << "what neither knows is none";
+    for (ComparedFrame& frame : b.frames) frame.values[kAltitude] = kUnknown;
+    EXPECT_EQ(compared_runs(a, b, {}).find(kAltitude), nullptr);
+    EXPECT_FALSE(compared_runs(a, b, {}).is_equal()) << "it is nowhere known to both";
+}
+
+/// An aircraft on the runway is not in flight, and without the phase none is known to be.
+TEST(RunComparison, TheClosestPointNeedsAPhase) {
+    ComparedRun a = made_run("a", 30);
+    a.frames[0].values[kHeightAboveTerrain] = 0;
+    for (const char* phase : {"unknown", "", "ground"}) {
+        a.frames[0].phase = phase;
+        EXPECT_EQ(compared_runs(a, a, {}).find(kHeightAboveTerrain)->least_a, 400) << phase;
+    }
+    for (ComparedFrame& frame : a.frames) frame.phase = "unknown";
+    EXPECT_TRUE(std::isnan(compared_runs(a, a, {}).find(kHeightAboveTerrain)->least_a));
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_run_comparison

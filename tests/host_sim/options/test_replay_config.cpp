@@ -76,8 +76,12 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     options.picture.costs = "/data/costs.toml";
     options.picture.foci = {R"(at = "place", place = "A \"B\"")", "radius_m = 700"};
     options.accuracy = {true, true};
+    options.ghosts = {"/logs/a.log", "/logs/b \"2\".log"};
+    options.ghost_align = GhostAlign::takeoff;
     const ReplayOptions loaded = round_trip(options);
     EXPECT_EQ(loaded.accuracy, options.accuracy);
+    EXPECT_EQ(loaded.ghosts, options.ghosts);
+    EXPECT_EQ(loaded.ghost_align, options.ghost_align);
     EXPECT_EQ(loaded.picture.legend, options.picture.legend);
     EXPECT_EQ(loaded.picture.deadline_ms, options.picture.deadline_ms);
     EXPECT_EQ(loaded.picture.costs, options.picture.costs);

@@ -114,6 +114,17 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                                             {"false_warnings", 1}}));
 }
 
+TEST(RunSummary, SaysWhichGhostsWereShown) {
+    RunSummary summary = full_summary();
+    EXPECT_FALSE(Json::parse(run_summary_json(summary, {})).contains("ghosts"));
+    summary.ghosts = {{"a.log", "a", GhostAlign::takeoff, -12.5, {{3, 46, 9}, {40, 46.1, 9}}},
+                      {"b.log", "b", GhostAlign::place, {}, {{0, 46, 9}, {7, 46.1, 9}}}};
+    const Json ghosts = Json::parse(run_summary_json(summary, {})).at("ghosts");
+    EXPECT_EQ(ghosts.at(0), Json::parse(R"({"log": "a.log", "name": "a", "align": "takeoff", "shift_s": -12.5, "from_s": 3,
+                                            "to_s": 40})"));
+    EXPECT_TRUE(ghosts.at(1).at("shift_s").is_null()) << "by place it varies";
+}
+
 TEST(RunSummary, TheStartsErrorIsSaidBesideTheWorst) {
     EXPECT_EQ(start_error_text(full_summary()), "; while its first chunks arrived, 431299.00 px");
     EXPECT_EQ(start_error_text({}), "");

@@ -101,5 +101,20 @@ TEST(TracksMap, GapsBreakTheLineAndShortTracksAreLeftOut) {
     EXPECT_EQ(tracks_map_svg({track}, nullptr), "");
 }
 
+TEST(TrackMap, OtherTracksLieBesideThatOfTheRun) {
+    const std::string alone = track_map_svg(flown(20, 99), nullptr);
+    const std::string beside = track_map_svg(flown(20, 99), nullptr, {}, {straight("ghost B", "#222222", 0.2)});
+    EXPECT_EQ(count_of(beside, "<polyline"), count_of(alone, "<polyline") + 2);
+    for (const char* part : {"stroke='#222222'", ">ghost B begins<", ">ghost B ends<", ">begin<", ">end<"})
+        EXPECT_THAT(beside, HasSubstr(part));
+    EXPECT_LT(beside.find("stroke='#222222'"), beside.find("stroke='#d98c1f'")) << "below that of the run";
+    const std::regex x(" ([0-9.]+),[0-9.]+ '/>");
+    for (std::sregex_iterator at(beside.begin(), beside.end(), x), end; at != end; ++at)
+        EXPECT_LE(std::stod((*at)[1].str()), 1000) << "the map has room for both";
+    MapTrack one = straight("B", "#222222", 0.2);
+    one.places.resize(1);
+    EXPECT_EQ(track_map_svg(flown(20, 99), nullptr, {}, {one}), alone);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_track_map

@@ -15,7 +15,8 @@ SourceFeature through(const std::vector<std::pair<double, double>>& places_deg) 
 }
 
 TEST(FeatureFilter, RolesAskForTheirShape) {
-    for (const LayerRole role : {LayerRole::trajectory, LayerRole::traffic, LayerRole::runway, LayerRole::road, LayerRole::river})
+    for (const LayerRole role :
+         {LayerRole::trajectory, LayerRole::traffic, LayerRole::ghost, LayerRole::runway, LayerRole::road, LayerRole::river})
         EXPECT_EQ(shape_of(role, {}), LayerShape::lines);
     for (const LayerRole role : {LayerRole::no_go, LayerRole::airspace, LayerRole::storm_cell, LayerRole::building})
         EXPECT_EQ(shape_of(role, {}), LayerShape::areas);

@@ -35,7 +35,7 @@ TEST(SourceKind, FlightsAreWhatTrajectoriesAndTrafficAsFor) {
     const test_support::TemporaryFolder folder;
     const std::string flight = folder.write("f.csv", "time,latitude_deg,longitude_deg\n0,46,9\n");
     const std::string line = folder.write("f.geojson", R"({"type":"LineString","coordinates":[[9,46],[10,47]]})");
-    for (const LayerRole role : {LayerRole::trajectory, LayerRole::traffic}) {
+    for (const LayerRole role : {LayerRole::trajectory, LayerRole::traffic, LayerRole::ghost}) {
         EXPECT_EQ(source_kind(flight, role), SourceKind::flight);
         EXPECT_EQ(source_kind(folder.write("f.json.gz", "\x1f\x8b\x08"), role), SourceKind::flight);
         EXPECT_EQ(source_kind(folder.write("f.gpx", "<gpx></gpx>"), role), SourceKind::flight);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "host_sim/flight_log/flight_log_writer.hpp"
@@ -22,7 +23,7 @@ public:
     base::Time end() const override { return begin() + base::Duration::seconds(8); }
     std::optional<host_sim::SignalSample> at(base::Time time) const override {
         using flight::Signal;
-        const double s = (time - begin()).to_seconds(), turned = -0.05 * s, speed = 60;
+        const double s = (time - FlownCircle::begin()).to_seconds(), turned = -0.05 * s, speed = 60;
         host_sim::SignalSample sample;
         sample[Signal::latitude] = base::radians(47.04) + speed / 0.05 * std::sin(-turned) / 6.37e6;
         sample[Signal::longitude] = base::radians(9.68) - speed / 0.05 * (1 - std::cos(turned)) / 4.34e6;
@@ -38,6 +39,24 @@ public:
         return sample;
     }
 };
+
+/// The same, so many seconds later, by its clock and its bus.
+class FlownLater final : public FlownCircle {
+public:
+    explicit FlownLater(std::int64_t seconds) : by_(base::Duration::seconds(seconds)) {}
+    base::Time begin() const override { return FlownCircle::begin() + by_; }
+    std::optional<host_sim::SignalSample> at(base::Time time) const override { return FlownCircle::at(time - by_); }
+
+private:
+    base::Duration by_;
+};
+
+/// The log of a flight.
+inline std::string log_of(const host_sim::FlightSource& flight) {
+    std::ostringstream log;
+    host_sim::write_flight_log(flight, {}, log, [](double) { return true; });
+    return log.str();
+}
 
 /// The same, five degrees farther south.
 class FlownAway final : public FlownCircle {

@@ -34,6 +34,22 @@ TEST(Icons, EveryOneStaysWithinItsSizeAndLooksLikeNoOther) {
     EXPECT_EQ(pictures.size(), static_cast<std::size_t>(Icon::count) - 1) << "traffic's sign is the generic diamond";
 }
 
+/// A quarter turn takes each point (x, y) from the middle to (-y, x); a whole one changes nothing.
+TEST(Icons, TurnAboutTheirMiddle) {
+    const auto bounds = [](float turn_rad) {
+        BillboardRoom room;
+        EXPECT_TRUE(draw_icon(room.batch, Icon::airport, {30, 30}, 12, {255, 255, 255}, turn_rad));
+        EXPECT_TRUE(draw_icon(room.batch, Icon::ghost, {30, 30}, 12, {255, 255, 255}, turn_rad));
+        return room.bounds();
+    };
+    const Rect upright = bounds(0), turned = bounds(static_cast<float>(base::kPi / 2)),
+               whole = bounds(static_cast<float>(2 * base::kPi));
+    EXPECT_NEAR(turned.right() - 30, 30 - upright.y, 0.01) << "its nose is to the right";
+    EXPECT_NEAR(turned.y, upright.x, 0.01);
+    EXPECT_NEAR(whole.y, upright.y, 0.01);
+    EXPECT_NE(turned.y, upright.y);
+}
+
 TEST(Icons, AreChosenByKindThenByRole) {
     host_sim::LayerDraft layer = test_support::small_points();
     EXPECT_EQ(icon_of(LoadedScene(layer).layer(), 0), Icon::mast);

@@ -1,0 +1,33 @@
+/// The places of a whole recorded flight, for what needs them before a display is opened.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/console.hpp"
+#include "host_sim/replay/flight_player.hpp"
+
+namespace tedavis::host_sim {
+
+/// A moment with a valid position.
+struct ScannedPlace {
+    base::Time time;  ///< of the log
+    double latitude_rad = 0, longitude_rad = 0;
+    double height_m = 0;     ///< above the ellipsoid
+    bool joins_next = true;  ///< false: no position was valid between it and the next one
+};
+
+struct ScannedFlight {
+    std::string log;
+    base::Time first, last;  ///< of the log
+    base::Duration ahead;    ///< UTC minus the log's time; 0 where the date is not known
+    bool is_dated = false;
+    std::vector<ScannedPlace> places;  ///< in the order of time
+};
+
+/// A place each second, or at most kMaxScannedPlaces of a long flight. Reads the log without terrain, twice. Throws UserError
+/// where it cannot be read, or its pressure heights need the geoid's grid and that is not installed; Interrupted.
+inline constexpr std::size_t kMaxScannedPlaces = 10'000;
+[[nodiscard]] ScannedFlight scan_flight(const PlayerFiles& files, Console& console);
+
+}  // namespace tedavis::host_sim

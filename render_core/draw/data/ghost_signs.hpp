@@ -1,0 +1,36 @@
+/// Draws other flights that are shown beside this one for comparison: layers of lines of the role `ghost`.
+///
+/// Each has an aeroplane at the place of the frame's time (between its points, in proportion of time), its name beside it, and
+/// its way as a thin line: whole for kGhostFlown_s behind it, and faint for kGhostComes_s before it. Seen from above the
+/// aeroplane flies where the way leads. `link` draws a line down to the ground. A ghost states nothing about the own flight: it
+/// has no relative height, no arrow, no age, and the color of its element. Before its first point, after its last one, and where
+/// its points have no times, it is hidden.
+///
+/// Terrain hides the line pixel by pixel, and the aeroplane where it is behind it. Signs that were placed before, those of
+/// traffic and of obstacles among them, are never covered by an aeroplane; a name without room is left out.
+///
+/// Pure, apart from queries to the ground. Bounded: kGhostLine_s divides the line.
+#pragma once
+
+#include "render_core/draw/data/billboard_sheet.hpp"
+#include "render_core/draw/data/element_input.hpp"
+
+namespace tedavis::draw {
+
+/// Of ghosts in a design that has no element for them: a color of nothing else that the shipped designs show.
+inline constexpr design::Color kGhostColor{0xE0, 0x8C, 0xFF};
+inline constexpr int kGhostFlown_s = 120, kGhostComes_s = 120, kGhostLine_s = 4;
+
+/// True for a layer whose features are ghosts.
+[[nodiscard]] bool shows_ghosts(const scene::Layer& layer);
+
+/// The place of a feature at a time, in the layer's datum.
+struct GhostPlace {
+    scene::ScenePoint point{};
+    bool is_known = false;  ///< false: it does not fly then
+};
+[[nodiscard]] GhostPlace ghost_place(const scene::Layer& layer, std::uint32_t feature, std::int64_t time_ns);
+
+[[nodiscard]] ElementCount add_ghost_signs(BillboardSheet& sheet, const ElementInput& input);
+
+}  // namespace tedavis::draw
