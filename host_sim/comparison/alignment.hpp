@@ -1,6 +1,7 @@
 /// Says which moment of one run belongs to which moment of another one.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@ struct AlignedInstant {
     double axis = 0;        ///< place on the horizontal axis of charts
     double distance_m = 0;  ///< between both places along the ground; NaN where one is not known
 
-    [[nodiscard]] std::size_t nearest_b() const { return static_cast<std::size_t>(b + 0.5); }
+    [[nodiscard]] std::size_t nearest_b() const { return static_cast<std::size_t>(std::lround(b)); }
 };
 
 struct AlignedRuns {
