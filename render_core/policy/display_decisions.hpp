@@ -95,7 +95,7 @@ struct DisplayDecisions {
     flight::Signal view_heading = flight::Signal::count_;
     /// Receiver that course and deviations come from; radio1 where the bus has never stated it.
     flight::NavigationSource navigation_source = flight::NavigationSource::none;
-    bool is_on_ground = false;                          ///< the height above ground is valid, and less than a landing gear's
+    bool is_on_ground = false;                          ///< by a valid height above ground, as exact as its source is
     MinimumsState radio_minimum = MinimumsState::none;  ///< by the radio height
     MinimumsState baro_minimum = MinimumsState::none;   ///< by the altimeter
     std::array<ElementDecision, kElementCount> elements{};
