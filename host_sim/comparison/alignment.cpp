@@ -281,7 +281,7 @@ AlignedRuns aligned(const ComparedRun& a, const ComparedRun& b, const AlignmentR
 double value_at(const ComparedRun& run, double position, std::size_t quantity) {
     const auto first = static_cast<std::size_t>(position);
     const double share = position - static_cast<double>(first);
-    if (!kQuantities[quantity].is_flown) return run.frames[static_cast<std::size_t>(position + 0.5)].values[quantity];
+    if (!kQuantities[quantity].is_flown) return run.frames[static_cast<std::size_t>(std::lround(position))].values[quantity];
     const double from = run.frames[first].values[quantity];
     if (share == 0) return from;
     const double to = run.frames[first + 1].values[quantity];

@@ -99,7 +99,7 @@ TEST(DataElement, LayersAreChosenByNameOrByRole) {
     EXPECT_EQ(by_role.elements[0].role, scene::LayerRole::storm_cell);
     EXPECT_TRUE(by_role.elements[0].layer.view().empty());
     EXPECT_NE(read("[[data.element]]\nlayer = \"a\"\nrole = \"place\"\n").fault.find("give one"), std::string::npos);
-    EXPECT_NE(read("[[data.element]]\nrole = \"ghost\"\n").fault, "");
+    EXPECT_NE(read("[[data.element]]\nrole = \"phantom\"\n").fault, "");
 }
 
 TEST(DataElement, DashedRimsAreForSigns) {
