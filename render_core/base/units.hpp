@@ -11,6 +11,7 @@ inline constexpr double kMetresPerFoot = 0.3048;          // exact, internationa
 inline constexpr double kMetresPerNauticalMile = 1852.0;  // exact
 inline constexpr double kMpsPerKnot = kMetresPerNauticalMile / 3600.0;
 inline constexpr double kMpsPerFootPerMinute = kMetresPerFoot / 60.0;
+inline constexpr double kMpsPerKilometreAnHour = 1.0 / 3.6;
 inline constexpr double kPascalsPerHectopascal = 100.0;
 inline constexpr double kStandardGravity = 9.80665;  // m/s^2, exact
 

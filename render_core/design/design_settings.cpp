@@ -165,8 +165,8 @@ void read_symbology(ConfigSection section, SymbologySettings& shown) {
     shown.air = section.boolean("air", shown.air);
     shown.phase = section.boolean("phase", shown.phase);
     shown.legend = section.boolean("legend", shown.legend);
-    static constexpr std::string_view kUnits[] = {"ft", "m"};
-    section.choose("legend_unit", kUnits, shown.legend_unit);
+    static constexpr std::string_view kUnits[] = {"ft_kt", "m_kmh"};
+    section.choose("units", kUnits, shown.units);
 }
 
 void refuse_grid_without_spacing(ConfigSection data, const DesignSettings& design) {

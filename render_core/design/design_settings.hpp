@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "render_core/base/config_reader.hpp"
+#include "render_core/base/display_units.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/base/units.hpp"
@@ -112,8 +113,6 @@ struct UnusualAttitudeLimits {
     double roll_rad = base::radians(60);
 };
 
-enum class HeightUnit : std::uint8_t { feet, metres };
-
 /// Symbols that the design shows; the failure policy decides whether they may be shown.
 struct SymbologySettings {
     bool attitude = true;
@@ -127,8 +126,8 @@ struct SymbologySettings {
     bool ground_height = true;
     bool air = true;  ///< wind and temperature measured on board
     bool phase = true;
-    bool legend = true;                         ///< legend of the terrain's colours
-    HeightUnit legend_unit = HeightUnit::feet;  ///< unit of heights in the legend
+    bool legend = true;                                             ///< legend of the terrain's colours
+    base::DisplayUnits units = base::DisplayUnits::feet_and_knots;  ///< of all that is written
 };
 
 struct DesignSettings {

@@ -25,17 +25,20 @@ HeightLimit limit_of(const Layer& layer, std::string_view attribute, std::string
                                                                         : HeightDatum::msl};
 }
 
-void append_limit(const HeightLimit& limit, bool is_standard, LimitsText& text) {
-    constexpr double kMax_ft = 999'999;
+/// A flight level is hundreds of feet, whatever the units are.
+void append_limit(const HeightLimit& limit, bool is_standard, base::DisplayUnits units, LimitsText& text) {
+    constexpr double kMax = 999'999;
     if (std::isnan(limit.m)) return text.append("?");
     const bool is_ground = limit.datum == HeightDatum::ground;
     if (is_ground && limit.m <= 0) return text.append("GND");
-    const auto feet = static_cast<int>(std::lround(std::clamp(limit.m / base::kMetresPerFoot, -kMax_ft, kMax_ft)));
+    const base::DisplayUnit unit = base::height_unit(is_standard ? base::DisplayUnits::feet_and_knots : units);
+    const auto height = static_cast<int>(std::lround(std::clamp(unit.of(limit.m), -kMax, kMax)));
+    const bool is_metric = units == base::DisplayUnits::metric;
     char number[24];
     if (is_standard)
-        std::snprintf(number, sizeof number, "FL%03d", (feet + 50) / 100);
+        std::snprintf(number, sizeof number, "FL%03d", (height + 50) / 100);
     else
-        std::snprintf(number, sizeof number, "%d %s", feet, is_ground ? "AGL" : "MSL");
+        std::snprintf(number, sizeof number, "%d%s %s", height, is_metric ? "M" : "", is_ground ? "AGL" : "MSL");
     text.append(number);
 }
 
@@ -48,13 +51,13 @@ AreaLimits area_limits(const Layer& layer, std::uint32_t feature) {
     return limits;
 }
 
-LimitsText limits_text(const Layer& layer, std::uint32_t feature) {
+LimitsText limits_text(const Layer& layer, std::uint32_t feature, base::DisplayUnits units) {
     const AreaLimits limits = area_limits(layer, feature);
     LimitsText text;
     if (std::isnan(limits.floor.m) && std::isnan(limits.ceiling.m)) return text;
-    append_limit(limits.floor, datum_name(layer, "floor_datum", feature) == "standard", text);
+    append_limit(limits.floor, datum_name(layer, "floor_datum", feature) == "standard", units, text);
     text.append("-");
-    append_limit(limits.ceiling, datum_name(layer, "ceiling_datum", feature) == "standard", text);
+    append_limit(limits.ceiling, datum_name(layer, "ceiling_datum", feature) == "standard", units, text);
     return text;
 }
 

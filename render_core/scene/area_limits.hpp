@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "render_core/base/display_units.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/scene/scene.hpp"
 
@@ -21,9 +22,9 @@ struct AreaLimits {
 /// "height" alone is a ceiling above the ground.
 [[nodiscard]] AreaLimits area_limits(const Layer& layer, std::uint32_t feature);
 
-/// Writes limits in feet, or in flight levels for the standard pressure: "GND-2600 MSL", "1500 AGL-FL065"; "?" means not
-/// stated. Empty where neither is stated.
+/// Writes limits in the unit of heights, metres with their letter, or in flight levels for the standard pressure: "GND-2600 MSL",
+/// "1500 AGL-FL065", "GND-792M MSL"; "?" means not stated. Empty where neither is stated.
 using LimitsText = base::FixedString<31>;
-[[nodiscard]] LimitsText limits_text(const Layer& layer, std::uint32_t feature);
+[[nodiscard]] LimitsText limits_text(const Layer& layer, std::uint32_t feature, base::DisplayUnits units);
 
 }  // namespace tedavis::scene

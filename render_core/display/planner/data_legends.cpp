@@ -137,27 +137,27 @@ LegendSample sure_sample(const design::GroundData& ground, Color color) {
 
 /// What the overlay's sample says: the least sure, or all that is less sure than its threshold.
 base::FixedString<15> overlay_text(const design::GroundOverlay& overlay, const scene::AttributeEntry& attribute,
-                                   design::HeightUnit heights) {
+                                   base::DisplayUnits units) {
     const bool is_line = overlay.technique == UncertaintyOverlay::contour || overlay.technique == UncertaintyOverlay::halo;
-    if (!is_line) return full_uncertainty_text(attribute, heights);
+    if (!is_line) return full_uncertainty_text(attribute, units);
     base::FixedString<15> text(">");
-    text.append(uncertainty_text(attribute, overlay.threshold, heights).view());
+    text.append(uncertainty_text(attribute, overlay.threshold, units).view());
     return text;
 }
 
 void add_uncertainty(const design::DesignSettings& design, const scene::Attribute& attribute, Color color, Color plain,
                      draw::DataLegend& legend) {
     const design::GroundData& ground = design.data.ground;
-    const design::HeightUnit heights = design.symbology.legend_unit;
+    const base::DisplayUnits units = design.symbology.units;
     const bool is_known = attribute.states_uncertainty();
     const bool has_look = ground.uncertainty.technique != IntrinsicUncertainty::none,
                has_overlay = ground.overlay.technique != UncertaintyOverlay::none;
     LegendSample overlay = overlay_sample(ground.overlay, color);
-    overlay.text = overlay_text(ground.overlay, *attribute.entry, heights).view();
+    overlay.text = overlay_text(ground.overlay, *attribute.entry, units).view();
     if (is_known && (has_look || has_overlay)) {
         static_cast<void>(legend.uncertainty.try_push_back(sure_sample(ground, color)));
         LegendSample unsure = has_look ? unsure_sample(ground.uncertainty, color, plain) : overlay;
-        if (has_look) unsure.text = full_uncertainty_text(*attribute.entry, heights).view();
+        if (has_look) unsure.text = full_uncertainty_text(*attribute.entry, units).view();
         static_cast<void>(legend.uncertainty.try_push_back(unsure));
     }
     static_cast<void>(legend.uncertainty.try_push_back(sample_of(draw::kUnknownText, color, plain, SampleLook::cut_stripes)));
@@ -186,7 +186,7 @@ base::FixedString<31> legend_title(std::string_view layer, std::string_view attr
 
 }  // namespace
 
-ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept {
+ShownUnit shown_unit(const scene::AttributeEntry& attribute, base::DisplayUnits units) noexcept {
     const std::string_view unit = field_text(attribute.unit);
     if (unit == "rad") return {base::degrees(1), "DEG"};
     constexpr double kZeroCelsius_k = 273.15;
@@ -195,17 +195,17 @@ ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit 
                 "\xC2\xB0"
                 "C",
                 -kZeroCelsius_k};
-    if (unit == "m/s" && heights == design::HeightUnit::feet) {
+    if (unit == "m/s") {
         const bool is_vertical = field_text(attribute.name).find("vertical") != std::string_view::npos;
-        return is_vertical ? ShownUnit{1 / base::kMpsPerFootPerMinute, "FT/MIN"} : ShownUnit{1 / base::kMpsPerKnot, "KT"};
+        const base::DisplayUnit speed = is_vertical ? base::vertical_speed_unit(units) : base::speed_unit(units);
+        return {speed.of(1), speed.text};
     }
     ShownUnit shown;
     append_upper(shown.name, unit);
     return shown;
 }
 
-base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level,
-                                       design::HeightUnit heights) noexcept {
+base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level, base::DisplayUnits units) noexcept {
     const bool is_percent = attribute.uncertainty_kind == scene::UncertaintyKind::percent;
     char number[16];
     if (is_graded(attribute)) {
@@ -213,7 +213,7 @@ base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, d
         std::snprintf(number, sizeof number, "%.0f %%", 100 * level);
         return number;
     }
-    const ShownUnit shown = is_percent ? ShownUnit{1, "%"} : shown_unit(attribute, heights);
+    const ShownUnit shown = is_percent ? ShownUnit{1, "%"} : shown_unit(attribute, units);
     std::snprintf(number, sizeof number, "\xC2\xB1%.3g", level * double{attribute.uncertainty_full} * shown.factor);
     base::FixedString<15> text(number);
     if (!shown.name.empty()) text.append(" ");
@@ -221,8 +221,8 @@ base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, d
     return text;
 }
 
-base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept {
-    return uncertainty_text(attribute, 1, heights);
+base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute, base::DisplayUnits units) noexcept {
+    return uncertainty_text(attribute, 1, units);
 }
 
 bool is_in_another_unit(const design::Palette& palette, const scene::AttributeEntry& attribute) noexcept {
@@ -246,7 +246,7 @@ draw::DataLegend legend_of(const scene::Layer& layer, const scene::Attribute& at
     const scene::AttributeEntry& entry = *attribute.entry;
     const std::string_view layer_title = field_text(layer.entry->title);
     legend.title = legend_title(layer_title, title_of(entry), field_text(entry.unit));
-    const ShownUnit shown = shown_unit(entry, design.symbology.legend_unit);
+    const ShownUnit shown = shown_unit(entry, design.symbology.units);
     legend.factor = shown.factor;
     legend.offset = shown.offset;
     legend.unit = shown.name;

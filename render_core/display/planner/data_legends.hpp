@@ -20,14 +20,14 @@ namespace tedavis::display {
 /// what nobody dates, are not stale.
 [[nodiscard]] base::Duration stale_age(const scene::Layer& layer, const flight::FlightTime& time, double stale_after_s) noexcept;
 
-/// The unit that pilots read: degrees of radians, degrees Celsius of kelvins, and where heights are feet, knots of metres per
-/// second, or feet per minute where the attribute's name says that they are vertical. Others as they are.
+/// The unit that pilots read: degrees of radians, degrees Celsius of kelvins, and of metres per second the display's unit of
+/// speeds, or of vertical speeds where the attribute's name says that they are vertical. Others as they are.
 struct ShownUnit {
     double factor = 1;  ///< the number in this unit of one of the attribute's
     base::FixedString<15> name;
     double offset = 0;  ///< the number in this unit of the attribute's 0; no part of a difference
 };
-[[nodiscard]] ShownUnit shown_unit(const scene::AttributeEntry& attribute, design::HeightUnit heights) noexcept;
+[[nodiscard]] ShownUnit shown_unit(const scene::AttributeEntry& attribute, base::DisplayUnits units) noexcept;
 
 /// With a nominal palette: the classes in use (bit n: class n) that the palette names, each with its colour.
 void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use, draw::DataLegend& legend) noexcept;
@@ -35,10 +35,10 @@ void keep_named_classes(const scene::Attribute& attribute, std::uint32_t in_use,
 /// A level 0..1 in the attribute's shown unit: "±4 KT", "±20 %"; of the full scale where the source has classes of its own: "50
 /// %", and "UNCERTAIN" for 1.
 [[nodiscard]] base::FixedString<15> uncertainty_text(const scene::AttributeEntry& attribute, double level,
-                                                     design::HeightUnit heights) noexcept;
+                                                     base::DisplayUnits units) noexcept;
 /// What counts as the least sure.
 [[nodiscard]] base::FixedString<15> full_uncertainty_text(const scene::AttributeEntry& attribute,
-                                                          design::HeightUnit heights) noexcept;
+                                                          base::DisplayUnits units) noexcept;
 
 /// "GUST": the shortest that names what is shown.
 [[nodiscard]] base::FixedString<31> attribute_title(const scene::AttributeEntry& attribute) noexcept;

@@ -53,17 +53,19 @@ public:
 
     [[nodiscard]] draw::ElementInput input(std::uint32_t group) const {
         const Group& of = labels_.groups_[group];
-        return {*of.element,
-                static_cast<std::uint8_t>(group),
-                *of.layer,
-                frame_.ground,
-                frame_.missing,
-                frame_.time.utc.ns,
-                frame_.time.is_date,
-                frame_.view.eye,
-                0,
-                frame_.time.is_confirmed,
-                &foci_[group]};
+        draw::ElementInput input{*of.element,
+                                 static_cast<std::uint8_t>(group),
+                                 *of.layer,
+                                 frame_.ground,
+                                 frame_.missing,
+                                 frame_.time.utc.ns,
+                                 frame_.time.is_date,
+                                 frame_.view.eye,
+                                 0,
+                                 frame_.time.is_confirmed,
+                                 &foci_[group]};
+        input.units = frame_.units;
+        return input;
     }
     [[nodiscard]] draw::LabelShape shape(draw::LabelKey key) override {
         return draw::label_shape(input(draw::group_of(key)), draw::feature_of(key), view_);

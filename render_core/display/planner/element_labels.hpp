@@ -41,6 +41,7 @@ struct LabelFrame {
     base::Time now;           ///< the source's
     double text_px = 16;
     const draw::FrameFoci* foci = nullptr;  ///< null: there are none
+    base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
 
 /// Whether the technique gives a layer's features icons and names.

@@ -62,7 +62,7 @@ void add_fading(const ElementReport& report, const scene::Attribute& attribute, 
     if (attribute.states_uncertainty()) {
         static_cast<void>(legend.uncertainty.try_push_back(sample_of("CERTAIN", color)));
         static_cast<void>(legend.uncertainty.try_push_back(
-            sample_of(full_uncertainty_text(*attribute.entry, design.symbology.legend_unit).view(), faded)));
+            sample_of(full_uncertainty_text(*attribute.entry, design.symbology.units).view(), faded)));
     }
     static_cast<void>(legend.uncertainty.try_push_back(unknown_sample(report, color, faded, design.terrain.style.plain)));
 }

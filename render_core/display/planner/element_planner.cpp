@@ -333,7 +333,8 @@ draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFra
             &foci_[report],
             own_place(frame.own),
             layer.entry->role == scene::LayerRole::obstacle ? frame.alerts : nullptr,
-            layer_number(layer)};
+            layer_number(layer),
+            frame.units};
 }
 
 /// A layer that is not of the scene has a number that none has.

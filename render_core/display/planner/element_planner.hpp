@@ -44,6 +44,7 @@ struct ElementFrame {
     const draw::FrameFoci* foci = nullptr;           ///< null: there are none
     const policy::Declutter* declutter = nullptr;    ///< null: nothing gives way
     const policy::ObstacleAlerts* alerts = nullptr;  ///< null: no obstacle is in the way
+    base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
 
 /// What the planned frame draws.
@@ -59,7 +60,6 @@ struct SignFrame {
     std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
     std::int32_t screen_begins_px = 0;           ///< in such a picture
     bool is_planned_again = false;               ///< of one eye of a pair, or to be measured: labels have been counted
-    bool is_metric = false;                      ///< distances are in kilometres, not in nautical miles
 };
 
 /// Room of what stands, and of what moves.

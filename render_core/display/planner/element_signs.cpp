@@ -40,7 +40,7 @@ private:
 };
 
 void ElementPlanner::decide_labels(const ElementFrame& frame, double text_px) {
-    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci});
+    labels_.decide({frame.ground, frame.view, frame.missing, frame.time, frame.own.now, text_px, frame.foci, frame.units});
 }
 
 void ElementPlanner::plan_signs(const ElementFrame& frame, const SignFrame& signs) {
@@ -62,7 +62,7 @@ void ElementPlanner::plan_signs(const ElementFrame& frame, const SignFrame& sign
     plan_own_winds(frame);
     plan_motion_times(frame);
     focus_cues_ = {};
-    if (frame.foci != nullptr) focus_cues_ = draw::add_focus_cues(sheet_, *frame.foci, frame.ground, signs.is_metric);
+    if (frame.foci != nullptr) focus_cues_ = draw::add_focus_cues(sheet_, *frame.foci, frame.ground, frame.units);
 }
 
 void ElementPlanner::plan_detail(const ElementFrame& frame) {

@@ -60,7 +60,8 @@ ElementFrame FramePlanner::element_frame(scene::Ground& ground, const terrain::V
             frame_->declutter.regions.is_whole() ? nullptr : &frame_->declutter,
             frame_->alerts.obstacle == policy::TerrainAhead::none || frame_->decisions.unusual_attitude
                 ? nullptr
-                : &frame_->alerts.obstacles};
+                : &frame_->alerts.obstacles,
+            look_.symbology.units};
 }
 
 /// Symbology first, then the signs in the room that it leaves.
@@ -93,7 +94,6 @@ void FramePlanner::plan_signs(const Camera& camera, SignFrame signs) {
     terrain::LineOfSight sight = terrain_.sight(camera.view);
     signs.text_px = text_px(context_of(*frame_, camera), settings_.width_px, settings_.height_px);
     signs.sight = &sight;
-    signs.is_metric = look_.symbology.legend_unit == design::HeightUnit::metres;
     signs.symbology = free_view_active_ ? nullptr : &symbology_;
     elements_.plan_signs(element_frame(ground, camera.view), signs);
 }

@@ -39,7 +39,7 @@ using Words = base::FixedString<23>;
 class Signs {
 public:
     explicit Signs(const design::DesignSettings& design)
-        : ground_(design.terrain.style.plain), heights_(design.symbology.legend_unit), grid_(design.terrain.style.grid) {
+        : ground_(design.terrain.style.plain), units_(design.symbology.units), grid_(design.terrain.style.grid) {
         legend_.has_scale = false;
         legend_.title = "SYMBOLS";
     }
@@ -185,16 +185,17 @@ private:
 
     /// "1312 FT".
     Words& append_length(double length_m, Words& words) const {
-        const bool in_feet = heights_ == design::HeightUnit::feet;
+        const base::DisplayUnit unit = base::height_unit(units_);
         char text[24];
-        std::snprintf(text, sizeof text, "%.0f %s", in_feet ? length_m / base::kMetresPerFoot : length_m, in_feet ? "FT" : "M");
+        std::snprintf(text, sizeof text, "%.0f ", unit.of(length_m));
         words.append(text);
+        words.append(unit.text);
         return words;
     }
 
     /// "116 KT".
     Words& append_value(const scene::AttributeEntry& attribute, double value, Words& words) const {
-        const ShownUnit unit = shown_unit(attribute, heights_);
+        const ShownUnit unit = shown_unit(attribute, units_);
         char text[24];
         std::snprintf(text, sizeof text, "%.3g", value * unit.factor + unit.offset);
         words.append(text);
@@ -210,7 +211,7 @@ private:
         Words title("LINE: ");
         title.append(attribute_title(*attribute->entry).view());
         add_words(title.view());
-        const ShownUnit unit = shown_unit(*attribute->entry, heights_);
+        const ShownUnit unit = shown_unit(*attribute->entry, units_);
         char least[24];
         std::snprintf(least, sizeof least, "%.3g..", static_cast<double>(attribute->entry->minimum) * unit.factor + unit.offset);
         Words range(least);
@@ -256,7 +257,8 @@ private:
 
     void add_traffic(const design::DataElement& element) {
         add_icon("TRAFFIC", SampleLook::icon, draw::Icon::traffic, element.color);
-        add_icon("TFC 6 NM 1200 FT", SampleLook::icon, draw::Icon::near_traffic, element.color);
+        add_icon(units_ == base::DisplayUnits::metric ? "TFC 11 KM 366 M" : "TFC 6 NM 1200 FT", SampleLook::icon,
+                 draw::Icon::near_traffic, element.color);
         add_icon("STALE TFC", SampleLook::crossed_icon, draw::Icon::traffic, draw::kStaleTraffic);
     }
 
@@ -278,7 +280,7 @@ private:
     }
 
     Color ground_;
-    design::HeightUnit heights_;
+    base::DisplayUnits units_;
     const design::GridSettings& grid_;
     LegendSample made_;
     draw::DataLegend legend_;

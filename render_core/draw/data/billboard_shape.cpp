@@ -39,7 +39,7 @@ void fade_sign(design::Color& color, double share) { color.alpha = static_cast<s
 SignText text_of(const ElementInput& input, std::uint32_t feature, const BillboardLook& look, bool with_name) {
     SignText text;
     text.add(with_name ? billboard_name(input, feature, look) : BillboardText(look.is_unsure ? "?" : ""));
-    if (with_name && has_limits(input.layer)) text.add(scene::limits_text(input.layer, feature));
+    if (with_name && has_limits(input.layer)) text.add(scene::limits_text(input.layer, feature, input.units));
     return text;
 }
 

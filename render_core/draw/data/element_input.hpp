@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "render_core/base/display_units.hpp"
 #include "render_core/design/data_element.hpp"
 #include "render_core/earth/geodetic.hpp"
 #include "render_core/policy/obstacle_alerts.hpp"
@@ -36,6 +37,7 @@ struct ElementInput {
     OwnPlace own_ship{};
     const policy::ObstacleAlerts* alerts = nullptr;  ///< of obstacles of the scene; null: this layer has none
     std::uint16_t layer_number = 0;                  ///< among the scene's, as the alerts count
+    base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
 
 inline constexpr double kFloating_m = 5;  ///< height above the ground below which no link is drawn

@@ -22,8 +22,9 @@ constexpr float kHalo_px = 1.5f, kCueRim_px = 1.5f, kStroke_px = 2;
 constexpr design::Color kDark{0, 0, 0};
 
 /// One decimal below ten.
-Text distance_text(double distance_m, bool is_metric) {
-    const double length = distance_m / (is_metric ? 1000 : base::kMetresPerNauticalMile);
+Text distance_text(double distance_m, base::DisplayUnits units) {
+    const base::DisplayUnit unit = base::distance_unit(units);
+    const double length = unit.of(distance_m);
     char digits[24];
     const auto end = std::to_chars(digits, digits + sizeof(digits), std::llround(length < 10 ? length * 10 : length)).ptr;
     const std::string_view number(digits, static_cast<std::size_t>(end - digits));
@@ -35,7 +36,8 @@ Text distance_text(double distance_m, bool is_metric) {
     } else {
         text.append(number);
     }
-    text.append(is_metric ? " km" : " NM");
+    text.append(" ");
+    text.append(unit.text);
     return text;
 }
 
@@ -77,11 +79,11 @@ Found look_for(const BillboardSheet& sheet, const scene::FocusRegion& region, co
 
 class Cue {
 public:
-    Cue(BillboardSheet& sheet, const design::FocusSettings& focus, const Found& found, bool is_metric)
+    Cue(BillboardSheet& sheet, const design::FocusSettings& focus, const Found& found, base::DisplayUnits units)
         : sheet_(sheet),
           color_(focus.border.color),
           name_(focus.name.view()),
-          distance_(distance_text(found.distance_m, is_metric)),
+          distance_(distance_text(found.distance_m, units)),
           place_(found.place),
           text_px_(sheet.text_px()) {}
 
@@ -190,14 +192,14 @@ const char* name_of(FocusSight sight) noexcept {
     return "";
 }
 
-FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground, bool is_metric) {
+FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground, base::DisplayUnits units) {
     FocusCues cues;
     const glm::dvec3 from = foci.has_own_ship ? foci.own_ship : sheet.view().eye;
     for (std::size_t n = 0; n < foci.regions.size(); ++n) {
         if (!foci.regions[n].is_valid) continue;
         const Found found = look_for(sheet, foci.regions[n], from, ground);
         cues[n] = {found.sight, found.distance_m, false};
-        Cue cue(sheet, (*foci.foci)[n], found, is_metric);
+        Cue cue(sheet, (*foci.foci)[n], found, units);
         if (found.sight == FocusSight::behind_terrain) cues[n].is_drawn = cue.add_sign() || cue.add_arrow();
         if (found.sight == FocusSight::out_of_view) cues[n].is_drawn = cue.add_arrow();
     }

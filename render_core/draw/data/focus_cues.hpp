@@ -32,6 +32,7 @@ struct FocusCue {
 using FocusCues = std::array<FocusCue, scene::kMaxFoci>;
 
 /// Adds the cues to the sheet; distances are in nautical miles or kilometres.
-[[nodiscard]] FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground, bool is_metric);
+[[nodiscard]] FocusCues add_focus_cues(BillboardSheet& sheet, const FrameFoci& foci, scene::Ground& ground,
+                                       base::DisplayUnits units);
 
 }  // namespace tedavis::draw

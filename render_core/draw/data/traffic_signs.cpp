@@ -34,14 +34,17 @@ constexpr Sides kHigherSides{Side::above, Side::below, Side::right, Side::left};
 constexpr Sides kAgeSides{Side::above, Side::below, Side::right, Side::left};
 constexpr Sides kNameSides{Side::right, Side::left, Side::above, Side::below};
 
-/// "+12", "-03": hundreds of feet.
-BillboardText height_text(double over_m, double climb_mps) {
+/// "+12", "-03": hundreds of feet; "+370M", "-90M": metres by tens.
+BillboardText height_text(double over_m, double climb_mps, base::DisplayUnits units) {
     constexpr double kMax = 999;
     BillboardText text;
     if (!std::isfinite(over_m)) return text;
-    const double hundreds = std::clamp(std::round(over_m / base::kMetresPerFoot / 100), -kMax, kMax);
+    const bool is_metric = units == base::DisplayUnits::metric;
+    const double per_count = is_metric ? 10 : 100;
+    const auto counts = static_cast<int>(std::clamp(std::round(base::height_unit(units).of(over_m) / per_count), -kMax, kMax));
     char digits[16];
-    std::snprintf(digits, sizeof digits, "%c%02d", hundreds < 0 ? '-' : '+', std::abs(static_cast<int>(hundreds)));
+    const int size = std::abs(counts);
+    std::snprintf(digits, sizeof digits, is_metric ? "%c%dM" : "%c%02d", counts < 0 ? '-' : '+', is_metric ? size * 10 : size);
     text.append(digits);
     if (std::abs(climb_mps) >= kShownClimb_mps) text.append(climb_mps > 0 ? "\xE2\x86\x91" : "\xE2\x86\x93");
     return text;
@@ -78,7 +81,7 @@ public:
         if (!look()) return;
         const OwnPlace& own = input_.own_ship;
         const double over_m = place_.height_m - (own.has_height ? own.place.height.m : earth::from_ecef(input_.eye).height.m);
-        add_text(height_text(over_m, state_.up), over_m < 0 ? kLowerSides : kHigherSides);
+        add_text(height_text(over_m, state_.up, input_.units), over_m < 0 ? kLowerSides : kHigherSides);
         add_text(age_text(state_), kAgeSides);
         add_text(billboard_name(input_, feature_, look_), kNameSides);
     }

@@ -119,15 +119,18 @@ base::FixedString<31> title_of(const AdjacentInput& input) {
 }
 
 /// Two lines: what it is, and how far it reaches to the edges; north is up.
-void build_caption(const Painter& painter, const AdjacentInput& input, const Rect& box) {
+void build_caption(const Painter& painter, const AdjacentInput& input, base::DisplayUnits units, const Rect& box) {
     const float t = painter.text_px();
     painter.plate({box.x, box.y, box.width, kLine * t}, title_of(input).view(), 0.75f, painter.color(SymbolRole::scale));
-    char range[24];
-    std::snprintf(range, sizeof range, "RNG %.3g NM", input.view.range_m / base::kMetresPerNauticalMile);
+    char number[24];
+    const base::DisplayUnit unit = base::distance_unit(units);
+    std::snprintf(number, sizeof number, "RNG %.3g ", unit.of(input.view.range_m));
+    ShortText range(number);
+    range.append(unit.text);
     const Rect line{box.x, box.y + kLine * t, box.width, kLine * t};
     painter.batch().box(line, painter.color(SymbolRole::readout_ground));
     const float arrow = 1.2f * t;
-    painter.fitted_text(range, {line.x, line.y, line.width - arrow, line.height}, TextAnchor::left, kSmall,
+    painter.fitted_text(range.view(), {line.x, line.y, line.width - arrow, line.height}, TextAnchor::left, kSmall,
                         painter.color(SymbolRole::scale), TextRim::none);
     painter.text("N", {line.right() - 0.75f * t, line.center().y}, TextAnchor::right, kSmall, painter.color(SymbolRole::scale), 0,
                  TextRim::none);
@@ -207,7 +210,7 @@ void build_adjacent_maps(const Painter& painter, const SymbologyInput& input) {
     const AdjacentInput& maps = input.adjacent;
     const std::uint32_t count = map_count(maps);
     if (panel.empty() || count == 0) return;
-    build_caption(painter, maps, panel);
+    build_caption(painter, maps, input.shown.units, panel);
     const AdjacentPlan plan = plan_adjacent(panel, count, painter.text_px());
     const bool is_members = maps.view.shows == AdjacentShows::members;
     for (std::uint32_t n = 0; n < count; ++n) {

@@ -14,8 +14,7 @@ using policy::ElementShow;
 // In texts.
 constexpr float kText = 0.85f;
 
-constexpr double kCalm_kt = 0.5;
-constexpr double kMax_kt = 399;
+constexpr double kCalm_mps = 0.5 * base::kMpsPerKnot, kMax_mps = 399 * base::kMpsPerKnot;
 
 void append_age(ElementShow show, base::Duration age, ShortText& text) {
     if (show != ElementShow::flagged) return;
@@ -24,15 +23,17 @@ void append_age(ElementShow show, base::Duration age, ShortText& text) {
     text.append("S");
 }
 
+bool is_calm(const SymbologyInput& input) { return !(input.wind_speed_mps >= kCalm_mps); }
+
 /// "265/12KT", "CALM"; from where it blows, true.
 ShortText wind_text(const SymbologyInput& input) {
-    const double knots = limited(input.wind_speed_mps / base::kMpsPerKnot, 0, kMax_kt);
-    if (knots < kCalm_kt) return "CALM";
+    const base::DisplayUnit unit = base::speed_unit(input.shown.units);
+    if (is_calm(input)) return "CALM";
     const double degrees = std::round(base::degrees(limited(input.wind_from_rad, 0, 2 * base::kPi)));
     ShortText text = whole_number(degrees < 0.5 ? 360 : degrees, 3);
     text.append("/");
-    text.append(whole_number(knots).view());
-    text.append("KT");
+    text.append(whole_number(unit.of(limited(input.wind_speed_mps, 0, kMax_mps))).view());
+    text.append(unit.text);
     return text;
 }
 
@@ -76,15 +77,15 @@ void build_wind(const Painter& painter, const Rect& row, const SymbologyInput& i
     ShortText text = wind_text(input);
     append_age(show, input.wind_age, text);
     painter.batch().box(row, painter.color(SymbolRole::readout_ground));
-    const bool is_calm = input.wind_speed_mps < kCalm_kt * base::kMpsPerKnot;
     const bool has_up = input.over != SymbolGround::moving && input.decisions.view_heading != flight::Signal::count_;
     const double up_rad = input.over == SymbolGround::map ? input.map.up_rad : input.view_heading_rad;
-    if (!is_calm && has_up && has_room_for_arrow(painter, row, text.view()))
+    if (!is_calm(input) && has_up && has_room_for_arrow(painter, row, text.view()))
         build_arrow(painter, {row.x + 0.5f * row.height, row.center().y},
                     limited(input.wind_from_rad, 0, 2 * base::kPi) + base::kPi, up_rad, painter.label_color(show));
-    const std::size_t unit = text.view().find("KT");
-    ShortText short_text(text.view().substr(0, unit));
-    if (unit != std::string_view::npos) short_text.append(text.view().substr(unit + 2));
+    const std::string_view unit = base::speed_unit(input.shown.units).text;
+    const std::size_t at = text.view().find(unit);
+    ShortText short_text(text.view().substr(0, at));
+    if (at != std::string_view::npos) short_text.append(text.view().substr(at + unit.size()));
     const Rect place = beside_arrow(painter, row, text.view());
     const Words words{text.view(), short_text.view(), show == ElementShow::flagged ? "WIND STALE" : ""};
     painter.fitted_text(words, place, TextAnchor::left, kText, painter.label_color(show), TextRim::none);

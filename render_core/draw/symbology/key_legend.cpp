@@ -56,9 +56,9 @@ KeyEntry terrain_entry(const LegendInput& legend) {
 KeyEntry bands_entry(const LegendInput& legend) {
     KeyEntry entry;
     entry.rank = kBandsRank;
-    const double factor = per_metre(legend.unit);
+    const double factor = base::height_unit(legend.units).of(1);
     const design::Color ground = legend.tint ? color_of_value(legend.palette, terrain_scale(legend).low) : legend.plain;
-    add_title("RELATIVE", height_unit_text(legend.unit), "", entry);
+    add_title("RELATIVE", base::height_unit(legend.units).text, "", entry);
     const design::WarningBands& bands = legend.warning_bands;
     for (std::size_t n = bands.size(); n > 0; --n)
         static_cast<void>(entry.colors.try_push_back(blended(ground, bands[n - 1].color, bands[n - 1].strength)));

@@ -159,7 +159,7 @@ private:
     }
 
     void build_bands() {
-        title("RELATIVE", height_unit_text(legend_.unit));
+        title("RELATIVE", base::height_unit(legend_.units).text);
         y_ += kPad * t_;
         const Rect whole = sample(y_, kBand * t_ * static_cast<float>(legend_.warning_bands.size()));
         for (const design::WarningBand& band : legend_.warning_bands) {
@@ -167,13 +167,13 @@ private:
             y_ += kBand * t_;
             painter_.batch().box({whole.x, y_ - painter_.stroke_px() / 2, whole.width, painter_.stroke_px()},
                                  painter_.color(SymbolRole::scale));
-            note(signed_number(band.lower_m * per_metre(legend_.unit)).view(), y_);
+            note(signed_number(band.lower_m * base::height_unit(legend_.units).of(1)).view(), y_);
         }
         painter_.batch().frame(whole, painter_.stroke_px(), painter_.color(SymbolRole::scale));
         y_ += kPad * t_;
         if (legend_.bands_lowered_m <= 0) return;
         base::FixedString<31> uncertainty("VERT ERR ");
-        uncertainty.append(whole_number(legend_.bands_lowered_m * per_metre(legend_.unit)).view());
+        uncertainty.append(whole_number(legend_.bands_lowered_m * base::height_unit(legend_.units).of(1)).view());
         remark(uncertainty.view());
         if (legend_.accuracy_assumed) remark("ASSUMED");
     }

@@ -20,13 +20,17 @@ constexpr float kNorthBox = 4.4f;
 constexpr float kNorthLabel = 1.1f;
 constexpr float kEdge = 0.7f;  // ring to the edge of its box
 
-struct MilesLabel {
+struct RingLabel {
     double miles;
-    std::string_view text;
+    std::string_view miles_text;
+    double kilometres;
+    std::string_view kilometres_text;
 };
-constexpr MilesLabel kRings[] = {{0.05, "0.05 NM"}, {0.1, "0.1 NM"}, {0.2, "0.2 NM"}, {0.5, "0.5 NM"}, {1, "1 NM"},
-                                 {2, "2 NM"},       {5, "5 NM"},     {10, "10 NM"},   {20, "20 NM"},   {50, "50 NM"},
-                                 {100, "100 NM"},   {200, "200 NM"}, {500, "500 NM"}};
+constexpr RingLabel kRings[] = {{0.05, "0.05 NM", 0.1, "0.1 KM"}, {0.1, "0.1 NM", 0.2, "0.2 KM"}, {0.2, "0.2 NM", 0.5, "0.5 KM"},
+                                {0.5, "0.5 NM", 1, "1 KM"},       {1, "1 NM", 2, "2 KM"},         {2, "2 NM", 5, "5 KM"},
+                                {5, "5 NM", 10, "10 KM"},         {10, "10 NM", 20, "20 KM"},     {20, "20 NM", 50, "50 KM"},
+                                {50, "50 NM", 100, "100 KM"},     {100, "100 NM", 200, "200 KM"}, {200, "200 NM", 500, "500 KM"},
+                                {500, "500 NM", 1000, "1000 KM"}};
 
 /// Places of a level plane on the screen: as high as wide from above, lower obliquely.
 class Plane {
@@ -131,14 +135,14 @@ Point foot_of(const Painter& painter, const MapInput& map) {
 }
 
 /// Round the own ship's place on the ground.
-void build_ring(const Painter& painter, const MapInput& map) {
+void build_ring(const Painter& painter, const MapInput& map, base::DisplayUnits units) {
     const Rect box = conformal_box(painter.layout());
     const Plane plane(map);
     const Point center = foot_of(painter, map);
     const float t = painter.text_px();
     const float room = std::min({center.x - box.x, box.right() - center.x, (center.y - box.y) / plane.squash(),
                                  (box.bottom() - center.y) / plane.squash()});
-    const RangeRing ring = range_ring(static_cast<double>(room - kEdge * t), map.px_per_m);
+    const RangeRing ring = range_ring(static_cast<double>(room - kEdge * t), map.px_per_m, units);
     if (!(ring.radius_m > 0)) return;
     const auto radius = static_cast<float>(ring.radius_m * map.px_per_m);
     if (map.magnified.empty())
@@ -228,11 +232,14 @@ void build_own_ship(const Painter& painter, const SymbologyInput& input) {
 
 }  // namespace
 
-RangeRing range_ring(double room_px, double px_per_m) noexcept {
+RangeRing range_ring(double room_px, double px_per_m, base::DisplayUnits units) noexcept {
+    const bool is_metric = units == base::DisplayUnits::metric;
+    const base::DisplayUnit unit = base::distance_unit(units);
     RangeRing ring;
-    for (const MilesLabel& miles : kRings)
-        if (miles.miles * base::kMetresPerNauticalMile * px_per_m <= room_px)
-            ring = {miles.miles * base::kMetresPerNauticalMile, miles.text};
+    for (const RingLabel& label : kRings) {
+        const double radius_m = (is_metric ? label.kilometres : label.miles) * unit.si;
+        if (radius_m * px_per_m <= room_px) ring = {radius_m, is_metric ? label.kilometres_text : label.miles_text};
+    }
     return ring;
 }
 
@@ -241,7 +248,7 @@ void build_map_symbols(const Painter& painter, const SymbologyInput& input) {
     const Rect& box = painter.layout().attitude;
     if (position == ElementShow::absent) return;
     if (position == ElementShow::failed) return painter.failed(box, "NO POSITION");
-    build_ring(painter, input.map);
+    build_ring(painter, input.map, input.shown.units);
     build_drop(painter, input.map);
     build_magnified_signs(painter, input.map);
     build_north(painter, input);

@@ -23,8 +23,8 @@ struct RangeRing {
     double radius_m = 0;
     std::string_view label;
 };
-/// Returns the largest ring whose radius is 1, 2 or 5 times a power of ten nautical miles and at most `room_px`; radius 0 where
-/// none fits.
-[[nodiscard]] RangeRing range_ring(double room_px, double px_per_m) noexcept;
+/// Returns the largest ring whose radius is 1, 2 or 5 times a power of ten nautical miles or kilometres and at most `room_px`;
+/// radius 0 where none fits.
+[[nodiscard]] RangeRing range_ring(double room_px, double px_per_m, base::DisplayUnits units) noexcept;
 
 }  // namespace tedavis::draw

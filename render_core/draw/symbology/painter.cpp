@@ -39,6 +39,13 @@ ShortText whole_number(double value, int digits) noexcept {
     return ShortText(text);
 }
 
+ShortText tenths(double value) noexcept {
+    char text[24];
+    const long rounded = std::lround(10 * limited(value, -999'999, 999'999)), size = rounded < 0 ? -rounded : rounded;
+    std::snprintf(text, sizeof text, "%s%ld.%ld", rounded < 0 ? "-" : "", size / 10, size % 10);
+    return ShortText(text);
+}
+
 float Painter::plate_px(std::string_view text, float texts) const {
     return std::max(texts * text_px(), text_width_px(text, kMinText_px) + 4 * stroke_px());
 }

@@ -22,6 +22,8 @@ using ShortText = base::FixedString<31>;
 [[nodiscard]] double limited(double value, double low, double high) noexcept;
 /// Rounded to a whole number, with at least `digits` digits and a minus sign where it is negative.
 [[nodiscard]] ShortText whole_number(double value, int digits = 1) noexcept;
+/// With one decimal; never "-0.0".
+[[nodiscard]] ShortText tenths(double value) noexcept;
 
 /// Text on a black plate needs no dark rim.
 enum class TextRim : std::uint8_t { dark, none };

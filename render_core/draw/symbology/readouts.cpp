@@ -20,12 +20,28 @@ void labelled_number(const Painter& painter, const Rect& box, const Words& label
     painter.readout(lower, number, show == ElementShow::flagged);
 }
 
-/// The shortest keeps the source: an amber number is stale.
-Words ground_height_label(bool is_radio, bool is_stale) {
-    if (!is_stale) return label_words(is_radio ? "RA FT" : "AGL FT");
-    if (is_radio) return {"STALE RA FT", "STALE RA", "RA"};
-    return {"STALE AGL FT", "STALE AGL", "AGL"};
-}
+/// "RA FT", "STALE AGL FT" and their shorter wordings. The shortest keeps the source: an amber number is stale.
+class GroundHeightLabel {
+public:
+    GroundHeightLabel(std::string_view source, bool is_stale, std::string_view unit) : is_stale_(is_stale), whole_("STALE ") {
+        whole_.append(source);
+        source_end_ = whole_.size();
+        whole_.append(" ");
+        whole_.append(unit);
+    }
+    /// Valid as long as this.
+    [[nodiscard]] Words words() const {
+        const std::string_view whole = whole_.view();
+        if (!is_stale_) return label_words(whole.substr(kStale));
+        return {whole, whole.substr(0, source_end_), whole.substr(kStale, source_end_ - kStale)};
+    }
+
+private:
+    static constexpr std::size_t kStale = 6;
+    bool is_stale_;
+    ShortText whole_;
+    std::size_t source_end_ = 0;
+};
 
 /// The right part of a box, which is made narrower by it; nothing for what is absent.
 Rect take_right(Rect& box, float share, ElementShow show) {
@@ -45,9 +61,9 @@ void build_radio_minimum(const Painter& painter, const SymbologyInput& input, co
     if (input.decisions.radio_minimum == policy::MinimumsState::at_or_below) color = painter.color(SymbolRole::caution);
     const Rect upper{box.x, box.y, box.width, legible_row_px(kLabelRow, painter.text_px())};
     const Rect lower{box.x, upper.bottom(), box.width, box.height - upper.height};
-    const double feet = limited(input.guidance.radio_minimum_m / base::kMetresPerFoot, 0, 9999);
+    const double height = limited(base::height_unit(input.shown.units).of(input.guidance.radio_minimum_m), 0, 9999);
     painter.plate(upper, "DH", painter.type().label, color);
-    painter.plate(lower, whole_number(feet).view(), 1, color);
+    painter.plate(lower, whole_number(height).view(), 1, color);
 }
 
 using InformationRow = base::FixedVector<std::string_view, 8>;
@@ -87,9 +103,10 @@ void build_ground_height(const Painter& painter, const SymbologyInput& input) {
     if (decision.show == ElementShow::absent) return;
     const bool radio = decision.source != flight::Signal::height_above_terrain;
     if (decision.show == ElementShow::failed) return painter.failed(box, "AGL FAIL");
-    const double feet = limited(input.ground_height_m / base::kMetresPerFoot, -999, 99'999);
-    const bool is_stale = decision.show == ElementShow::flagged;
-    labelled_number(painter, box, ground_height_label(radio, is_stale), whole_number(feet).view(), decision.show);
+    const base::DisplayUnit unit = base::height_unit(input.shown.units);
+    const double height = limited(unit.of(input.ground_height_m), -999, 99'999);
+    const GroundHeightLabel label(radio ? "RA" : "AGL", decision.show == ElementShow::flagged, unit.text);
+    labelled_number(painter, box, label.words(), whole_number(height).view(), decision.show);
 }
 
 void build_information(const Painter& painter, const SymbologyInput& input) {

@@ -13,29 +13,74 @@ using flight::Signal;
 using policy::Element;
 using policy::ElementShow;
 
-constexpr double kVerticalSpeedEnd_fpm = 2000;
-constexpr double kMaxVerticalSpeed_fpm = 9990;  // of the numbers
-constexpr double kLowestAltitude_ft = -2000, kHighestAltitude_ft = 99'999;
 constexpr double kTrend_s = 6;
-constexpr float kNumberRow = 1.8f;                                          // texts
-constexpr double kSlowestSpeedTrend_kt = 1, kSlowestAltitudeTrend_ft = 20;  // over kTrend_s
+constexpr float kNumberRow = 1.8f;  // texts
 
-std::string_view airspeed_label(Signal source) {
+/// What a tape shows in its unit.
+struct TapeUnits {
+    double lowest, highest;  ///< of the scale and of the numbers
+    double span, minor_step;
+    int majors, emphasis;  ///< as of a VerticalTape
+    RollingFormat readout;
+    double slowest_trend;  ///< over kTrend_s
+};
+constexpr TapeUnits kKnots{0, 999, 100, 10, 2, 0, {}, 1}, kKilometresAnHour{0, 999, 200, 10, 5, 0, {}, 2};
+constexpr TapeUnits kFeet{-2000, 99'999, 1000, 50, 2, 10, {20, 2}, 20}, kMetres{-600, 99'999, 300, 20, 5, 25, {10, 2}, 6};
+
+/// A fixed scale of vertical speeds: a tick at each quarter of its end, and a number at every second of them.
+struct VerticalSpeedUnits {
+    double end, numbers_in;          ///< of the scale; what its numbers count
+    double highest, step;            ///< of the readout
+    ShortText (*text)(double step);  ///< of the readout and of the selected value
+};
+
+ShortText whole_text(double value) { return whole_number(value); }
+constexpr VerticalSpeedUnits kFeetAMinute{2000, 1000, 9990, 10, whole_text};
+constexpr VerticalSpeedUnits kMetresASecond{10, 1, 99.9, 0.1, tenths};
+
+bool is_metric(const SymbologyInput& input) { return input.shown.units == base::DisplayUnits::metric; }
+const VerticalSpeedUnits& vertical_speed_units(const SymbologyInput& input) {
+    return is_metric(input) ? kMetresASecond : kFeetAMinute;
+}
+
+/// "IAS KT".
+ShortText label_in(std::string_view source, const base::DisplayUnit& unit) {
+    ShortText label(source);
+    label.append(" ");
+    label.append(unit.text);
+    return label;
+}
+
+std::string_view airspeed_name(Signal source) {
     switch (source) {
-        case Signal::calibrated_airspeed: return "CAS KT";
-        case Signal::true_airspeed: return "TAS KT";
-        case Signal::ground_speed: return "GS KT";
-        default: return "IAS KT";
+        case Signal::calibrated_airspeed: return "CAS";
+        case Signal::true_airspeed: return "TAS";
+        case Signal::ground_speed: return "GS";
+        default: return "IAS";
     }
 }
 
-std::string_view altitude_label(Signal source) {
+std::string_view altitude_name(Signal source) {
     switch (source) {
         case Signal::true_altitude:
-        case Signal::ellipsoid_height: return "GPS MSL FT";
-        case Signal::standard_altitude: return "STD FT";
-        default: return "BARO FT";
+        case Signal::ellipsoid_height: return "GPS MSL";
+        case Signal::standard_altitude: return "STD";
+        default: return "BARO";
     }
+}
+
+/// `value` in its unit.
+VerticalTape tape_of(const TapeUnits& units, double value, const policy::ElementDecision& decision) {
+    VerticalTape tape;
+    tape.value = limited(value, units.lowest, units.highest);
+    tape.lowest = units.lowest;
+    tape.span = units.span;
+    tape.minor_step = units.minor_step;
+    tape.majors = units.majors;
+    tape.emphasis = units.emphasis;
+    tape.readout = units.readout;
+    tape.show = decision.show;
+    return tape;
 }
 
 /// A selected value is said above its scale, and has a bug on a scale of the same reference: on that of a substitute its place
@@ -64,15 +109,14 @@ TapeBandLook band_look(const policy::SpeedBands& bands, policy::SpeedBandRole ro
 }
 
 static_assert(policy::kSpeedBandRoles <= kMaxTapeBands && design::kMaxSpeedFlags <= kMaxTapeFlags);
-void put_bands(const Painter& painter, const policy::SpeedBands& bands, TapeMarks& marks) {
+void put_bands(const Painter& painter, const policy::SpeedBands& bands, const base::DisplayUnit& unit, TapeMarks& marks) {
     for (const policy::SpeedBand& band : bands.bands) {
-        const bool added = marks.bands.try_push_back({band.low_mps / base::kMpsPerKnot, band.high_mps / base::kMpsPerKnot,
-                                                      painter.color(band_role(band.role)), band_look(bands, band.role)});
+        const bool added = marks.bands.try_push_back(
+            {unit.of(band.low_mps), unit.of(band.high_mps), painter.color(band_role(band.role)), band_look(bands, band.role)});
         TEDAVIS_CHECK(added);
     }
     for (const design::SpeedFlag& flag : bands.flags) {
-        const bool added =
-            marks.flags.try_push_back({flag.speed_mps / base::kMpsPerKnot, flag.name, painter.color(SymbolRole::scale)});
+        const bool added = marks.flags.try_push_back({unit.of(flag.speed_mps), flag.name, painter.color(SymbolRole::scale)});
         TEDAVIS_CHECK(added);
     }
 }
@@ -89,20 +133,21 @@ SymbolRole baro_minimum_role(const policy::DisplayDecisions& decisions) {
     return SymbolRole::selected;
 }
 
-/// Numbers keep clear of the needle at `fpm`.
-void build_vertical_speed_ticks(const Painter& painter, const TapeScale& scale, double fpm) {
-    for (int hundreds = -20; hundreds <= 20; hundreds += 5) {
-        const float y = scale.y_of(hundreds * 100.0);
-        const bool is_thousand = hundreds % 10 == 0;
-        painter.line({scale.edge, y}, {scale.x_of(is_thousand ? 0.7f : 0.4f, painter), y});
-        if (is_thousand && hundreds != 0 && std::fabs(y - scale.y_of(fpm)) > 0.6f * painter.text_px())
-            painter.text(whole_number(std::fabs(0.1 * hundreds)).view(), {scale.x_of(kNumberInset, painter), y}, TextAnchor::left,
-                         kTapeTextSize);
+/// Numbers keep clear of the needle at `value`.
+void build_vertical_speed_ticks(const Painter& painter, const TapeScale& scale, const VerticalSpeedUnits& units, double value) {
+    for (int quarter = -4; quarter <= 4; ++quarter) {
+        const double at = 0.25 * quarter * units.end;
+        const float y = scale.y_of(at);
+        const bool is_major = quarter % 2 == 0;
+        painter.line({scale.edge, y}, {scale.x_of(is_major ? 0.7f : 0.4f, painter), y});
+        if (is_major && quarter != 0 && std::fabs(y - scale.y_of(value)) > 0.6f * painter.text_px())
+            painter.text(whole_number(std::fabs(at / units.numbers_in)).view(), {scale.x_of(kNumberInset, painter), y},
+                         TextAnchor::left, kTapeTextSize);
     }
 }
 
-void build_needle(const Painter& painter, const TapeScale& scale, double fpm) {
-    const float y = scale.y_of(fpm), half = 0.35f * painter.text_px(), base = scale.x_of(0.95f, painter);
+void build_needle(const Painter& painter, const TapeScale& scale, double value) {
+    const float y = scale.y_of(value), half = 0.35f * painter.text_px(), base = scale.x_of(0.95f, painter);
     painter.line({scale.x_of(0.7f, painter), y}, {scale.box.right(), y}, painter.color(SymbolRole::scale), 2);
     const Point corners[3] = {{scale.x_of(0.15f, painter), y}, {base, y - half}, {base, y + half}};
     painter.batch().polyline(corners, 2 * painter.stroke_px(), painter.color(SymbolRole::rim), true);
@@ -110,28 +155,30 @@ void build_needle(const Painter& painter, const TapeScale& scale, double fpm) {
 }
 
 /// Box and units of the fixed scale of vertical speeds.
-TapeScale vertical_speed_scale(const Painter& painter, const Rect& box) {
+TapeScale vertical_speed_scale(const Painter& painter, const Rect& box, const VerticalSpeedUnits& units) {
     TapeScale scale;
     scale.box = box;
     scale.edge = box.x;
-    scale.px_per_unit = static_cast<double>(box.height / 2 - 0.8f * painter.text_px()) / kVerticalSpeedEnd_fpm;
+    scale.px_per_unit = static_cast<double>(box.height / 2 - 0.8f * painter.text_px()) / units.end;
     return scale;
 }
 
-void build_vertical_speed_scale(const Painter& painter, const Rect& box, double fpm, const TapeBug& bug) {
-    const TapeScale scale = vertical_speed_scale(painter, box);
-    const double on_scale_fpm = limited(fpm, -kVerticalSpeedEnd_fpm, kVerticalSpeedEnd_fpm);
+void build_vertical_speed_scale(const Painter& painter, const Rect& box, const VerticalSpeedUnits& units, double value,
+                                const TapeBug& bug) {
+    const TapeScale scale = vertical_speed_scale(painter, box, units);
+    const double on_scale = limited(value, -units.end, units.end);
     painter.batch().box(box, painter.color(SymbolRole::tape_ground));
     painter.batch().set_clip(box);
-    build_vertical_speed_ticks(painter, scale, on_scale_fpm);
+    build_vertical_speed_ticks(painter, scale, units, on_scale);
     build_tape_bug(painter, scale, bug);
-    build_needle(painter, scale, on_scale_fpm);
+    build_needle(painter, scale, on_scale);
     painter.batch().lift_clip();
 }
 
 /// At the top of `rest`; where the number has no room the bug alone says it.
-void build_selected_vertical_speed(const Painter& painter, ElementShow show, double fpm, Rect& rest) {
-    const ShortText text = whole_number(limited(fpm, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm));
+void build_selected_vertical_speed(const Painter& painter, ElementShow show, const VerticalSpeedUnits& units, double value,
+                                   Rect& rest) {
+    const ShortText text = units.text(limited(value, -units.highest, units.highest));
     const bool has_room = text_width_px(text.view(), kMinText_px) <= rest.width - 2 * painter.stroke_px();
     if (show == ElementShow::absent || (shows_value(show) && !has_room)) return;
     build_tape_row(painter, take_top(rest, legible_row_px(kTapeRowHeight, painter.text_px())),
@@ -151,58 +198,46 @@ Rect vertical_speed_number_place(const Painter& painter, bool is_flagged, Rect& 
     return {rest.x, rest.bottom(), rest.width, row};
 }
 
-/// Scale and readout of an altitude in feet.
-VerticalTape altitude_tape(const policy::ElementDecision& decision) {
-    VerticalTape tape;
-    tape.lowest = kLowestAltitude_ft;
-    tape.span = 1000;
-    tape.minor_step = 50;
-    tape.majors = 2;
-    tape.emphasis = 10;
-    tape.readout = {20, 2};
-    tape.label = altitude_label(decision.source);
-    tape.failure = "ALT FAIL";
-    tape.show = decision.show;
-    return tape;
-}
-
 }  // namespace
 
 void build_airspeed(const Painter& painter, const SymbologyInput& input) {
     const policy::ElementDecision& decision = input.decisions[Element::airspeed];
-    const double selected_kt = input.guidance.selected_airspeed_mps / base::kMpsPerKnot;
-    const ShortText selected = whole_number(limited(selected_kt, 0, 999));
-    VerticalTape tape;
+    const base::DisplayUnit unit = base::speed_unit(input.shown.units);
+    const TapeUnits& units = is_metric(input) ? kKilometresAnHour : kKnots;
+    const double selected = unit.of(input.guidance.selected_airspeed_mps);
+    const ShortText selected_text = whole_number(limited(selected, units.lowest, units.highest));
+    const ShortText label = label_in(airspeed_name(decision.source), unit);
+    VerticalTape tape = tape_of(units, unit.of(input.airspeed_mps), decision);
     tape.box = painter.layout().airspeed;
-    tape.value = limited(input.airspeed_mps / base::kMpsPerKnot, 0, 999);
     tape.ticks_right = true;
-    tape.label = airspeed_label(decision.source);
+    tape.label = label.view();
     tape.failure = "SPD FAIL";
-    tape.show = decision.show;
-    put_bands(painter, input.bands, tape.marks);
-    put_selected(painter, tape, input.decisions[Element::selected_airspeed].show, selected_kt, selected, "SPD SEL");
-    const double rate_kt_per_s = input.guidance.airspeed_rate_mps2 / base::kMpsPerKnot;
+    put_bands(painter, input.bands, unit, tape.marks);
+    put_selected(painter, tape, input.decisions[Element::selected_airspeed].show, selected, selected_text, "SPD SEL");
     tape.marks.trend = {input.decisions[Element::airspeed_trend].show == ElementShow::normal,
-                        tape.value + kTrend_s * rate_kt_per_s, kSlowestSpeedTrend_kt};
+                        tape.value + kTrend_s * unit.of(input.guidance.airspeed_rate_mps2), units.slowest_trend};
     build_vertical_tape(painter, tape);
 }
 
 void build_altitude(const Painter& painter, const SymbologyInput& input) {
     const policy::DisplayDecisions& decisions = input.decisions;
-    const double selected_ft = input.guidance.selected_altitude_m / base::kMetresPerFoot;
-    const double minimum_ft = input.guidance.baro_minimum_m / base::kMetresPerFoot;
-    const ShortText selected = whole_number(limited(selected_ft, kLowestAltitude_ft, kHighestAltitude_ft));
+    const base::DisplayUnit unit = base::height_unit(input.shown.units);
+    const TapeUnits& units = is_metric(input) ? kMetres : kFeet;
+    const auto text_of = [&](double value) { return whole_number(limited(value, units.lowest, units.highest)); };
+    const double selected = unit.of(input.guidance.selected_altitude_m), least = unit.of(input.guidance.baro_minimum_m);
+    const ShortText selected_text = text_of(selected), label = label_in(altitude_name(decisions[Element::altitude].source), unit);
     ShortText minimum("MIN ");
-    minimum.append(whole_number(limited(minimum_ft, kLowestAltitude_ft, kHighestAltitude_ft)).view());
-    VerticalTape tape = altitude_tape(decisions[Element::altitude]);
+    minimum.append(text_of(least).view());
+    VerticalTape tape = tape_of(units, unit.of(input.altitude_m), decisions[Element::altitude]);
     tape.box = painter.layout().altitude;
-    tape.value = limited(input.altitude_m / base::kMetresPerFoot, kLowestAltitude_ft, kHighestAltitude_ft);
-    put_selected(painter, tape, decisions[Element::selected_altitude].show, selected_ft, selected, "ALT SEL");
+    tape.label = label.view();
+    tape.failure = "ALT FAIL";
+    put_selected(painter, tape, decisions[Element::selected_altitude].show, selected, selected_text, "ALT SEL");
     tape.minimum = {decisions[Element::baro_minimum].show, minimum.view(), "MIN", painter.color(baro_minimum_role(decisions)),
                     minimum.view().substr(4)};
-    if (tape.show != ElementShow::substituted) tape.marks.minimum = {tape.minimum.show, minimum_ft, tape.minimum.color};
+    if (tape.show != ElementShow::substituted) tape.marks.minimum = {tape.minimum.show, least, tape.minimum.color};
     tape.marks.trend = {is_current(tape.show) && is_current(decisions[Element::vertical_speed].show),
-                        tape.value + kTrend_s * input.vertical_speed_mps / base::kMetresPerFoot, kSlowestAltitudeTrend_ft};
+                        tape.value + unit.of(kTrend_s * input.vertical_speed_mps), units.slowest_trend};
     build_vertical_tape(painter, tape);
 }
 
@@ -210,18 +245,19 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input) {
     const ElementShow show = input.decisions[Element::vertical_speed].show;
     const ElementShow selected_show = input.decisions[Element::selected_vertical_speed].show;
     if (show == ElementShow::absent) return;
-    const double selected_fpm = input.guidance.selected_vertical_speed_mps / base::kMpsPerFootPerMinute;
+    const base::DisplayUnit unit = base::vertical_speed_unit(input.shown.units);
+    const VerticalSpeedUnits& units = vertical_speed_units(input);
+    const double selected = unit.of(input.guidance.selected_vertical_speed_mps);
     Rect rest = painter.layout().vertical_speed;
-    build_selected_vertical_speed(painter, selected_show, selected_fpm, rest);
+    build_selected_vertical_speed(painter, selected_show, units, selected, rest);
     if (show == ElementShow::failed) return painter.failed(rest, "VS FAIL");
     const bool is_flagged = show == ElementShow::flagged;
-    painter.plate(take_top(rest, legible_row_px(kTapeRowHeight, painter.text_px())), short_words(is_flagged ? "STALE" : "FT/MIN"),
-                  kTapeTextSize, painter.label_color(show));
+    painter.plate(take_top(rest, legible_row_px(kTapeRowHeight, painter.text_px())),
+                  short_words(is_flagged ? "STALE" : unit.text), kTapeTextSize, painter.label_color(show));
     const Rect number = vertical_speed_number_place(painter, is_flagged, rest);
-    const double fpm =
-        limited(input.vertical_speed_mps / base::kMpsPerFootPerMinute, -kMaxVerticalSpeed_fpm, kMaxVerticalSpeed_fpm);
-    build_vertical_speed_scale(painter, rest, fpm, {selected_show, selected_fpm});
-    painter.readout(number, whole_number(std::round(fpm / 10) * 10).view(), is_flagged);
+    const double value = limited(unit.of(input.vertical_speed_mps), -units.highest, units.highest);
+    build_vertical_speed_scale(painter, rest, units, value, {selected_show, selected});
+    painter.readout(number, units.text(std::round(value / units.step) * units.step).view(), is_flagged);
 }
 
 }  // namespace tedavis::draw

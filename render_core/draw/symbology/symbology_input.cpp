@@ -26,7 +26,7 @@ LegendInput make_legend_input(const policy::DisplayDecisions& decisions, const d
     legend.sea = design.terrain.sea;
     legend.unknown = design.terrain.unknown;
     legend.warning_bands = design.warning_bands;
-    legend.unit = design.symbology.legend_unit;
+    legend.units = design.symbology.units;
     return legend;
 }
 

@@ -30,7 +30,7 @@ struct LegendInput {
     design::WarningBands warning_bands;
     double bands_lowered_m = 0;     ///< by the vertical uncertainty; 0: not at all
     bool accuracy_assumed = false;  ///< the uncertainty, or a part of it, is the design's guess
-    design::HeightUnit unit = design::HeightUnit::feet;
+    base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
 
 /// The picture below the symbols of positions and directions.

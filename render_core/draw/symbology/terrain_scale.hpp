@@ -16,8 +16,4 @@ struct TerrainScale {
 /// Of the values on the terrain, or of the palette's own ends where those are not known.
 [[nodiscard]] TerrainScale terrain_scale(const LegendInput& legend) noexcept;
 
-/// The number that is written for a metre, and its unit.
-[[nodiscard]] double per_metre(design::HeightUnit unit) noexcept;
-[[nodiscard]] std::string_view height_unit_text(design::HeightUnit unit) noexcept;
-
 }  // namespace tedavis::draw

@@ -85,13 +85,13 @@ TEST(LoadDesign, TheCommandLineStaysAboveTheFile) {
 TEST(LoadDesign, WithoutSymbologyTheLegendAndTheMapsScaleStay) {
     const test_support::TemporaryFolder folder;
     PictureOptions options;
-    options.design = folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend_unit = \"m\"\n");
+    options.design = folder.write("own.toml", "name = \"own\"\n[symbology]\nunits = \"m_kmh\"\n");
     options.symbology = false;
     const design::SymbologySettings shown = load_design(options).symbology;
     EXPECT_FALSE(shown.attitude || shown.heading || shown.airspeed || shown.altitude || shown.vertical_speed ||
                  shown.flight_path || shown.baro_setting || shown.ground_height || shown.phase);
     EXPECT_TRUE(shown.legend && shown.map);
-    EXPECT_EQ(shown.legend_unit, design::HeightUnit::metres);
+    EXPECT_EQ(shown.units, base::DisplayUnits::metric);
     folder.write("own.toml", "name = \"own\"\n[symbology]\nlegend = false\nmap = false\n");
     EXPECT_FALSE(load_design(options).symbology.legend || load_design(options).symbology.map) << "where the design has one";
 }

@@ -89,7 +89,7 @@ TEST(DesignSettings, TheDefaultFileStatesTheBuiltInValuesBesidesTheShippedLook) 
     EXPECT_EQ(file.terrain.palette.name.view(), "natural") << "the shipped look, not the plainest one";
     EXPECT_EQ(file.symbology.air, built_in.symbology.air);
     EXPECT_EQ(file.symbology.legend, built_in.symbology.legend);
-    EXPECT_EQ(file.symbology.legend_unit, built_in.symbology.legend_unit);
+    EXPECT_EQ(file.symbology.units, built_in.symbology.units);
 }
 
 TEST(DesignSettings, ConvertsUnits) {
@@ -97,11 +97,11 @@ TEST(DesignSettings, ConvertsUnits) {
         "name = 'x'\n[view]\nhorizontal_field_of_view_deg = 90\neye_forward_right_down_m = [1.5, -0.25, -2]\n"
         "[warning]\nprofile = 'custom'\n[[warning.band]]\nlower_ft = 100\ncolor = '#ff0000'\nstrength = 0.5\n"
         "[[warning.band]]\nlower_ft = -1000\nlower_gear_down_ft = -500\ncolor = '#00ff00'\nstrength = "
-        "1\n[symbology]\nlegend_unit = 'm'\n");
+        "1\n[symbology]\nunits = 'm_kmh'\n");
     ASSERT_TRUE(read.ok()) << read.error().message.view();
     EXPECT_NEAR(read.value().view.horizontal_field_of_view_rad, 1.5707963267948966, 1e-15);
     EXPECT_EQ(read.value().view.eye_down_m, -2);
-    EXPECT_EQ(read.value().symbology.legend_unit, HeightUnit::metres);
+    EXPECT_EQ(read.value().symbology.units, base::DisplayUnits::metric);
     ASSERT_EQ(read.value().warning_bands.size(), 2u);
     EXPECT_NEAR(read.value().warning_bands[0].lower_m, 30.48, 1e-12);
     EXPECT_NEAR(read.value().warning_bands[0].lower_gear_down_m, 30.48, 1e-12);
@@ -169,7 +169,7 @@ TEST(DesignSettings, EveryFaultNamesItsLine) {
         {"name = 'x'\n[data.ground]\nlayer = 'a'\nattribute = 'b'\npalette = 'slopes'\nmembers = 'animated'\n[symbology]\nlegend "
          "= false\n",
          "d.toml:8: 'legend' must stay where members are animated: it names the one that is shown"},
-        {"name = 'x'\n[symbology]\nlegend_unit = 'yd'\n", "d.toml:3: 'legend_unit' must be one of: ft, m"},
+        {"name = 'x'\n[symbology]\nunits = 'yd'\n", "d.toml:3: 'units' must be one of: ft_kt, m_kmh"},
         {"name = 'x'\n[warning]\nprofile = 'custom'\n[[warning.band]]\nlower_ft = 0\ncolor = '#000000'\nstrength = 1\n"
          "[[warning.band]]\nlower_ft = 10\ncolor = '#000000'\nstrength = 1\n",
          "d.toml:9: 'lower_ft' must lie below"},

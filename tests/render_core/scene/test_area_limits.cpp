@@ -38,9 +38,9 @@ test_support::LoadedScene area(const Stated& stated) {
     bind(layer, "ceiling_datum", stated.ceiling_datum, {"msl", "ground", "standard"});
     return test_support::LoadedScene(layer);
 }
-std::string text_of(const Stated& stated) {
+std::string text_of(const Stated& stated, base::DisplayUnits units = base::DisplayUnits::feet_and_knots) {
     const test_support::LoadedScene loaded = area(stated);
-    return std::string(limits_text(loaded.layer(), 0).view());
+    return std::string(limits_text(loaded.layer(), 0, units).view());
 }
 
 TEST(AreaLimits, AreWrittenAsOnCharts) {
@@ -48,6 +48,13 @@ TEST(AreaLimits, AreWrittenAsOnCharts) {
     EXPECT_EQ(text_of({457.2f, 1, 1981.2f, 2}), "1500 AGL-FL065");
     EXPECT_EQ(text_of({304.8f, 0, 457.2f, 1}), "1000 MSL-1500 AGL");
     EXPECT_EQ(text_of({0, 0, 9906, 2}), "0 MSL-FL325") << "sea level is not the ground";
+}
+
+/// Metres have their letter, since charts do without; a flight level stays one.
+TEST(AreaLimits, AreWrittenInMetresWhereTheDisplayIsMetric) {
+    EXPECT_EQ(text_of({0, 1, 792.48f, 0}, base::DisplayUnits::metric), "GND-792M MSL");
+    EXPECT_EQ(text_of({457.2f, 1, 1981.2f, 2}, base::DisplayUnits::metric), "457M AGL-FL065");
+    EXPECT_LE(text_of({-1e9f, 0, 1e9f, 1}, base::DisplayUnits::metric).size(), 31u);
 }
 
 TEST(AreaLimits, WhatIsNotStatedIsSaid) {

@@ -66,19 +66,21 @@ TEST(DataLegends, WithinItsTimesALayerSaysWhenItWasMadeOrMeasured) {
 TEST(DataLegends, NumbersAreInTheUnitThatPilotsRead) {
     host_sim::LayerDraft layer = test_support::small_grid();
     layer.attributes[0].unit = "m/s";
-    const auto shown = [&](const char* name, design::HeightUnit heights) {
+    const auto shown = [&](const char* name, base::DisplayUnits units) {
         layer.attributes[0].name = name;
         const LoadedScene loaded(layer);
-        return shown_unit(*loaded.attribute().entry, heights);
+        return shown_unit(*loaded.attribute().entry, units);
     };
-    const ShownUnit knots = shown("speed", design::HeightUnit::feet);
+    const ShownUnit knots = shown("speed", base::DisplayUnits::feet_and_knots);
     EXPECT_EQ(knots.name.view(), "KT");
     EXPECT_NEAR(knots.factor * 1852, 3600, 1e-9) << "a nautical mile an hour";
-    const ShownUnit climb = shown("vertical_speed", design::HeightUnit::feet);
+    const ShownUnit climb = shown("vertical_speed", base::DisplayUnits::feet_and_knots);
     EXPECT_EQ(climb.name.view(), "FT/MIN");
     EXPECT_NEAR(climb.factor * 5.08, 1000, 1e-9);
-    EXPECT_EQ(shown("speed", design::HeightUnit::metres).name.view(), "M/S");
-    EXPECT_EQ(shown("speed", design::HeightUnit::metres).factor, 1);
+    EXPECT_EQ(shown("speed", base::DisplayUnits::metric).name.view(), "KM/H") << "as on the tape";
+    EXPECT_NEAR(shown("speed", base::DisplayUnits::metric).factor, 3.6, 1e-12);
+    EXPECT_EQ(shown("vertical_speed", base::DisplayUnits::metric).name.view(), "M/S");
+    EXPECT_EQ(shown("vertical_speed", base::DisplayUnits::metric).factor, 1);
 }
 
 TEST(DataLegends, TitlesSayNothingTwice) {
@@ -148,7 +150,7 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
         entry.uncertainty_kind = kind;
         entry.uncertainty_full = full;
         std::snprintf(entry.unit, sizeof entry.unit, "%s", unit);
-        return std::string(full_uncertainty_text(entry, design::HeightUnit::feet).view());
+        return std::string(full_uncertainty_text(entry, base::DisplayUnits::feet_and_knots).view());
     };
     EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 4, "m/s"),
               "\xC2\xB1"
@@ -163,7 +165,7 @@ TEST(DataLegends, TheFullScaleIsInTheUnitOfItsKind) {
     EXPECT_EQ(text(scene::UncertaintyKind::standard_deviation, 0, "K"), "UNCERTAIN");
     scene::AttributeEntry classes{};
     classes.uncertainty_kind = scene::UncertaintyKind::ordinal;
-    EXPECT_EQ(uncertainty_text(classes, 0.5, design::HeightUnit::feet).view(), "50 %");
+    EXPECT_EQ(uncertainty_text(classes, 0.5, base::DisplayUnits::feet_and_knots).view(), "50 %");
 }
 
 TEST(DataLegends, APaletteOfAnotherUnitIsNoticed) {

@@ -84,7 +84,7 @@ TEST(SignLegend, TheSurfaceGridSaysHowFarApartItsLinesAre) {
     EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;");
     design.terrain.style.grid.height_spacing_m = 60.96;
     EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 0.5 NM;GRID VERT 200 FT;") << "in place of its own lines";
-    design.symbology.legend_unit = design::HeightUnit::metres;
+    design.symbology.units = base::DisplayUnits::metric;
     design.terrain.style.grid.spacing_m = 2500;
     EXPECT_EQ(said(air, surface, ElementState::shown, design), "GRID 2500 M;GRID VERT 61 M;");
     surface.grid = false;
@@ -167,6 +167,11 @@ TEST(SignLegend, SignsOfObstaclesAndTraffic) {
               "UNCERTAIN;? UNKNOWN;MAST;CRANE;");
     EXPECT_EQ(said(layer_of(LayerRole::traffic, scene::LayerShape::lines), element_of(DataTechnique::billboard)),
               "TRAFFIC;TFC 6 NM 1200 FT;STALE TFC;");
+    design::DesignSettings metric;
+    metric.symbology.units = base::DisplayUnits::metric;
+    EXPECT_EQ(said(layer_of(LayerRole::traffic, scene::LayerShape::lines), element_of(DataTechnique::billboard),
+                   ElementState::shown, metric),
+              "TRAFFIC;TFC 11 KM 366 M;STALE TFC;");
     EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points), element_of(DataTechnique::billboard)), "");
     for (const DataTechnique technique : {DataTechnique::billboard, DataTechnique::solid})
         EXPECT_EQ(said(layer_of(LayerRole::place, scene::LayerShape::points, 500),

@@ -23,7 +23,7 @@ struct Cued {
         foci.own_ship.position.height.m = BillboardRoom::kEyeHeight_m;
         foci.plan_again();
         room.begin(symbology);
-        cues = add_focus_cues(room.sheet, foci.frame(), foci.ground, false);
+        cues = add_focus_cues(room.sheet, foci.frame(), foci.ground, base::DisplayUnits::feet_and_knots);
     }
     BillboardRoom room;
     FociOfTest foci;
@@ -79,7 +79,7 @@ TEST(FocusCues, NothingOfTheSymbologyIsCovered) {
 TEST(FocusCues, SeveralKeepClearOfEachOther) {
     FociOfTest foci({at(3000, 8000), at(3010, 8010), at(2990, 8000)});
     BillboardRoom room;
-    const FocusCues cues = add_focus_cues(room.sheet, foci.frame(), foci.ground, true);
+    const FocusCues cues = add_focus_cues(room.sheet, foci.frame(), foci.ground, base::DisplayUnits::metric);
     for (std::size_t n = 0; n < 3; ++n) EXPECT_TRUE(cues[n].is_drawn) << n;
     EXPECT_GT(room.bounds().height, 3 * 2 * 16);
 }
@@ -89,7 +89,8 @@ TEST(FocusCues, WhatIsNowhereHasNone) {
     foci.own_ship.state = base::SignalState::lost;
     foci.plan_again();
     BillboardRoom room;
-    EXPECT_EQ(add_focus_cues(room.sheet, foci.frame(), foci.ground, false)[0].sight, FocusSight::nowhere);
+    EXPECT_EQ(add_focus_cues(room.sheet, foci.frame(), foci.ground, base::DisplayUnits::feet_and_knots)[0].sight,
+              FocusSight::nowhere);
     EXPECT_STREQ(name_of(FocusSight::behind_terrain), "behind terrain");
 }
 

@@ -222,13 +222,14 @@ TEST(TrafficSigns, P34TheRelativeHeightStandsOnItsSideAndHasAnArrowFrom500FeetAM
         std::size_t letters;
         float y;
     };
-    const auto built = [](double over_m, float climb_m) {
+    const auto built = [](double over_m, float climb_m, base::DisplayUnits units = base::DisplayUnits::feet_and_knots) {
         host_sim::LayerDraft layer = nameless();
         layer.points[0].height_m = 815 - climb_m;
         Signs signs(5, layer);
         signs.room.begin();
         ElementInput input = signs.test.input();
         input.eye = signs.room.view.eye;
+        input.units = units;
         const scene::ScenePoint own = BillboardRoom::point(0, 0, 0);
         input.own_ship = {{own.latitude_rad, own.longitude_rad, {815 - over_m}}, true, true};
         static_cast<void>(add_traffic_signs(signs.room.sheet, input));
@@ -240,6 +241,7 @@ TEST(TrafficSigns, P34TheRelativeHeightStandsOnItsSideAndHasAnArrowFrom500FeetAM
     EXPECT_EQ(built(300, 12.5f).letters, level) << "492 ft/min";
     EXPECT_EQ(built(300, 13).letters, level + 8) << "512 ft/min up";
     EXPECT_EQ(built(300, -13).letters, level + 8) << "and down";
+    EXPECT_EQ(built(300, 0, base::DisplayUnits::metric).letters, level + 16) << "+300M for +10";
 }
 
 TEST(TrafficSigns, ALinkLeadsDown) {

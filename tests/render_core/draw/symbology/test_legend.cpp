@@ -70,7 +70,7 @@ TEST(Legend, SaysByHowMuchTheBandsAreLowered) {
     EXPECT_NE(known.find("-2000VERTERR100"), std::string::npos) << known;
     input.legend.accuracy_assumed = true;
     EXPECT_EQ(legend_text(input), known + "ASSUMED");
-    input.legend.unit = design::HeightUnit::metres;
+    input.legend.units = base::DisplayUnits::metric;
     EXPECT_NE(legend_text(input).find("VERTERR30A"), std::string::npos);
     input.legend.bands = false;
     EXPECT_EQ(legend_text(input).find("VERTERR"), std::string::npos);
@@ -78,7 +78,7 @@ TEST(Legend, SaysByHowMuchTheBandsAreLowered) {
 
 TEST(Legend, SpeaksTheUnitOfTheDesignAndOfThePalette) {
     SymbologyInput input = calm_input();
-    input.legend.unit = design::HeightUnit::metres;
+    input.legend.units = base::DisplayUnits::metric;
     EXPECT_EQ(legend_text(input), "GROUNDELEVM0500100015002000SEANODATAOUTSIDERELATIVEM+610+305-152-305-610");
     input.legend.bands = false;
     input.legend.lowest = input.legend.highest = 0;

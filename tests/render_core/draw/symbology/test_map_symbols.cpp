@@ -28,6 +28,7 @@ using test_support::text_of;
 struct Screen {
     std::uint32_t width, height;
 };
+constexpr base::DisplayUnits kInFeet = base::DisplayUnits::feet_and_knots, kInMetres = base::DisplayUnits::metric;
 constexpr Screen kScreens[] = {{640, 480}, {1920, 1080}, {768, 1024}, {320, 240}, {240, 320}};
 constexpr ElementShow kShows[] = {ElementShow::normal, ElementShow::substituted, ElementShow::flagged, ElementShow::failed,
                                   ElementShow::absent};
@@ -66,12 +67,14 @@ TEST(MapSymbols, TheRingHasTheLargestRoundNumberThatFits) {
     };
     for (const Case& c : {Case{200, 0.02, "5 NM", 5}, Case{200, 200.0 / 1852, "1 NM", 1}, Case{200, 200.0 / 1851, "0.5 NM", 0.5},
                           Case{100, 0.9, "0.05 NM", 0.05}, Case{300, 1e-4, "500 NM", 500}}) {
-        const RangeRing ring = range_ring(c.room_px, c.px_per_m);
+        const RangeRing ring = range_ring(c.room_px, c.px_per_m, kInFeet);
         EXPECT_EQ(ring.label, c.label);
         EXPECT_DOUBLE_EQ(ring.radius_m, c.miles * 1852);
     }
-    EXPECT_EQ(range_ring(10, 1).radius_m, 0) << "none fits";
-    EXPECT_EQ(range_ring(std::numeric_limits<double>::quiet_NaN(), 1).radius_m, 0);
+    EXPECT_EQ(range_ring(10, 1, kInFeet).radius_m, 0) << "none fits";
+    EXPECT_EQ(range_ring(200, 0.02, kInMetres).label, "10 KM");
+    EXPECT_DOUBLE_EQ(range_ring(200, 0.02, kInMetres).radius_m, 10'000);
+    EXPECT_EQ(range_ring(std::numeric_limits<double>::quiet_NaN(), 1, kInFeet).radius_m, 0);
 }
 
 /// Every range that a design may state has its ring on every screen, with room to spare for no more than the next larger one.
@@ -111,7 +114,7 @@ SymbologyInput oblique_input(double above_ground_m, double turn_deg = 0, bool fl
 TEST(MapSymbols, TheRingIsBrokenWhereTheGroundIsMoved) {
     SymbologyInput input = map_input(0, 0);
     const Drawn whole(input);
-    const RangeRing ring = range_ring(200, input.map.px_per_m);
+    const RangeRing ring = range_ring(200, input.map.px_per_m, kInFeet);
     const auto radius = static_cast<float>(ring.radius_m * input.map.px_per_m);
     const Point middle = whole.layout.screen.center();
     MagnifiedSign sign;

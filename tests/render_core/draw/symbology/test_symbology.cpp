@@ -88,6 +88,7 @@ TEST(Symbology, EveryPieceStaysInItsBoxInEveryPicture) {
             for (double roll : {-180.0, -90.0, -65.0, 0.0, 30.0, 90.0})
                 for (ElementShow show : kShows) {
                     SymbologyInput input = scene_input(scene_state(3, pitch, roll), screen.width, screen.height);
+                    input.shown.units = pitch < 0 ? base::DisplayUnits::metric : base::DisplayUnits::feet_and_knots;
                     const Layout layout = make_layout(screen.width, screen.height, 96);
                     for (const Piece& piece : kPieces) {
                         input.decisions[piece.element].show = show;
@@ -169,6 +170,42 @@ TEST(Symbology, NumbersAreInTheCockpitsUnitsWithTheirSource) {
                                                                      {build_baro_setting, {"QNHHPA", "1009"}},
                                                                      {build_ground_height, {"RAFT", "1240"}},
                                                                      {build_annunciations, {"APPROACHFINAL", "PHASEBYSWITCH"}}};
+    for (const auto& [build, texts] : expected) {
+        BatchStore store;
+        build(Painter(store.batch, layout), input);
+        for (const std::string& text : texts)
+            EXPECT_NE(text_of(store.batch).find(text), std::string::npos) << text << " in " << text_of(store.batch);
+    }
+}
+
+/// Of one flight in both systems: each names its own units only, on the tapes, in the readouts and in the legend.
+TEST(Symbology, AllIsWrittenInTheUnitsOfTheDesign) {
+    const std::vector<std::string> feet{"IASKT", "BAROFT", "FT/MIN", "RAFT", "ELEVATIONFT"},
+        metres{"IASKM/H", "BAROM", "M/S", "RAM", "ELEVATIONM"};
+    for (const base::DisplayUnits units : {base::DisplayUnits::feet_and_knots, base::DisplayUnits::metric}) {
+        SymbologyInput input = scene_input(scene_state(47.2, 0, 0), 1024, 768);
+        input.shown.units = input.legend.units = units;
+        BatchStore store;
+        build_symbology(store.batch, input, make_layout(1024, 768, 96));
+        const std::string text = text_of(store.batch);
+        const bool is_metric = units == base::DisplayUnits::metric;
+        for (const std::string& label : is_metric ? metres : feet)
+            EXPECT_NE(text.find(label), std::string::npos) << label << " in " << text;
+        for (const char* other : {"FT", "KT", "NM"})
+            EXPECT_EQ(is_metric && text.find(other) != std::string::npos, false) << other << " in " << text;
+        if (!is_metric) EXPECT_EQ(text.find("KM/H"), std::string::npos) << "control";
+    }
+}
+
+/// 128 kt, 4520 ft, -500 ft/min, 1240 ft above the ground.
+TEST(Symbology, MetricNumbersAreThoseOfTheSameValues) {
+    SymbologyInput input = scene_input(scene_state(47.2, 0, 0), 640, 480);
+    input.shown.units = base::DisplayUnits::metric;
+    const Layout layout = make_layout(640, 480, 96);
+    const std::pair<Builder, std::vector<std::string>> expected[] = {{build_airspeed, {"IASKM/H", "237"}},
+                                                                     {build_altitude, {"BAROM", "1380"}},
+                                                                     {build_vertical_speed, {"M/S", "-2.5"}},
+                                                                     {build_ground_height, {"RAM", "378"}}};
     for (const auto& [build, texts] : expected) {
         BatchStore store;
         build(Painter(store.batch, layout), input);
@@ -386,7 +423,8 @@ TEST(Symbology, NothingIsRefusedOverManyStatesAndHostileValues) {
 
 TEST(Symbology, ADesignSwitchesPiecesOffButNeverTheNotices) {
     SymbologyInput input = scene_input(scene_state(10, 0, 0), 640, 480);
-    input.shown = {false, false, false, false, false, false, false, false, false, false, false, false, design::HeightUnit::feet};
+    input.shown = {
+        false, false, false, false, false, false, false, false, false, false, false, false, base::DisplayUnits::feet_and_knots};
     BatchStore store;
     build_symbology(store.batch, input, make_layout(640, 480, 96));
     EXPECT_EQ(text_of(store.batch), "GENERATEDFLIGHT\xB7NOTFORNAVIGATION");

@@ -19,7 +19,7 @@ TEST(TerrainScale, HasTheHeightsOfTheTerrainInTheUnitOfTheDesign) {
     EXPECT_EQ(feet.high, 400);
     EXPECT_EQ(feet.unit, "FT");
     EXPECT_NEAR(feet.factor, 3.28084, 1e-5);
-    legend.unit = design::HeightUnit::metres;
+    legend.units = base::DisplayUnits::metric;
     EXPECT_EQ(terrain_scale(legend).unit, "M");
     EXPECT_EQ(terrain_scale(legend).factor, 1);
 }
