@@ -14,7 +14,7 @@ namespace tedavis::policy {
 struct AlertedObstacle {
     std::uint32_t feature = 0;
     std::uint16_t layer = 0;   ///< its number in the scene
-    std::uint16_t tenths = 0;  ///< of a second until it is met, rounded down
+    std::uint16_t tenths = 0;  ///< of a second until it is met, as they count (counted_s), rounded down
 
     [[nodiscard]] double seconds() const { return tenths / 10.0; }
     [[nodiscard]] TerrainAhead level() const {

@@ -91,10 +91,11 @@ TerrainWatch::TerrainWatch(const TerrainWatchInput& input, scene::Ground& ground
     clearance_m_ *= share;
 }
 
-TerrainAhead TerrainWatch::ahead() {
-    const double seconds = seconds_to_terrain();
+double counted_s(double on_track_s, double straight_s) noexcept { return std::fmin(on_track_s, 2 * straight_s); }
+
+TerrainAhead level_within(double seconds) noexcept {
     if (seconds <= kTerrainWarning_s) return TerrainAhead::warning;
-    return seconds <= kLookAhead_s ? TerrainAhead::caution : TerrainAhead::none;
+    return seconds <= kTerrainCaution_s ? TerrainAhead::caution : TerrainAhead::none;
 }
 
 /// Long enough for kMaxSteps, and where the track is wide, a quarter of its width.

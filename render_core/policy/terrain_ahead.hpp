@@ -3,11 +3,11 @@
 ///
 /// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires,
 /// within a minute. The track keeps its vertical speed, its speed and its rate of turn, the last for half a turn at most, where
-/// the track ends, sooner than after a minute; the planner also watches the straight track, on which a turn may end. A track is
-/// widened by the uncertainty of all of these (TrackUncertainty), and what is below it counts with its proven upper bound: no
-/// true track within that uncertainty comes too close to the ground without an alert. Bounds are of whole blocks of the terrain,
-/// or of whole chunks where these are many or cannot be read, so that an alert may also come for ground beside the widened track.
-/// The phase only sets the clearance; no phase switches the alert off.
+/// the track ends, sooner than after a minute. A turn may end at any time: the planner also watches the straight track, whose
+/// times count twice (counted_s). A track is widened by the uncertainty of all of these (TrackUncertainty), and what is below it
+/// counts with its proven upper bound: no true track within that uncertainty comes too close to the ground without an alert.
+/// Bounds are of whole blocks of the terrain, or of whole chunks where these are many or cannot be read, so that an alert may
+/// also come for ground beside the widened track. The phase only sets the clearance; no phase switches the alert off.
 ///
 /// Low flight: clearance and uncertainty together take no more than three quarters of the height above the ground at present, so
 /// that level flight over level ground gives no alert: they are scaled down alike.
@@ -75,6 +75,12 @@ struct TrackStep {
 inline constexpr std::size_t kMaxTrackSteps = 256;
 using TrackSteps = base::FixedVector<TrackStep, kMaxTrackSteps>;
 
+/// Returns the time by which an alert is judged where the predicted track turns, s: that on it, or twice that on the straight
+/// track if this is less. Who circles in a valley has terrain straight ahead all the time and turns away from it: it is a caution
+/// within 30 s and a warning within 15 s, since the turn may end.
+[[nodiscard]] double counted_s(double on_track_s, double straight_s) noexcept;
+[[nodiscard]] TerrainAhead level_within(double seconds) noexcept;
+
 class TerrainWatch {
 public:
     static constexpr double kLookAhead_s = kTerrainCaution_s;
@@ -89,7 +95,7 @@ public:
     /// Both grounds must outlive the object.
     TerrainWatch(const TerrainWatchInput& input, scene::Ground& ground, GroundBound& bound);
 
-    [[nodiscard]] TerrainAhead ahead();
+    [[nodiscard]] TerrainAhead ahead() { return level_within(seconds_to_terrain()); }
     /// Returns the time until the track is too close to the ground, s; infinite where it is not within kLookAhead_s.
     [[nodiscard]] double seconds_to_terrain();
     /// Returns the zone that an alert colors.

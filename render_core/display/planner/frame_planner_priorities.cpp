@@ -29,7 +29,7 @@ bool is_obstacles(const scene::Layer& layer) {
            (shape == scene::LayerShape::points || shape == scene::LayerShape::lines);
 }
 
-/// A turn may end at any time: what lies straight ahead counts as well.
+/// A turn may end at any time: what lies straight ahead counts as well, with twice its time.
 policy::TerrainWatchInput straight(policy::TerrainWatchInput watched) {
     watched.track.turn_radps = 0;
     return watched;
@@ -61,15 +61,17 @@ private:
         policy::TerrainWatch watch(watched, ground, ground), ahead(straight(watched), ground, ground);
         const bool turns = watched.track.turn_radps != 0;
         boosts.terrain_watch = {watch.is_watching(), watch.clearance_m()};
-        if (is_low) boosts.terrain_ahead = turns ? std::max(watch.ahead(), ahead.ahead()) : watch.ahead();
+        if (is_low)
+            boosts.terrain_ahead = policy::level_within(
+                policy::counted_s(watch.seconds_to_terrain(), turns ? ahead.seconds_to_terrain() : kNever_s));
         policy::ObstacleWatch obstacles(watch, ground), obstacles_ahead(ahead, ground);
         for (std::size_t n = 0; planner_.data_.has_scene() && n < planner_.data_.scene().layers().size(); ++n) {
             const scene::Layer& layer = planner_.data_.scene().layers()[n];
             if (!is_obstacles(layer) || !is_valid_at(layer, instant.time)) continue;
             for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
                 boosts.obstacles.add(static_cast<std::uint16_t>(n), feature,
-                                     std::fmin(obstacles.seconds_to(layer, feature),
-                                               turns ? obstacles_ahead.seconds_to(layer, feature) : kNever_s));
+                                     policy::counted_s(obstacles.seconds_to(layer, feature),
+                                                       turns ? obstacles_ahead.seconds_to(layer, feature) : kNever_s));
         }
     }
 
@@ -181,8 +183,8 @@ void FramePlanner::plan_alert_zone() {
     TerrainGround ground(terrain_, terrain::View());
     const policy::TerrainWatchInput turning = watched(priority_instant());
     policy::TerrainWatch watch(turning, ground, ground), ahead(straight(turning), ground, ground);
-    const bool is_ahead = ahead.seconds_to_terrain() < watch.seconds_to_terrain();
-    frame_->alert_zone = (is_ahead ? ahead : watch).zone(decisions.terrain_ahead);
+    const double on_track_s = watch.seconds_to_terrain(), counted_s = policy::counted_s(on_track_s, ahead.seconds_to_terrain());
+    frame_->alert_zone = (counted_s < on_track_s ? ahead : watch).zone(decisions.terrain_ahead);
 }
 
 /// What the record says of the alerts.

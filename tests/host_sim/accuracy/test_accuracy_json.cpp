@@ -51,7 +51,7 @@ AccuracyReport made_report() {
     report.governor = choice;
     report.control = NegativeControl{"steps", "m", "bad", "good", "here", 1e-9, {3, 4, 5, 6, 7}, {1, 1, 1, 1, 7}, true};
     report.comparisons = {
-        {"old.json", "a processor", "a date", "1.0", true, {{"made", "4 steps", 1, 2, 3, 4, true, false}}, {"gone"}}};
+        {"old.json", "a processor", "a date", "1.0", true, {{"made", "4 steps", 1, 2, 3, 4, true, false}}, {"gone"}, {}}};
     return report;
 }
 

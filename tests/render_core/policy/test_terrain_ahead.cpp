@@ -122,6 +122,27 @@ TEST(TerrainAhead, LevelFlightIntoAMountainIsToldInEveryPhase) {
     }
 }
 
+/// Between a valley's walls: turning away from what lies straight ahead, which is a caution within 30 s and a warning within 15
+/// s. Control: without the turn it is one within 60 s and 30 s.
+TEST(TerrainAhead, InATurnTheTimesOfTheStraightTrackCountTwice) {
+    Flown turning, straight;
+    turning.track.turn_radps = base::radians(9);  // a radius of 450 m
+    const auto counted = [&](double from_m) {
+        MadeGround ground = wall(from_m);
+        return level_within(counted_s(turning.seconds(ground), straight.seconds(ground)));
+    };
+    const auto control = [&](double from_m) {
+        MadeGround ground = wall(from_m);
+        return straight.ahead(ground);
+    };
+    EXPECT_EQ(counted(70 * 45), TerrainAhead::none);
+    EXPECT_EQ(control(70 * 45), TerrainAhead::caution);
+    EXPECT_EQ(counted(70 * 25), TerrainAhead::caution);
+    EXPECT_EQ(control(70 * 25), TerrainAhead::warning);
+    EXPECT_EQ(counted(70 * 14), TerrainAhead::warning);
+    EXPECT_EQ(counted_s(20, 50), 20) << "what lies on the predicted track counts as ever";
+}
+
 /// TSO-C151c table 3.1.1, in feet, written down once more.
 TEST(TerrainAhead, ThePhaseSetsTheClearance) {
     const auto feet = [](FlightPhase phase, double up_mps) { return required_clearance_m(phase, up_mps) / 0.3048; };

@@ -41,7 +41,7 @@ TEST(KeptHeights, NeverReturnsTheAnswerOfAnotherPlace) {
     std::map<int, double> all;
     int found = 0;
     for (int n = 0; n < 20000; ++n) {
-        const int place = (n * 7919) % 5000;
+        const int place = n % 2 == 0 ? n / 2 % 300 : (n * 7919) % 5000;  // some are asked for again and again
         const HeightAnswer* const one = kept.heights.find(latitude(place), longitude(place));
         if (one != nullptr) {
             ++found;
