@@ -53,8 +53,11 @@ void add_compare(CLI::App& app, CommandLine& line) {
         "--align", [&o](const std::string& word) { o.align.by = choice_from("--align", word, kAlignments); },
         "time (of one log, else UTC), place (the nearest on the other track), or takeoff (time since it); default: the first of "
         "them that the runs share");
-    command->add_option("--within", o.align.within_m, "with places: metres that counterparts are apart at most")
-        ->capture_default_str()
+    command
+        ->add_option(
+            "--within", o.align.within_m,
+            "metres that counterparts are apart at most where places are aligned; default: 3000; not with --align time or "
+            "takeoff")
         ->check(CLI::Range(1.0, 1e6));
 }
 
@@ -62,7 +65,7 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
     DiffOptions& d = line.diff;
     CLI::App* diff = add_command(app, line, "diff", "the first frame in which two runs differ",
                                  [&d](Console& console) { return run_diff(d, console); });
-    diff->add_option("RUN_A", d.run_a, "folder that replay wrote")->required();
+    diff->add_option("RUN_A", d.run_a, "folder that replay or fly wrote")->required();
     diff->add_option("RUN_B", d.run_b, "another one")->required();
     add_compare(app, line);
     CheckOptions& c = line.check;

@@ -32,17 +32,29 @@ void require_page_name(const std::string& output) {
                         "page.html");
 }
 
-/// The page says where it has no terrain, so that a database that has moved since is no error.
-std::unique_ptr<OpenDatabase> terrain_below(const RunComparison& runs) {
+struct FoundTerrain {
+    std::unique_ptr<OpenDatabase> database;
+    std::string why_none;  // a sentence, where there is none
+};
+
+/// The page says why it has no terrain, so that a database that has moved since is no error.
+FoundTerrain terrain_below(const RunComparison& runs) {
+    std::string why;
     for (const ComparedRun* const run : {&runs.a, &runs.b}) {
-        if (run->terrain.empty() || !std::filesystem::is_regular_file(run->terrain)) continue;
-        try {
-            return std::make_unique<OpenDatabase>(run->terrain);
-        } catch (const UserError&) {
+        if (run->terrain.empty()) continue;
+        const std::optional<std::string> path = file_of_run(run->folder, run->terrain);
+        if (!path) {
+            why += " " + run->terrain + " of " + run->folder +
+                   " is neither in its folder, nor in those above it, nor in the working folder.";
             continue;
         }
+        try {
+            return {std::make_unique<OpenDatabase>(*path), {}};
+        } catch (const UserError& error) {
+            why += std::string(" ") + error.what() + ".";
+        }
     }
-    return nullptr;
+    return {nullptr, "The map has no terrain:" + (why.empty() ? " neither run names a terrain database." : why)};
 }
 
 std::string result_text(const RunComparison& runs, const std::string& page) {
@@ -60,9 +72,13 @@ int run_compare(const CompareOptions& options, Console& console) {
     require_replaceable(options.output, kComparisonPageBeginning, "page of a comparison");
     require_replaceable(json_path, "{\n  \"comparison\":", "comparison");
     const RunComparison runs = compared_runs(read_compared_run(options.run_a), read_compared_run(options.run_b), options.align);
+    if (options.align.within_m && runs.aligned.by != Alignment::place)
+        console.note(std::string("note: the runs are aligned by ") + name_of(runs.aligned.by) +
+                     ", so that --within changes nothing; --align place takes places");
     for (const std::string& warning : comparison_warnings(runs)) console.note("warning: " + warning);
-    const std::unique_ptr<OpenDatabase> terrain = terrain_below(runs);
-    const std::string page = comparison_page(runs, comparison_moments(runs), terrain ? &terrain->database() : nullptr);
+    const FoundTerrain terrain = terrain_below(runs);
+    const std::string page = comparison_page(runs, comparison_moments(runs),
+                                             {terrain.database ? &terrain.database->database() : nullptr, terrain.why_none});
     const std::string json = json_text(comparison_json(runs), 2) + "\n";
     NewFolder folder(folder_of(options.output));
     WrittenFiles written;

@@ -64,50 +64,51 @@ std::string utc_span_words(const ComparedRun& run, double offset_s) {
     return "from " + text(run.frames.front()) + " to " + text(run.frames.back());
 }
 
-AlignedRuns by_time(const ComparedRun& a, const ComparedRun& b) {
+/// An alignment, or why there is none.
+struct Attempt {
+    std::optional<AlignedRuns> runs;
+    std::string why;
+};
+
+Attempt unless_empty(AlignedRuns runs, const std::string& why) {
+    if (runs.instants.empty()) return {std::nullopt, why};
+    return {std::move(runs), {}};
+}
+
+/// Of runs that do not show the same log.
+Attempt by_time_of_day(const ComparedRun& a, const ComparedRun& b) {
     const std::optional<double> utc_a_s = utc_offset_s(a), utc_b_s = utc_offset_s(b);
-    AlignedRuns runs{Alignment::time, "The runs show the same log and are aligned by its time", "time of the log", "s", {}};
-    if (is_same_flight(a, b)) {
-        runs.instants = instants_by_time(a, b, 0, 0);
-        if (runs.instants.empty())
-            throw UserError("--align time: the frames of " + a.folder + " and " + b.folder +
-                            " share no time of their log; replay both with the same --from, --to and --step, or choose place");
-        return runs;
-    }
     if (utc_a_s.has_value() != utc_b_s.has_value())
-        throw UserError("--align time: " + (utc_a_s ? b : a).folder +
-                        " does not know the date, so that the runs share no time; choose "
-                        "place or takeoff");
-    runs.axis = "time of A";
+        return {std::nullopt, (utc_a_s ? b : a).folder + " does not know the date, so that the runs share no time"};
+    AlignedRuns runs{Alignment::time, "The runs are aligned by the time of day (UTC)", "time of A", "s", {}};
     if (!utc_a_s) {
         runs.words = "The logs know no date, so that the runs are aligned by the seconds since each log began";
         runs.instants = instants_by_time(a, b, 0, 0);
-    } else {
-        runs.words = "The runs are aligned by the time of day (UTC)";
-        runs.instants = instants_by_time(a, b, 0, *utc_a_s - *utc_b_s);
+        return unless_empty(std::move(runs), "the runs share no time since their logs began");
     }
-    if (runs.instants.empty())
-        throw UserError("--align time: the runs share no time" +
-                        (utc_a_s ? "; " + a.folder + " is " + utc_span_words(a, *utc_a_s) + ", " + b.folder + " " +
-                                       utc_span_words(b, *utc_b_s)
-                                 : std::string()) +
-                        "; choose place or takeoff");
-    return runs;
+    runs.instants = instants_by_time(a, b, 0, *utc_a_s - *utc_b_s);
+    return unless_empty(std::move(runs), "the runs share no time: " + a.folder + " is " + utc_span_words(a, *utc_a_s) + ", " +
+                                             b.folder + " " + utc_span_words(b, *utc_b_s));
 }
 
-AlignedRuns by_takeoff(const ComparedRun& a, const ComparedRun& b) {
+Attempt by_time(const ComparedRun& a, const ComparedRun& b) {
+    if (!is_same_flight(a, b)) return by_time_of_day(a, b);
+    return unless_empty({Alignment::time, "The runs show the same log and are aligned by its time", "time of the log", "s",
+                         instants_by_time(a, b, 0, 0)},
+                        "the frames of " + a.folder + " and " + b.folder +
+                            " share no time of their log; replays with the same --from, --to and --step do");
+}
+
+Attempt by_takeoff(const ComparedRun& a, const ComparedRun& b) {
     const std::optional<std::size_t> off_a = takeoff_frame(a), off_b = takeoff_frame(b);
-    if (!off_a || !off_b)
-        throw UserError("--align takeoff: " + (off_a ? b : a).folder + " shows no take-off; choose time or place");
+    if (!off_a && !off_b) return {std::nullopt, "neither " + a.folder + " nor " + b.folder + " shows a take-off"};
+    if (!off_a || !off_b) return {std::nullopt, (off_a ? b : a).folder + " shows no take-off"};
     const double a_s = a.frames[*off_a].time_s, b_s = b.frames[*off_b].time_s;
-    AlignedRuns runs{Alignment::takeoff,
-                     "The runs are aligned by the seconds since take-off, which was at " + frame_time_words(a, a_s) +
-                         " in A and at " + frame_time_words(b, b_s) + " in B",
-                     "time since take-off", "s", instants_by_time(a, b, a_s, b_s)};
-    if (runs.instants.empty())
-        throw UserError("--align takeoff: no frame of " + a.folder + " and " + b.folder +
-                        " is equally long after take-off; choose time or place");
-    return runs;
+    return unless_empty({Alignment::takeoff,
+                         "The runs are aligned by the seconds since take-off, which was at " + frame_time_words(a, a_s) +
+                             " in A and at " + frame_time_words(b, b_s) + " in B",
+                         "time since take-off", "s", instants_by_time(a, b, a_s, b_s)},
+                        "no frame of " + a.folder + " and " + b.folder + " is equally long after take-off");
 }
 
 /// Frames with a place, thinned where there are too many for the search.
@@ -153,15 +154,15 @@ double position_in_frames(const PlacedFrames& placed, double along) {
     return frame + (along - static_cast<double>(first)) * (static_cast<double>(placed.frames[first + 1]) - frame);
 }
 
-[[noreturn]] void refuse_places(const PlacedFrames& a, const PlacedFrames& b, double within_m) {
-    if (a.track.empty() || b.track.empty())
-        throw UserError("--align place: a run has no frame with a valid position; choose time or takeoff");
-    throw UserError("--align place: the frames of the runs come no nearer than " + decimal(nearest_places_m(a, b) / 1000, 1) +
-                    " km to one another, and counterparts are at most " + decimal(within_m / 1000, 1) +
-                    " km apart; choose time or takeoff, or a greater --within");
+std::string why_no_places(const ComparedRun& a, const ComparedRun& b, double within_m) {
+    const PlacedFrames placed_a = placed_frames(a), placed_b = placed_frames(b);
+    if (placed_a.track.empty() || placed_b.track.empty())
+        return (placed_a.track.empty() ? a : b).folder + " has no frame with a valid position";
+    return "the frames of the runs come no nearer than " + decimal(nearest_places_m(placed_a, placed_b) / 1000, 1) +
+           " km to one another, and counterparts are at most " + decimal(within_m / 1000, 1) + " km apart";
 }
 
-AlignedRuns by_place(const ComparedRun& a, const ComparedRun& b, double within_m) {
+std::optional<AlignedRuns> by_place(const ComparedRun& a, const ComparedRun& b, double within_m) {
     const PlacedFrames placed_a = placed_frames(a), placed_b = placed_frames(b);
     const auto pairs = paired_places(placed_a.track, placed_b.track, within_m);
     AlignedRuns runs{
@@ -184,28 +185,39 @@ AlignedRuns by_place(const ComparedRun& a, const ComparedRun& b, double within_m
         runs.instants.push_back(
             {placed_a.frames[n], position_in_frames(placed_b, pairs[n]->along), along_m / 1000, pairs[n]->distance_m});
     }
-    if (runs.instants.empty()) refuse_places(placed_a, placed_b, within_m);
+    if (runs.instants.empty()) return std::nullopt;
     return runs;
 }
 
+/// In metres, rounded up; nothing where no limit that may be given makes the runs meet.
+std::optional<long> within_that_fits(const ComparedRun& a, const ComparedRun& b) {
+    constexpr double kRoom = 1.1, kRounded_m = 100, kGreatest_m = 1e6;
+    const double nearest_m = nearest_places_m(placed_frames(a), placed_frames(b));
+    if (!(nearest_m * kRoom + kRounded_m < kGreatest_m)) return std::nullopt;
+    const double within_m = std::ceil(nearest_m * kRoom / kRounded_m) * kRounded_m;
+    if (!by_place(a, b, within_m)) return std::nullopt;
+    return std::lround(within_m);
+}
+
+/// Which alignments these runs have, besides the one that failed.
+std::string what_fits(const ComparedRun& a, const ComparedRun& b, double within_m) {
+    std::string names;
+    const auto add = [&names](const std::string& name) { names += (names.empty() ? "--align " : " or --align ") + name; };
+    if (by_time(a, b).runs) add("time");
+    if (by_place(a, b, within_m))
+        add("place");
+    else if (const auto fitting_m = within_that_fits(a, b))
+        add("place --within " + std::to_string(*fitting_m));
+    if (by_takeoff(a, b).runs) add("takeoff");
+    return names.empty() ? "no other --align aligns these runs either; name another run" : names + " aligns them";
+}
+
 /// Runs of different flights of which neither knows the date share no time, though an alignment by it may be asked for.
-AlignedRuns by_what_fits(const ComparedRun& a, const ComparedRun& b, double within_m) {
-    const auto attempt = [](auto align) -> std::optional<AlignedRuns> {
-        try {
-            return align();
-        } catch (const UserError&) {
-            return std::nullopt;
-        }
-    };
-    if (is_same_flight(a, b)) return by_time(a, b);
-    if (utc_offset_s(a) || utc_offset_s(b))
-        if (auto runs = attempt([&] { return by_time(a, b); })) return *runs;
-    if (auto runs = attempt([&] { return by_place(a, b, within_m); })) return *runs;
-    if (auto runs = attempt([&] { return by_takeoff(a, b); })) return *runs;
-    throw UserError(
-        a.folder + " and " + b.folder +
-        ": the runs share no time, come nowhere near one another, and do not both show a take-off; there is nothing to "
-        "compare; --align place with a greater --within takes places that are farther apart");
+std::optional<AlignedRuns> by_what_is_shared(const ComparedRun& a, const ComparedRun& b, double within_m) {
+    if (is_same_flight(a, b) || utc_offset_s(a) || utc_offset_s(b))
+        if (auto runs = by_time(a, b).runs) return runs;
+    if (auto runs = by_place(a, b, within_m)) return runs;
+    return by_takeoff(a, b).runs;
 }
 
 /// Of logs that are gone. The same path is taken for the same log.
@@ -228,14 +240,25 @@ std::optional<std::size_t> takeoff_by_phase(const ComparedRun& run) {
     return std::nullopt;
 }
 
-AlignedRuns aligned_as_asked(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request) {
-    if (!request.by) return by_what_fits(a, b, request.within_m);
-    switch (*request.by) {
-        case Alignment::time: return by_time(a, b);
-        case Alignment::place: return by_place(a, b, request.within_m);
-        case Alignment::takeoff: break;
+Attempt aligned_as_asked(const ComparedRun& a, const ComparedRun& b, Alignment by, double within_m) {
+    if (by == Alignment::time) return by_time(a, b);
+    if (by == Alignment::takeoff) return by_takeoff(a, b);
+    auto runs = by_place(a, b, within_m);
+    if (runs) return {std::move(runs), {}};
+    return {std::nullopt, why_no_places(a, b, within_m)};
+}
+
+AlignedRuns aligned_or_refused(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request) {
+    const double within_m = request.within_m.value_or(kWithin_m);
+    if (request.by) {
+        Attempt attempt = aligned_as_asked(a, b, *request.by, within_m);
+        if (attempt.runs) return std::move(*attempt.runs);
+        throw UserError(std::string("--align ") + name_of(*request.by) + ": " + attempt.why + "; " + what_fits(a, b, within_m));
     }
-    return by_takeoff(a, b);
+    if (auto runs = by_what_is_shared(a, b, within_m)) return std::move(*runs);
+    throw UserError(a.folder + " and " + b.folder +
+                    ": the runs share no time, come nowhere near one another, and do not both show a take-off; " +
+                    what_fits(a, b, within_m));
 }
 
 }  // namespace
@@ -273,7 +296,10 @@ std::optional<std::size_t> takeoff_frame(const ComparedRun& run) {
 }
 
 AlignedRuns aligned(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request) {
-    AlignedRuns runs = aligned_as_asked(a, b, request);
+    if (request.within_m && request.by && *request.by != Alignment::place)
+        throw UserError(std::string("--within: --align ") + name_of(*request.by) +
+                        " takes places however far apart they are; leave --within out, or choose --align place");
+    AlignedRuns runs = aligned_or_refused(a, b, request);
     runs.searched = (a.frames.size() + runs.stride_a - 1) / runs.stride_a;
     return runs;
 }

@@ -38,9 +38,11 @@ struct AlignedRuns {
     std::size_t searched = 0;  ///< frames of A that were looked at, with a counterpart or without one
 };
 
+inline constexpr double kWithin_m = 3000;
 struct AlignmentRequest {
     std::optional<Alignment> by;  ///< nothing: by time where the runs share one, else by place, else by take-off
-    double within_m = 3000;       ///< places farther apart are no counterparts; above 0
+    /// Places farther apart are no counterparts; above 0. Nothing: kWithin_m. Refused beside an alignment that is not by place.
+    std::optional<double> within_m;
 };
 
 /// "time", "place", "takeoff".
@@ -51,7 +53,7 @@ struct AlignmentRequest {
 /// The index of the first frame of take-off: of the phase, where the run shows its begin, else of the ground speed between
 /// frames, which rises above 20 m/s after it was below 15 m/s. Nothing where there is none.
 [[nodiscard]] std::optional<std::size_t> takeoff_frame(const ComparedRun& run);
-/// Throws UserError where no frame of A has a counterpart; the sentence names what may be tried.
+/// Throws UserError where no frame of A has a counterpart; the sentence names those alignments alone that these runs have.
 [[nodiscard]] AlignedRuns aligned(const ComparedRun& a, const ComparedRun& b, const AlignmentRequest& request);
 
 /// The value at a moment of a run that may lie between two frames: of what is flown it is interpolated, else it is the nearest

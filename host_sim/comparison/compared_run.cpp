@@ -7,11 +7,7 @@
 #include <limits>
 
 #include "host_sim/calendar_time.hpp"
-#include "host_sim/input_file.hpp"
 #include "host_sim/reports/line_chart.hpp"
-#include "host_sim/reports/run_folder.hpp"
-#include "host_sim/reports/run_records.hpp"
-#include "host_sim/user_error.hpp"
 #include "render_core/base/hash.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -92,43 +88,25 @@ void read_place(const RunJson& record, ComparedFrame& frame) {
                       std::isfinite(frame.longitude_deg);
 }
 
-ComparedFrame compared_frame(const RunJson& record, const RunRecords& records, const std::string& folder) {
-    ComparedFrame frame;
-    frame.frame = record["frame"].get<std::uint64_t>();
-    frame.time_s = number_at(record, "/time_s");
-    if (!std::isfinite(frame.time_s))
-        throw UserError(records.path() + ":" + std::to_string(records.line()) +
-                        ": a record without time_s; replay the run again");
+void read_compared_frame(const RunJson& record, ComparedFrame& frame) {
     const double utc_s = number_at(record, "/utc/time_s");
     if (std::isfinite(utc_s)) frame.utc_s = utc_s;
     frame.hash = string_at(record, "/hash");
-    const std::string sub = string_at(record, "/sub_phase");
-    frame.phase = string_at(record, "/phase") + (sub.empty() ? "" : "." + sub);
     frame.terrain_alert = alert_at(record, "/alerts/terrain/level");
     frame.obstacle_alert = alert_at(record, "/alerts/obstacles/level");
     read_place(record, frame);
     read_values(record, frame);
-    frame.picture = frame_picture_path(folder, frame.frame);
     if (!std::filesystem::exists(frame.picture)) frame.picture.clear();
-    return frame;
-}
-
-/// What `fly` wrote lies in the folder of the run, which may have been moved or copied since.
-std::string path_of_log(const ComparedRun& run) {
-    const std::string beside = (std::filesystem::path(run.folder) / std::filesystem::path(run.log).filename()).string();
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(beside, ignored) ? beside : run.log;
 }
 
 /// Logs may have gigabytes: of two that have the same size, begin and end alike, the middle is not read.
 void read_log_content(ComparedRun& run) {
     constexpr std::uint64_t kSampleBytes = 64u << 10;
     std::error_code failure;
-    if (run.log.empty()) return;
-    const std::string path = path_of_log(run);
-    if (!std::filesystem::is_regular_file(path, failure)) return;
-    const std::uint64_t size = std::filesystem::file_size(path, failure);
-    std::ifstream file(path, std::ios::binary);
+    const std::optional<std::string> path = file_of_run(run.folder, run.log);
+    if (!path) return;
+    const std::uint64_t size = std::filesystem::file_size(*path, failure);
+    std::ifstream file(*path, std::ios::binary);
     if (failure || !file) return;
     std::vector<char> bytes(std::min(kSampleBytes, size));
     base::Fnv1a64 hash;
@@ -142,10 +120,8 @@ void read_log_content(ComparedRun& run) {
 
 /// An interrupted run may have no summary.
 void read_names(ComparedRun& run) {
-    const std::string path = run.folder + "/" + kSummaryName;
-    if (!std::filesystem::exists(path)) return;
-    const RunJson summary = RunJson::parse(read_file(path), nullptr, false);
-    if (!summary.is_object()) throw UserError(path + ": no summary of a run; replay the run again");
+    const RunJson summary = summary_of_run(run.folder);
+    if (summary.is_null()) return;
     run.log = string_at(summary, "/log");
     run.design = string_at(summary, "/design");
     run.device = string_at(summary, "/device");
@@ -166,10 +142,7 @@ void read_names(ComparedRun& run) {
 ComparedRun read_compared_run(const std::string& folder) {
     ComparedRun run;
     run.folder = folder;
-    RunRecords records(folder);
-    while (const std::optional<RunJson> record = records.next()) run.frames.push_back(compared_frame(*record, records, folder));
-    std::stable_sort(run.frames.begin(), run.frames.end(),
-                     [](const ComparedFrame& a, const ComparedFrame& b) { return a.time_s < b.time_s; });
+    run.frames = frames_of_run<ComparedFrame>(folder, read_compared_frame);
     read_names(run);
     read_log_content(run);
     return run;

@@ -9,14 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "host_sim/reports/run_frames.hpp"
+#include "render_core/base/units.hpp"
+
 namespace tedavis::host_sim {
 
 /// A number of a frame that is compared.
 struct Quantity {
-    const char* name;   ///< key of compare.json: "height_above_terrain"
-    const char* title;  ///< "Height above terrain"
-    const char* unit;   ///< "m"; empty for counts
-    int digits;         ///< decimals in which it is said
+    const char* name;        ///< key of compare.json: "height_above_terrain"
+    const char* title;       ///< "Height above terrain"
+    const char* unit;        ///< "m"; empty for counts
+    const char* shown_unit;  ///< of the page, which has heights in feet as the display has
+    double per_unit;         ///< shown units in one
+    int digits;              ///< decimals in which it is shown
     /// It belongs to the flight and varies steadily, so that it may be interpolated between two frames; else it belongs to a
     /// picture.
     bool is_flown;
@@ -35,29 +40,26 @@ enum QuantityIndex : std::size_t {
 };
 /// In the order of QuantityIndex.
 inline constexpr std::array<Quantity, kQuantityCount> kQuantities = {{
-    {"altitude", "Altitude", "m", 0, true},
-    {"height_above_terrain", "Height above terrain", "m", 0, true},
-    {"clearance", "Distance to the nearest ground", "m", 0, true},
-    {"labels_placed", "Labels placed", "", 0, false},
-    {"labels_left_out", "Labels left out", "", 0, false},
-    {"data_drawn", "Data features drawn", "", 0, false},
-    {"effects_drawn", "Effects drawn", "", 0, false},
-    {"crowded_regions", "Regions above the clutter budget", "", 0, false},
-    {"frame_time", "Time per frame", "ms", 1, false},
+    {"altitude", "Altitude", "m", "ft", 1 / base::kMetresPerFoot, 0, true},
+    {"height_above_terrain", "Height above terrain", "m", "ft", 1 / base::kMetresPerFoot, 0, true},
+    {"clearance", "Distance to the nearest ground", "m", "ft", 1 / base::kMetresPerFoot, 0, true},
+    {"labels_placed", "Labels placed", "", "", 1, 0, false},
+    {"labels_left_out", "Labels left out", "", "", 1, 0, false},
+    {"data_drawn", "Data features drawn", "", "", 1, 0, false},
+    {"effects_drawn", "Effects drawn", "", "", 1, 0, false},
+    {"crowded_regions", "Regions above the clutter budget", "", "", 1, 0, false},
+    {"frame_time", "Time per frame", "ms", "ms", 1, 1, false},
 }};
 
-struct ComparedFrame {
-    std::uint64_t frame = 0;
-    double time_s = 0;  ///< since the log's first frame
+/// The path of its picture is empty where there is none.
+struct ComparedFrame : RunFrame {
     std::optional<double> utc_s;
-    std::string hash;   ///< of the picture; see knows_picture()
-    std::string phase;  ///< "approach.final"
+    std::string hash;  ///< of the picture; see knows_picture()
     bool has_place = false;
     double latitude_deg = 0, longitude_deg = 0;   ///< where it has a place
     int terrain_alert = 0, obstacle_alert = 0;    ///< 0 none, 1 caution, 2 warning
     std::array<double, kQuantityCount> values{};  ///< NaN where the record does not have it
     std::vector<std::string> effects;             ///< that were drawn
-    std::string picture;                          ///< path; empty where there is none
 };
 
 struct ComparedRun {

@@ -50,12 +50,14 @@ LineChart empty_chart(const RunComparison& runs, const std::string& title, const
 std::string quantity_charts(const RunComparison& runs, const QuantityDifference& difference) {
     constexpr double kLowHeight = 130;
     const Quantity& quantity = kQuantities[difference.quantity];
-    LineChart both = empty_chart(runs, quantity.title, quantity.unit), apart = empty_chart(runs, "B - A", quantity.unit);
+    LineChart both = empty_chart(runs, quantity.title, quantity.shown_unit),
+              apart = empty_chart(runs, "B - A", quantity.shown_unit);
     both.curves = {{"A", kColorOfA, {}}, {"B", kColorOfB, {}, true}};
     apart.curves = {{"B - A", "#7a4fa3", {}}};
     apart.height = kLowHeight;
     for (std::size_t n = 0; n < runs.aligned.instants.size(); ++n) {
-        const double a = runs.value_a(n, difference.quantity), b = runs.value_b(n, difference.quantity);
+        const double a = runs.value_a(n, difference.quantity) * quantity.per_unit,
+                     b = runs.value_b(n, difference.quantity) * quantity.per_unit;
         both.curves[0].values.push_back(a);
         both.curves[1].values.push_back(b);
         apart.curves[0].values.push_back(b - a);

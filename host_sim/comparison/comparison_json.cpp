@@ -22,6 +22,8 @@ ComparisonJson quantity_json(const QuantityDifference& one) {
     return {{"quantity", quantity.name},
             {"unit", quantity.unit},
             {"instants", one.count},
+            {"values_a", one.values_a},
+            {"values_b", one.values_b},
             {"mean_a", one.mean_a},
             {"mean_b", one.mean_b},
             {"median_a", one.median_a},
@@ -33,6 +35,16 @@ ComparisonJson quantity_json(const QuantityDifference& one) {
 
 ComparisonJson levels_json(const AlertLevels& levels) {
     return {{"none", levels[0]}, {"caution", levels[1]}, {"warning", levels[2]}};
+}
+
+ComparisonJson closest_json_of(const std::optional<RunClosest>& closest) {
+    if (!closest) return {};
+    return {{"height_above_terrain_m", closest->height_m},
+            {"time_s", closest->time_s},
+            {"lat_deg", known_or_null(closest->latitude_deg)},
+            {"lon_deg", known_or_null(closest->longitude_deg)},
+            {"phase", closest->phase},
+            {"searched", closest->is_of_summary ? "run" : "frames"}};
 }
 
 template <class Value>
@@ -80,6 +92,8 @@ nlohmann::ordered_json comparison_json(const RunComparison& runs) {
                           {"stride_b", runs.aligned.stride_b},
                           {"searched", runs.aligned.searched},
                           {"without_counterpart", runs.aligned.searched - runs.aligned.instants.size()}}}};
+    json["compared_frames"] = {{"a", runs.compared_a.size()}, {"b", runs.compared_b.size()}};
+    json["closest"] = {{"a", closest_json_of(runs.closest_a)}, {"b", closest_json_of(runs.closest_b)}};
     json["differences"] = ComparisonJson::array();
     for (const QuantityDifference& one : runs.quantities) json["differences"].push_back(quantity_json(one));
     json["known_by_one"] = ComparisonJson::object();
@@ -87,7 +101,7 @@ nlohmann::ordered_json comparison_json(const RunComparison& runs) {
         json["known_by_one"][kQuantities[quantity].name] = runs.known_by_one[quantity];
     json["effects"] = ComparisonJson::array();
     for (const EffectDifference& one : runs.effects)
-        json["effects"].push_back({{"name", one.name}, {"instants_a", one.instants_a}, {"instants_b", one.instants_b}});
+        json["effects"].push_back({{"name", one.name}, {"frames_a", one.frames_a}, {"frames_b", one.frames_b}});
     json["alerts"] = {{"terrain", {{"a", levels_json(runs.terrain_a)}, {"b", levels_json(runs.terrain_b)}}},
                       {"obstacles", {{"a", levels_json(runs.obstacles_a)}, {"b", levels_json(runs.obstacles_b)}}}};
     json["other_phase"] = runs.other_phase;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "host_sim/reports/line_chart.hpp"
 
@@ -26,15 +27,35 @@ void add_spread(const RunComparison& runs, Reasons& reasons) {
     for (std::size_t n = 0; n < kSpread && !pictured.empty(); ++n) reasons[pictured[n * (pictured.size() - 1) / (kSpread - 1)]];
 }
 
+/// The instant of the frame that is next to the closest point in time; nothing where that is not among those compared.
+template <class FrameOf>
+std::optional<std::size_t> instant_beside(const RunComparison& runs, const std::optional<RunClosest>& closest, double step_s,
+                                          FrameOf frame_of) {
+    if (!closest) return std::nullopt;
+    std::optional<std::size_t> best;
+    double least_s = step_s;
+    for (std::size_t n = 0; n < runs.aligned.instants.size(); ++n) {
+        const double apart_s = std::abs(frame_of(n).time_s - closest->time_s);
+        if (apart_s > least_s || (best && apart_s == least_s)) continue;
+        best = n;
+        least_s = apart_s;
+    }
+    return best;
+}
+
 void add_closest(const RunComparison& runs, Reasons& reasons) {
-    const QuantityDifference* const height = runs.find(kHeightAboveTerrain);
-    if (height == nullptr || !std::isfinite(height->least_a) || !std::isfinite(height->least_b)) return;
-    if (height->least_a_at == height->least_b_at) {
-        reasons[height->least_a_at].emplace_back("both are closest to the ground");
+    const double step_a_s = median_step_s(runs.a) * static_cast<double>(runs.aligned.stride_a),
+                 step_b_s = median_step_s(runs.b) * static_cast<double>(runs.aligned.stride_b);
+    const auto at_a = instant_beside(runs, runs.closest_a, step_a_s,
+                                     [&](std::size_t n) -> const ComparedFrame& { return runs.frame_a(n); }),
+               at_b = instant_beside(runs, runs.closest_b, step_b_s,
+                                     [&](std::size_t n) -> const ComparedFrame& { return runs.frame_b(n); });
+    if (at_a && at_a == at_b) {
+        reasons[*at_a].emplace_back("both are closest to the ground");
         return;
     }
-    reasons[height->least_a_at].emplace_back("A is closest to the ground");
-    reasons[height->least_b_at].emplace_back("B is closest to the ground");
+    if (at_a) reasons[*at_a].emplace_back("A is closest to the ground");
+    if (at_b) reasons[*at_b].emplace_back("B is closest to the ground");
 }
 
 void add_greatest(const RunComparison& runs, Reasons& reasons) {

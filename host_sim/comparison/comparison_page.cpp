@@ -10,6 +10,7 @@
 #include "host_sim/reports/run_findings.hpp"
 #include "host_sim/reports/track_map.hpp"
 #include "host_sim/version.hpp"
+#include "render_core/base/units.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -39,42 +40,48 @@ MapTrack map_track(const ComparedRun& run, const char* name, const char* color, 
     return track;
 }
 
-/// The closest point of the summary, which is searched between the frames too.
-void add_closest_mark(const ComparedRun& run, const std::string& name, const char* color, std::vector<MapMark>& marks) {
-    using Json = nlohmann::ordered_json;
-    const Json::json_pointer first("/by_height/0");
-    if (!run.closest.is_object() || !run.closest.contains(first)) return;
-    const Json& point = run.closest.at(first);
-    const auto number = [&](const char* key) {
-        return point.contains(key) && point[key].is_number() ? point[key].get<double>() : std::nan("");
-    };
-    const double height_m = number("height_above_terrain_m"), latitude_deg = number("lat_deg"), longitude_deg = number("lon_deg");
-    if (!std::isfinite(height_m) || !std::isfinite(latitude_deg) || !std::isfinite(longitude_deg)) return;
+std::string feet_text(double metres) { return decimal(metres / base::kMetresPerFoot, 0) + " ft"; }
+
+void add_closest_mark(const ComparedRun& run, const std::optional<RunClosest>& closest, const std::string& name,
+                      std::vector<MapMark>& marks) {
+    if (!closest || !closest->has_place()) return;
+    const std::string height = feet_text(closest->height_m);
     for (MapMark& mark : marks) {
-        if (mark.latitude_deg != latitude_deg || mark.longitude_deg != longitude_deg) continue;
-        mark.label = "A, B: " + decimal(height_m, 0) + " m";
-        mark.description = "both are closest to the ground, " + decimal(height_m, 0) + " m above it";
+        if (mark.latitude_deg != closest->latitude_deg || mark.longitude_deg != closest->longitude_deg) continue;
+        mark.label = "A, B: " + height;
+        mark.description = "both are closest to the ground, " + height + " above it";
         return;
     }
-    marks.push_back({latitude_deg, longitude_deg, name + ": " + decimal(height_m, 0) + " m",
-                     name + " is closest to the ground, " + decimal(height_m, 0) + " m above it, at " +
-                         frame_time_words(run, number("time_s")),
-                     color});
+    marks.push_back({closest->latitude_deg, closest->longitude_deg, name + ": " + height,
+                     name + " is closest to the ground, " + height + " above it, at " + frame_time_words(run, closest->time_s)});
 }
 
-std::string map_part(const RunComparison& runs, const terrain::TerrainDatabase* terrain) {
+std::string closest_rows_of(const ComparedRun& run, const std::optional<RunClosest>& closest, const char* name) {
+    if (!closest) return {};
+    return "<tr>" + text_cell(name) + number_cell(feet_text(closest->height_m)) +
+           number_cell(escaped_html(frame_time_words(run, closest->time_s))) + text_cell(closest->phase) +
+           text_cell(searched_words(*closest)) + "</tr>";
+}
+
+std::string closest_part(const RunComparison& runs) {
+    const std::string rows = closest_rows_of(runs.a, runs.closest_a, "A") + closest_rows_of(runs.b, runs.closest_b, "B");
+    if (rows.empty()) return {};
+    return page_section("Closest to the ground in flight",
+                        page_table("<th>run</th><th>above the terrain</th><th>at</th><th>phase</th><th>searched</th>", rows));
+}
+
+std::string map_part(const RunComparison& runs, const MapTerrain& terrain) {
     constexpr double kBelow = 5, kAbove = 2;
     std::vector<MapMark> marks;
-    add_closest_mark(runs.a, "A", "#c22", marks);
-    add_closest_mark(runs.b, "B", "#c22", marks);
-    const std::string svg =
-        tracks_map_svg({map_track(runs.a, "A", kColorOfA, kBelow), map_track(runs.b, "B", kColorOfB, kAbove)}, terrain, marks);
+    add_closest_mark(runs.a, runs.closest_a, "A", marks);
+    add_closest_mark(runs.b, runs.closest_b, "B", marks);
+    const std::string svg = tracks_map_svg({map_track(runs.a, "A", kColorOfA, kBelow), map_track(runs.b, "B", kColorOfB, kAbove)},
+                                           terrain.database, marks);
     if (svg.empty()) return {};
     const std::string closest =
         marks.empty() ? std::string() : " Red: where a run is closest to the ground, and how high above it.";
     return page_section("Tracks", svg + "<p><span class='a'>A: wide line.</span> <span class='b'>B: thin line.</span>" + closest +
-                                      (terrain == nullptr ? " Without terrain below, since its database was not found." : "") +
-                                      "</p>");
+                                      (terrain.why_none.empty() ? "" : " " + escaped_html(terrain.why_none)) + "</p>");
 }
 
 std::string numbers_of(const RunComparison& runs, std::size_t instant, bool is_a) {
@@ -82,7 +89,7 @@ std::string numbers_of(const RunComparison& runs, std::size_t instant, bool is_a
     const ComparedFrame& frame = is_a ? runs.frame_a(instant) : runs.frame_b(instant);
     std::string text = frame.phase + kAlerts[frame.terrain_alert];
     const double height_m = frame.values[kHeightAboveTerrain], labels = frame.values[kLabelsPlaced];
-    if (std::isfinite(height_m)) text += ", " + decimal(height_m, 0) + " m above the terrain";
+    if (std::isfinite(height_m)) text += ", " + feet_text(height_m) + " above the terrain";
     if (std::isfinite(labels)) text += ", " + decimal(labels, 0) + (labels == 1 ? " label" : " labels");
     return text;
 }
@@ -112,10 +119,11 @@ std::string signed_text(double value, int digits) {
     return text.find_first_of("123456789") == std::string::npos ? decimal(0, digits) : text;
 }
 
-/// With the number of instants that the row is of, where it is not all of them.
+/// With its unit, and the number of instants that the row is of where it is not all of them.
 std::string title_with_count(const RunComparison& runs, const QuantityDifference& one) {
     const std::size_t instants = runs.aligned.instants.size();
-    const std::string title = kQuantities[one.quantity].title;
+    const std::string unit = kQuantities[one.quantity].shown_unit;
+    const std::string title = kQuantities[one.quantity].title + (unit.empty() ? unit : ", " + unit);
     return one.count == instants ? title : title + " (" + part_of(one.count, instants) + " instants)";
 }
 
@@ -129,12 +137,10 @@ std::string quantity_rows(const RunComparison& runs) {
     for (const QuantityDifference& one : runs.quantities) {
         const Quantity& quantity = kQuantities[one.quantity];
         const int mean_digits = std::max(quantity.digits, 1);
-        const std::string unit = quantity.unit[0] == '\0' ? std::string() : " " + std::string(quantity.unit);
-        rows += "<tr>" + text_cell(title_with_count(runs, one)) + number_cell(decimal(one.mean_a, mean_digits) + unit) +
-                number_cell(decimal(one.mean_b, mean_digits) + unit) +
-                number_cell(signed_text(one.mean_b - one.mean_a, mean_digits) + unit) +
-                number_cell(signed_text(one.greatest, quantity.digits) + unit) + text_cell(place_of_greatest(runs, one)) +
-                "</tr>";
+        const auto cell = [&](double value, int digits) { return number_cell(signed_text(value * quantity.per_unit, digits)); };
+        rows += "<tr>" + text_cell(title_with_count(runs, one)) + cell(one.mean_a, mean_digits) + cell(one.mean_b, mean_digits) +
+                cell(one.mean_b - one.mean_a, mean_digits) + cell(one.greatest, quantity.digits) +
+                text_cell(place_of_greatest(runs, one)) + "</tr>";
     }
     return rows;
 }
@@ -143,32 +149,38 @@ std::string numbers_part(const RunComparison& runs) {
     const std::string rows = quantity_rows(runs);
     if (rows.empty()) return {};
     return page_section("In numbers",
-                        page_table("<th>of the instants</th><th>mean of A</th><th>mean of B</th><th>mean of B - A</th>"
+                        page_table("<th>quantity</th><th>mean of A</th><th>mean of B</th><th>mean of B - A</th>"
                                    "<th>greatest B - A</th><th>at</th>",
-                                   rows));
+                                   rows) +
+                            "<p>Means of heights and distances are of the instants; other means are of the frames that are "
+                            "compared, each once: " +
+                            std::to_string(runs.compared_a.size()) + " of A, " + std::to_string(runs.compared_b.size()) +
+                            " of B.</p>");
 }
 
 std::string effects_part(const RunComparison& runs) {
     std::string rows, equal;
     for (const EffectDifference& effect : runs.effects) {
-        if (effect.instants_a == effect.instants_b) {
+        if (effect.share_a == effect.share_b) {
             equal += (equal.empty() ? "" : ", ") + effect.name;
             continue;
         }
-        rows += "<tr>" + text_cell(effect.name) + number_cell(std::to_string(effect.instants_a)) +
-                number_cell(std::to_string(effect.instants_b)) + "</tr>";
+        rows += "<tr>" + text_cell(effect.name) + number_cell(std::to_string(effect.frames_a)) +
+                number_cell(std::to_string(effect.frames_b)) + "</tr>";
     }
     if (runs.effects.empty()) return {};
     std::string html;
-    if (!rows.empty()) html += page_table("<th>effect</th><th>instants with it in A</th><th>in B</th>", rows);
-    if (!equal.empty()) html += "<p>In equally many instants of both: " + escaped_html(equal) + ".</p>";
+    if (!rows.empty())
+        html += page_table("<th>effect</th><th>of " + counted(runs.compared_a.size(), "frame") + " of A</th><th>of " +
+                               counted(runs.compared_b.size(), "frame") + " of B</th>",
+                           rows);
+    if (!equal.empty()) html += "<p>In equal parts of the frames of both: " + escaped_html(equal) + ".</p>";
     return page_section("Effects drawn", html);
 }
 
 }  // namespace
 
-std::string comparison_page(const RunComparison& runs, const std::vector<ComparisonMoment>& moments,
-                            const terrain::TerrainDatabase* terrain) {
+std::string comparison_page(const RunComparison& runs, const std::vector<ComparisonMoment>& moments, const MapTerrain& terrain) {
     const std::string title = comparison_title(runs);
     std::string introduction;
     for (const std::string& sentence : run_introductions(runs))
@@ -178,7 +190,7 @@ std::string comparison_page(const RunComparison& runs, const std::vector<Compari
         title,
         "<header><h1>" + escaped_html(title) + "</h1>" + listed_sentences(difference_sentences(runs)) + "<p>" + introduction +
             "</p><p>TEDAVIS " + version() + ". A simulation; not certified for use in flight.</p></header>\n" +
-            warning_part(runs) + map_part(runs, terrain) + moment_part(runs, moments) +
+            warning_part(runs) + map_part(runs, terrain) + closest_part(runs) + moment_part(runs, moments) +
             (charts.empty() ? charts : page_section("Over the " + runs.aligned.axis, charts)) + numbers_part(runs) +
             effects_part(runs),
         kComparisonStyle);

@@ -12,9 +12,15 @@ namespace tedavis::host_sim {
 /// How every page begins: by this a page is told from other files.
 inline constexpr char kComparisonPageBeginning[] = "<!DOCTYPE html>\n<html lang='en' id='tedavis-comparison'>";
 
-/// `terrain`, below the tracks: null where there is none. Reads the pictures of the moments; throws UserError where one is
+/// The terrain below the tracks.
+struct MapTerrain {
+    const terrain::TerrainDatabase* database = nullptr;  ///< null where there is none; it must outlive the call
+    std::string why_none;                                ///< a sentence, where there is none
+};
+
+/// Reads the pictures of the moments; throws UserError where one is
 /// damaged.
 [[nodiscard]] std::string comparison_page(const RunComparison& runs, const std::vector<ComparisonMoment>& moments,
-                                          const terrain::TerrainDatabase* terrain);
+                                          const MapTerrain& terrain);
 
 }  // namespace tedavis::host_sim

@@ -35,8 +35,11 @@ std::string introduction(const ComparedRun& run, const char* letter) {
     return text + (run.size.empty() ? "." : ", " + run.size + ".");
 }
 
-std::string distance_words(double metres) {
-    return metres < 1000 ? decimal(metres, 0) + " m" : decimal(metres / 1000, 1) + " km";
+/// In one unit, that of the greater one.
+std::string distances_apart_words(double mean_m, double greatest_m) {
+    const bool is_far = greatest_m >= 1000;
+    const auto words = [&](double metres) { return is_far ? decimal(metres / 1000, 1) + " km" : decimal(metres, 0) + " m"; };
+    return "; both places are " + words(mean_m) + " apart in the mean and " + words(greatest_m) + " at most";
 }
 
 /// "every frame", "every 3rd frame".
@@ -71,6 +74,13 @@ std::string pairing_sentence(const RunComparison& runs) {
            "between frames. Differences may come from that alone; runs with the same --from and --step have none.";
 }
 
+/// Where the frames of B are farther apart than those of A.
+std::string repeated_sentence(const RunComparison& runs) {
+    if (runs.compared_b.size() == runs.compared_a.size()) return {};
+    return " They are " + counted(runs.compared_b.size(), "frame") +
+           " of B, some of them for several frames of A; counts have each frame once.";
+}
+
 std::string alignment_sentence(const RunComparison& runs) {
     const auto& instants = runs.aligned.instants;
     double sum_m = 0, greatest_m = 0;
@@ -84,10 +94,8 @@ std::string alignment_sentence(const RunComparison& runs) {
     std::string text = runs.aligned.words + ". " + thinned_sentence(runs) + "B has a counterpart to " +
                        part_of(instants.size(), runs.aligned.searched) + " frames of A";
     if (runs.aligned.stride_a > 1) text += " that were looked at";
-    if (known > 0 && greatest_m >= 1)
-        text += "; both places are " + distance_words(sum_m / static_cast<double>(known)) + " apart in the mean and " +
-                distance_words(greatest_m) + " at most";
-    return text + "." + pairing_sentence(runs);
+    if (known > 0 && greatest_m >= 1) text += distances_apart_words(sum_m / static_cast<double>(known), greatest_m);
+    return text + "." + repeated_sentence(runs) + pairing_sentence(runs);
 }
 
 /// Rounded values that are equal are no difference that is worth a sentence.
@@ -104,29 +112,45 @@ std::string higher_sentence(const RunComparison& runs) {
            instant_words(runs, one->greatest_at) + ".";
 }
 
+std::string both_searched_words(const RunClosest& a, const RunClosest& b) {
+    if (searched_words(a) == searched_words(b)) return "each over " + searched_words(a);
+    return "A over " + searched_words(a) + ", B over " + searched_words(b);
+}
+
 std::string ground_sentence(const RunComparison& runs) {
-    const QuantityDifference* const one = runs.find(kHeightAboveTerrain);
-    if (one == nullptr || !std::isfinite(one->least_a) || !std::isfinite(one->least_b)) return {};
-    const double closer_m = one->least_a - one->least_b;
-    if (std::abs(closer_m) < 1)
-        return is_told(*one, 1) ? "Of the instants compared, both came equally close to the ground in flight, to " +
-                                      in_feet(one->least_a) + " above it."
-                                : std::string();
-    const bool is_b = closer_m > 0;
-    return std::string("Of the instants compared, ") + (is_b ? "B" : "A") + " came " + in_feet(std::abs(closer_m)) +
-           " closer to the ground in flight: A to " + in_feet(one->least_a) + " above it at " +
-           frame_time_words(runs.a, runs.frame_a(one->least_a_at).time_s) + ", B to " + in_feet(one->least_b) + " at " +
-           frame_time_words(runs.b, runs.frame_b(one->least_b_at).time_s) + ".";
+    if (!runs.closest_a || !runs.closest_b) return {};
+    const RunClosest &a = *runs.closest_a, &b = *runs.closest_b;
+    const double closer_m = a.height_m - b.height_m;
+    if (std::abs(closer_m) < 1) {
+        const QuantityDifference* const one = runs.find(kHeightAboveTerrain);
+        if (one == nullptr || !is_told(*one, 1)) return {};
+        return "Both came equally close to the ground in flight, to " + in_feet(a.height_m) + " above it; " +
+               both_searched_words(a, b) + ".";
+    }
+    return std::string(closer_m > 0 ? "B" : "A") + " came " + in_feet(std::abs(closer_m)) +
+           " closer to the ground in flight: A to " + in_feet(a.height_m) + " above it at " + frame_time_words(runs.a, a.time_s) +
+           ", B to " + in_feet(b.height_m) + " at " + frame_time_words(runs.b, b.time_s) + "; " + both_searched_words(a, b) + ".";
+}
+
+/// Sums over unequally many frames say nothing.
+std::string count_per_frame_sentence(const QuantityDifference& one, const char* done, const char* what) {
+    const std::string means = decimal(one.mean_b, 1) + " in " + counted(one.values_b, "frame") + " of B, " +
+                              decimal(one.mean_a, 1) + " in " + counted(one.values_a, "frame") + " of A.";
+    const std::string more = decimal(std::abs(one.mean_b - one.mean_a), 1);
+    if (more == "0.0") return std::string("A and B ") + done + " equally many " + what + "s per frame in the mean: " + means;
+    return std::string("B ") + done + " " + more + " " + what + "s " + (one.mean_b > one.mean_a ? "more" : "fewer") +
+           " per frame in the mean: " + means;
 }
 
 std::string count_sentence(const RunComparison& runs, std::size_t quantity, const char* done, const char* what) {
     const QuantityDifference* const one = runs.find(quantity);
     if (one == nullptr || one->greatest == 0) return {};
+    if (one->values_a != one->values_b) return count_per_frame_sentence(*one, done, what);
     const auto sum_a = std::llround(one->sum_a()), sum_b = std::llround(one->sum_b()), more = std::abs(sum_b - sum_a);
-    const std::string in_all =
-        std::to_string(sum_b) + " against " + std::to_string(sum_a) + " in " + counted(one->count, "instant");
+    const std::string in_all = std::to_string(sum_b) + " against " + std::to_string(sum_a) + " in " +
+                               counted(one->values_a, "frame") + (one->values_a == 1 ? "" : " of each");
     if (more == 0)
-        return std::string("A and B ") + done + " equally many " + what + "s in all, but not in each instant: " + in_all + ".";
+        return std::string("A and B ") + done + " equally many " + what + "s in all, but not in each frame: " + in_all + ".";
     return std::string("B ") + done + " " + counted(static_cast<std::uint64_t>(more), what) +
            (sum_b > sum_a ? " more: " : " fewer: ") + in_all + ".";
 }
@@ -136,26 +160,32 @@ std::string effects_sentence(const RunComparison& runs) {
     std::string text;
     std::size_t told = 0, differing = 0;
     for (const EffectDifference& effect : runs.effects) {
-        if (effect.instants_a == effect.instants_b) continue;
+        if (effect.share_a == effect.share_b) continue;
         ++differing;
         if (told == kNamed) continue;
-        text += (told++ == 0 ? "" : ", ") + effect.name + " (A " + std::to_string(effect.instants_a) + ", B " +
-                std::to_string(effect.instants_b) + ")";
+        text += (told++ == 0 ? "" : ", ") + effect.name + " (A " + std::to_string(effect.frames_a) + ", B " +
+                std::to_string(effect.frames_b) + ")";
     }
     if (differing == 0) return {};
-    return counted(differing, "effect") + (differing == 1 ? " was" : " were") + " drawn in unequally many instants" +
+    const std::string frames = std::to_string(runs.compared_a.size());
+    const std::string of_frames =
+        runs.compared_a.size() == runs.compared_b.size()
+            ? "unequally many of " + frames + " frames"
+            : "unequal parts of the frames, " + frames + " of A and " + std::to_string(runs.compared_b.size()) + " of B";
+    return counted(differing, "effect") + (differing == 1 ? " was" : " were") + " drawn in " + of_frames +
            (differing > kNamed ? ", most of all " : ": ") + text + ".";
 }
 
 std::string levels_words(const AlertLevels& levels) {
-    return counted(levels[1], "caution") + " and " + counted(levels[2], "warning");
+    return "caution in " + std::to_string(levels[1]) + " and warning in " + std::to_string(levels[2]) + " of " +
+           std::to_string(levels[0] + levels[1] + levels[2]);
 }
 
 std::string alert_sentence(const char* what, const AlertLevels& a, const AlertLevels& b) {
     if (a[1] + a[2] + b[1] + b[2] == 0) return {};
     const std::string kind = std::string(what) + " alerts";
-    if (a == b) return "Both showed " + kind + " in equally many instants: " + levels_words(a) + ".";
-    return "Instants with " + kind + ": " + levels_words(a) + " in A, " + levels_words(b) + " in B.";
+    if (a == b) return "Both showed " + kind + " in equally many frames: " + levels_words(a) + ".";
+    return "Frames with " + kind + ": " + levels_words(a) + " in A, " + levels_words(b) + " in B.";
 }
 
 std::string time_sentence(const RunComparison& runs) {
@@ -295,6 +325,7 @@ std::vector<std::string> difference_sentences(const RunComparison& runs) {
     };
     if (runs.is_equal()) {
         tell(nothing_differs_sentence(runs));
+        tell(ground_sentence(runs));
         tell(time_sentence(runs));
         return sentences;
     }

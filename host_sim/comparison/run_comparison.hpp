@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host_sim/comparison/alignment.hpp"
+#include "host_sim/comparison/closest_of_run.hpp"
 
 namespace tedavis::host_sim {
 
@@ -17,6 +18,9 @@ namespace tedavis::host_sim {
 struct QuantityDifference {
     std::size_t quantity = 0;  ///< index into kQuantities
     std::size_t count = 0;     ///< of such instants
+    /// What means and medians are of: of what is flown, the instants; else the frames of each run, each once, though it may be
+    /// the nearest one to several instants.
+    std::size_t values_a = 0, values_b = 0;
     double mean_a = 0, mean_b = 0, median_a = 0, median_b = 0;
     /// The smallest values, and their instants; of heights and distances in flight alone, by a known phase. NaN where there is
     /// none.
@@ -25,26 +29,29 @@ struct QuantityDifference {
     double greatest = 0;          ///< B - A where that is largest without its sign
     std::size_t greatest_at = 0;  ///< its instant
 
-    [[nodiscard]] double sum_a() const { return mean_a * static_cast<double>(count); }
-    [[nodiscard]] double sum_b() const { return mean_b * static_cast<double>(count); }
+    [[nodiscard]] double sum_a() const { return mean_a * static_cast<double>(values_a); }
+    [[nodiscard]] double sum_b() const { return mean_b * static_cast<double>(values_b); }
 };
 
-/// Instants in which an effect was drawn.
+/// Frames in which an effect was drawn, of those that are compared.
 struct EffectDifference {
     std::string name;
-    std::size_t instants_a = 0, instants_b = 0;
+    std::size_t frames_a = 0, frames_b = 0;
+    double share_a = 0, share_b = 0;  ///< of the frames that are compared
 };
 
-/// Instants by level of an alert: none, caution, warning.
+/// Frames by level of an alert: none, caution, warning.
 using AlertLevels = std::array<std::size_t, 3>;
 
 struct RunComparison {
     ComparedRun a, b;
     AlignedRuns aligned;
-    std::vector<QuantityDifference> quantities;  ///< in the order of kQuantities
+    std::vector<std::size_t> compared_a, compared_b;  ///< indices of the frames that are compared, each once
+    std::optional<RunClosest> closest_a, closest_b;   ///< of each whole run, whatever is aligned
+    std::vector<QuantityDifference> quantities;       ///< in the order of kQuantities
     /// Instants in which one run alone knows the quantity, by the index into kQuantities.
     std::array<std::size_t, kQuantityCount> known_by_one{};
-    std::vector<EffectDifference> effects;  ///< that either run drew; those that differ most first
+    std::vector<EffectDifference> effects;  ///< that either run drew; those whose shares differ most first
     AlertLevels terrain_a{}, terrain_b{}, obstacles_a{}, obstacles_b{};
     std::size_t other_phase = 0;                   ///< instants of different flight phases
     std::optional<std::size_t> first_other_phase;  ///< the first of them

@@ -4,8 +4,6 @@
 #include <array>
 #include <filesystem>
 
-#include "host_sim/input_file.hpp"
-#include "host_sim/reports/run_folder.hpp"
 #include "host_sim/reports/run_records.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -64,15 +62,7 @@ std::optional<std::vector<FrameObstacle>> frame_obstacles(const Json& record) {
     return all;
 }
 
-FlightFrame flight_frame(const Json& record, const RunRecords& records, const std::string& folder) {
-    if (!record.contains("time_s") || !record["time_s"].is_number())
-        throw UserError(records.path() + ":" + std::to_string(records.line()) +
-                        ": a record without time_s; replay the run again");
-    FlightFrame frame;
-    frame.frame = record["frame"].get<std::uint64_t>();
-    frame.time_s = record["time_s"].get<double>();
-    const std::string sub = text_of(record, "sub_phase");
-    frame.phase = text_of(record, "phase") + (sub.empty() ? "" : "." + sub);
+void read_flight_frame(const Json& record, FlightFrame& frame) {
     frame.phase_source = text_of(record, "phase_source");
     frame.weights = main_weights(record);
     frame.prioritized = prioritized_aspect(frame.weights);
@@ -83,16 +73,12 @@ FlightFrame flight_frame(const Json& record, const RunRecords& records, const st
     frame.has_accuracy_overlay = record.contains("accuracy_overlay") && record["accuracy_overlay"] == true;
     frame.has_scene = record_number(record, "scene_revision") > 0;
     frame.obstacles = frame_obstacles(record);
-    frame.picture = frame_picture_path(folder, frame.frame);
     if (!std::filesystem::exists(frame.picture))
         throw UserError(frame.picture + ": the run has no picture of this frame; replay it again with --frames png");
-    return frame;
 }
 
 void read_summary(FlightRun& run) {
-    const std::string path = run.folder + "/" + kSummaryName;
-    if (!std::filesystem::exists(path)) return;
-    const Json summary = Json::parse(read_file(path), nullptr, false);
+    const Json summary = summary_of_run(run.folder);
     if (!summary.is_object()) return;
     run.log = text_of(summary, "log");
     run.design = text_of(summary, "design");
@@ -133,10 +119,7 @@ bool is_folder(const std::string& path) {
 FlightRun read_flight_run(const std::string& folder) {
     FlightRun run;
     run.folder = folder;
-    RunRecords records(folder);
-    while (const std::optional<Json> record = records.next()) run.frames.push_back(flight_frame(*record, records, folder));
-    std::stable_sort(run.frames.begin(), run.frames.end(),
-                     [](const FlightFrame& a, const FlightFrame& b) { return a.time_s < b.time_s; });
+    run.frames = frames_of_run<FlightFrame>(folder, read_flight_frame);
     read_summary(run);
     for (FlightFrame& frame : run.frames)
         if (frame.light.empty()) frame.light = run.light;

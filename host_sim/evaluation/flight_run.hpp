@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/reports/run_frames.hpp"
+
 namespace tedavis::host_sim {
 
 /// An obstacle near the predicted track, from the record.
@@ -30,16 +32,13 @@ using MainWeights = std::array<AspectWeight, kMainAspectNames.size()>;
 /// weight. Empty where every weight is 0.
 [[nodiscard]] std::vector<std::string> first_aspects(const MainWeights& weights);
 
-struct FlightFrame {
-    std::uint64_t frame = 0;
-    double time_s = 0;
-    std::string phase;         ///< "approach.final"
+/// Its picture is there.
+struct FlightFrame : RunFrame {
     std::string phase_source;  ///< as in the record
     /// The aspect with the greatest weight, where one is greater than the others: "terrain", "data", "uncertainty".
     std::string prioritized;
     MainWeights weights;
     std::vector<std::string> layers;    ///< names by the values of the layer mask beside the picture; empty: there is none
-    std::string picture;                ///< path
     std::string design;                 ///< name of the design with which it was drawn
     std::string light;                  ///< of its symbology: "day", "night"; of the summary where the record has none; or empty
     bool has_scene = false;             ///< the run has spatial data

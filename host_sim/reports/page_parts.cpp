@@ -21,6 +21,7 @@ constexpr const char* kRunPageStyle =
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem}"
     "th,td{text-align:left;padding:.2rem .6rem .2rem 0;border-bottom:1px solid #8884;vertical-align:top}"
     "td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
+    "@media(max-width:40rem){table{font-size:.75rem}th,td{padding-right:.35rem}}"
     ".key{display:inline-block;width:.8rem;height:.8rem;margin-right:.3rem;vertical-align:-.05rem}"
     ".bad{color:#c22;font-weight:600}li,td,p{overflow-wrap:anywhere}"
     ".map{max-height:40rem}.map-text{fill:#111!important}.map-halo{stroke:#fff;stroke-width:3px;fill:#fff!important}"

@@ -6,7 +6,7 @@
 namespace tedavis::host_sim {
 
 RunRecords::RunRecords(const std::string& folder) : path_(folder + "/" + kFrameRecordsName), stream_(path_) {
-    if (!stream_) throw UserError(path_ + ": cannot be read; name a folder that replay wrote");
+    if (!stream_) throw UserError(path_ + ": cannot be read; name a folder that replay or fly wrote");
     if (stream_.peek() == std::ifstream::traits_type::eof()) throw UserError(path_ + ": holds no frame; replay the run again");
 }
 

@@ -123,8 +123,59 @@ std::string text_at(double x, double y, const std::string& text, const char* anc
            escaped_html(text) + "</text>";
 }
 
+/// The texts of a map, none of them over another one or over the dot of an earlier one.
+class MapTexts {
+public:
+    explicit MapTexts(double height) : height_(height) {}
+
+    /// Where it must stand.
+    std::string fixed(double x, double y, const std::string& text, const char* anchor = "start") {
+        taken_.push_back(box_of(x, y, text, anchor));
+        return text_at(x, y, text, anchor);
+    }
+    /// To the right of a dot, else at another side of it; empty where there is no room, and the dot has its title alone.
+    std::string beside_dot(double x, double y, const std::string& text) {
+        constexpr double kRadius = 5;
+        taken_.push_back({x - kRadius, y - kRadius, x + kRadius, y + kRadius});
+        struct Side {
+            double x, y;
+            const char* anchor;
+        };
+        static constexpr Side kSides[] = {{7, 4, "start"},  {-7, 4, "end"},   {0, -9, "middle"}, {0, 17, "middle"},
+                                          {7, -7, "start"}, {7, 15, "start"}, {-7, -7, "end"},   {-7, 15, "end"}};
+        for (const Side& side : kSides) {
+            const Box box = box_of(x + side.x, y + side.y, text, side.anchor);
+            if (!is_free(box)) continue;
+            taken_.push_back(box);
+            return text_at(x + side.x, y + side.y, text, side.anchor);
+        }
+        return {};
+    }
+
+private:
+    struct Box {
+        double left, top, right, bottom;
+    };
+    /// No font is known here: letters are as wide as they may be in the mean.
+    static Box box_of(double x, double y, const std::string& text, const std::string& anchor) {
+        constexpr double kLetter = 6.4, kAbove = 9, kBelow = 3;
+        const double width = kLetter * static_cast<double>(text.size());
+        const double left = anchor == "start" ? x : anchor == "end" ? x - width : x - width / 2;
+        return {left, y - kAbove, left + width, y + kBelow};
+    }
+    [[nodiscard]] bool is_free(const Box& box) const {
+        if (box.left < 0 || box.right > kWidth || box.top < 0 || box.bottom > height_) return false;
+        return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
+            return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
+        });
+    }
+
+    double height_;
+    std::vector<Box> taken_;
+};
+
 /// A length of 1, 2 or 5 times a power of ten, between a tenth and a quarter of the map.
-std::string scale_bar(const Map& map) {
+std::string scale_bar(const Map& map, MapTexts& texts) {
     const double width_m =
         base::radians(map.extent.east_deg - map.extent.west_deg) * shortening(map.extent) * earth::kMeanRadius_m;
     double length_m = std::pow(10, std::floor(std::log10(width_m / 4)));
@@ -136,25 +187,25 @@ std::string scale_bar(const Map& map) {
     const double length = kWidth * length_m / width_m, y = map.height - 10;
     const std::string text = length_m >= 1000 ? decimal(length_m / 1000, 0) + " km" : decimal(length_m, 0) + " m";
     return "<path d='M10 " + decimal(y - 4, 1) + "v4h" + decimal(length, 1) +
-           "v-4' fill='none' stroke='#111' stroke-width='1.5'/>" + text_at(14 + length, y + 1, text);
+           "v-4' fill='none' stroke='#111' stroke-width='1.5'/>" + texts.fixed(14 + length, y + 1, text);
 }
 
-std::string corners(const Map& map) {
+std::string corners(const Map& map, MapTexts& texts) {
     const auto degrees = [](double value, const char* positive, const char* negative) {
         return decimal(std::abs(value), 3) + "\xC2\xB0 " + (value < 0 ? negative : positive);
     };
-    return text_at(kWidth - 6, 14, degrees(map.extent.north_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"),
-                   "end") +
-           text_at(6, 14, "N is up") +
-           text_at(kWidth - 6, map.height - 8,
-                   degrees(map.extent.south_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"), "end");
+    return texts.fixed(kWidth - 6, 14, degrees(map.extent.north_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"),
+                       "end") +
+           texts.fixed(6, 14, "N is up") +
+           texts.fixed(kWidth - 6, map.height - 8,
+                       degrees(map.extent.south_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"), "end");
 }
 
-std::string dot(const Map& map, double latitude_deg, double longitude_deg, const std::string& fill, const std::string& label,
-                const std::string& description) {
+std::string dot(const Map& map, MapTexts& texts, double latitude_deg, double longitude_deg, const std::string& fill,
+                const std::string& label, const std::string& description) {
     const double x = map.x(longitude_deg), y = map.y(latitude_deg);
     return "<g><title>" + escaped_html(description) + "</title><circle cx='" + decimal(x, 1) + "' cy='" + decimal(y, 1) +
-           "' r='4.5' fill='" + fill + "' stroke='#fff' stroke-width='1.5'/>" + text_at(x + 7, y + 4, label) + "</g>";
+           "' r='4.5' fill='" + fill + "' stroke='#fff' stroke-width='1.5'/>" + texts.beside_dot(x, y, label) + "</g>";
 }
 
 std::string map_begin(const Map& map, const terrain::TerrainDatabase* terrain, const char* description) {
@@ -163,15 +214,15 @@ std::string map_begin(const Map& map, const terrain::TerrainDatabase* terrain, c
     return terrain == nullptr ? svg : svg + relief(map, *terrain);
 }
 
-std::string map_end(const Map& map, const std::vector<MapMark>& marks) {
+std::string map_end(const Map& map, MapTexts& texts, const std::vector<MapMark>& marks) {
     std::string svg;
     for (const MapMark& mark : marks)
-        svg += dot(map, mark.latitude_deg, mark.longitude_deg, mark.color, mark.label, mark.description);
+        svg += dot(map, texts, mark.latitude_deg, mark.longitude_deg, mark.color, mark.label, mark.description);
     return svg + "</svg>\n";
 }
 
 /// Where several tracks begin or end at one place, it has the names of all of them.
-std::string track_ends(const Map& map, const std::vector<const MapTrack*>& tracks, bool is_begin) {
+std::string track_ends(const Map& map, MapTexts& texts, const std::vector<const MapTrack*>& tracks, bool is_begin) {
     constexpr double kTogether = 14;
     std::string svg;
     std::vector<bool> is_named(tracks.size());
@@ -189,7 +240,7 @@ std::string track_ends(const Map& map, const std::vector<const MapTrack*>& track
             names += ", " + tracks[other]->name;
         }
         const std::string label = names + (is_begin ? " begin" : " end") + (names.find(',') == std::string::npos ? "s" : "");
-        svg += dot(map, place.latitude_deg, place.longitude_deg, is_begin ? "#1a7f37" : "#111", label, label);
+        svg += dot(map, texts, place.latitude_deg, place.longitude_deg, is_begin ? "#1a7f37" : "#111", label, label);
     }
     return svg;
 }
@@ -221,13 +272,19 @@ std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase*
     const Map map = map_of(extent);
     std::string svg = map_begin(map, terrain, "The track on a map, north up");
     for (const MapTrack* const other : others) svg += one_track(map, *other);
-    svg += track_lines(map, story, track, longest_step_s(track)) + scale_bar(map) + corners(map);
-    svg += track_ends(map, others, true) + track_ends(map, others, false);
+    svg += track_lines(map, story, track, longest_step_s(track));
+    MapTexts texts(map.height);
+    svg += scale_bar(map, texts);
+    svg += corners(map, texts);
     const auto end = [&](const Sample& sample, const char* fill, const char* label) {
-        return dot(map, sample.latitude_deg, sample.longitude_deg, fill, label,
+        return dot(map, texts, sample.latitude_deg, sample.longitude_deg, fill, label,
                    std::string(label) + ", " + decimal(sample.time_s, 0) + " s");
     };
-    return svg + end(track.front(), "#1a7f37", "begin") + end(track.back(), "#111", "end") + map_end(map, marks);
+    svg += end(track.front(), "#1a7f37", "begin");
+    svg += end(track.back(), "#111", "end");
+    svg += track_ends(map, texts, others, true);
+    svg += track_ends(map, texts, others, false);
+    return svg + map_end(map, texts, marks);
 }
 
 std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::TerrainDatabase* terrain,
@@ -238,8 +295,12 @@ std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::T
     const Map map = map_of(extent);
     std::string svg = map_begin(map, terrain, "The tracks on a map, north up");
     for (const MapTrack* const track : drawn) svg += one_track(map, *track);
-    return svg + scale_bar(map) + corners(map) + track_ends(map, drawn, true) + track_ends(map, drawn, false) +
-           map_end(map, marks);
+    MapTexts texts(map.height);
+    svg += scale_bar(map, texts);
+    svg += corners(map, texts);
+    svg += track_ends(map, texts, drawn, true);
+    svg += track_ends(map, texts, drawn, false);
+    return svg + map_end(map, texts, marks);
 }
 
 }  // namespace tedavis::host_sim

@@ -1,5 +1,5 @@
 /// Tracks on a map, as inline SVG: shaded terrain below, marks, a scale. North is up. The track of one run has each phase in its
-/// color; several tracks have a color each.
+/// color; several tracks have a color each. A label that has no room beside its place is left out; its title stays.
 #pragma once
 
 #include <string>

@@ -12,6 +12,7 @@ namespace {
 
 using test_support::expect_user_error;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class CompareCommand : public ::testing::Test {
 protected:
@@ -35,7 +36,7 @@ TEST_F(CompareCommand, WritesThePageAndItsJson) {
     const auto text = compare("out/page.html");
     EXPECT_EQ(text.code, 0);
     EXPECT_EQ(text.notes, "");
-    EXPECT_THAT(text.results, HasSubstr("B placed 15 labels more: 25 against 10 in 5 instants."));
+    EXPECT_THAT(text.results, HasSubstr("B placed 15 labels more: 25 against 10 in 5 frames of each."));
     EXPECT_THAT(place_.read("out/page.html"), HasSubstr("Side by side"));
     const auto json = nlohmann::json::parse(place_.read("out/compare.json"));
     EXPECT_EQ(json["instants"].size(), 5u);
@@ -43,8 +44,24 @@ TEST_F(CompareCommand, WritesThePageAndItsJson) {
     EXPECT_EQ(compare("out/self.html", true, "a").json()["equal"], true);
 }
 
+TEST_F(CompareCommand, SaysWhyTheMapHasNoTerrainAndWhatAWithinChanges) {
+    EXPECT_EQ(compare("out/page.html").code, 0);
+    EXPECT_THAT(place_.read("out/page.html"), HasSubstr("The map has no terrain: neither run names a terrain database."));
+    for (const char* name : {"a", "b"})
+        place_.write(std::string(name) + "/summary.json", R"({"log": "x.log", "terrain": "j.tdb"})");
+    EXPECT_EQ(compare("out/page.html").code, 0);
+    EXPECT_THAT(place_.read("out/page.html"), HasSubstr("j.tdb of " + place_.file("a") + " is neither in its folder"));
+    place_.write("j.tdb", "no database");  // beside the folders of the runs
+    EXPECT_EQ(compare("out/page.html").code, 0);
+    EXPECT_THAT(place_.read("out/page.html"), Not(HasSubstr("is neither in its folder")));
+    EXPECT_THAT(place_.read("out/page.html"), HasSubstr("The map has no terrain: "));
+    CompareOptions options{place_.file("a"), place_.file("b"), place_.file("out/page.html"), {std::nullopt, 50.0}};
+    const auto run = test_support::run_command([&](Console& console) { return run_compare(options, console); }, false);
+    EXPECT_THAT(run.notes, HasSubstr("aligned by time, so that --within changes nothing"));
+}
+
 TEST_F(CompareCommand, BadInputLeavesNothing) {
-    expect_user_error([&] { (void)compare("out/page.html", false, "none"); }, "name a folder that replay wrote");
+    expect_user_error([&] { (void)compare("out/page.html", false, "none"); }, "name a folder that replay or fly wrote");
     expect_user_error([&] { (void)compare("a"); }, "name the page in it");
     expect_user_error([&] { (void)compare("out/compare.json"); }, "name the page otherwise");
     place_.write("notes.html", "mine");

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "host_sim/user_error.hpp"
 #include "tests/host_sim/comparison/made_runs.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-AlignedRuns by(Alignment how, const ComparedRun& a, const ComparedRun& b, double within_m = 3000) {
+AlignedRuns by(Alignment how, const ComparedRun& a, const ComparedRun& b, std::optional<double> within_m = std::nullopt) {
     AlignmentRequest request;
     request.by = how;
     request.within_m = within_m;
@@ -74,7 +75,7 @@ TEST(Alignment, LogsWithADateAreAlignedByUtc) {
 TEST(Alignment, RunsWithoutASharedTimeSayWhatElseThereIs) {
     ComparedRun a = made_run("a", 20), b = made_run("b", 20);
     know_utc(a, 1000);
-    test_support::expect_user_error([&] { (void)by(Alignment::time, a, b); }, "choose place or takeoff");
+    test_support::expect_user_error([&] { (void)by(Alignment::time, a, b); }, "b does not know the date");
     know_utc(b, 5000);
     test_support::expect_user_error([&] { (void)by(Alignment::time, a, b); }, "share no time");
     EXPECT_EQ(aligned(a, b, {}).by, Alignment::place) << "by itself it takes the next that fits";
@@ -127,7 +128,7 @@ TEST(Alignment, PlacesAreTheNearestWhateverTheTime) {
         EXPECT_NEAR(instant.distance_m, instant.a < 10 ? 200 : std::hypot(200, 50 * static_cast<double>(instant.a) - 475), 0.5);
     }
     EXPECT_EQ(runs.instants.size(), 20u);
-    test_support::expect_user_error([&] { (void)by(Alignment::place, a, b, 100); }, "--within");
+    test_support::expect_user_error([&] { (void)by(Alignment::place, a, b, 100); }, "--within 300");
 }
 
 TEST(Alignment, FlownQuantitiesAreInterpolatedAndOthersAreNot) {
@@ -187,6 +188,47 @@ TEST(Alignment, LogsThatAreGoneAreToldByTheirFramesAndTheirBegin) {
     b.can_frames = 777;
     know_utc(b, 1001);
     EXPECT_FALSE(is_same_flight(a, b));
+}
+
+/// Runs 500 km apart, of which neither shows a take-off, with another date each.
+TEST(Alignment, ARefusalNamesWhatWouldWorkAlone) {
+    ComparedRun a = made_run("a", 20), b = made_run("b", 20, 10'000);
+    know_utc(a, 1000);
+    know_utc(b, 500'000);
+    const auto refusal = [&](std::optional<Alignment> how) -> std::string {
+        try {
+            (void)aligned(a, b, {how, std::nullopt});
+        } catch (const UserError& error) {
+            return error.what();
+        }
+        return {};
+    };
+    const auto is_named = [](const std::string& text, const char* name) {
+        return text.find(std::string("--align ") + name, text.rfind(';')) != std::string::npos;
+    };
+    for (const std::optional<Alignment> how : {std::optional(Alignment::time), std::optional(Alignment::takeoff), {}}) {
+        const std::string text = refusal(how);
+        EXPECT_FALSE(is_named(text, "time") || is_named(text, "takeoff")) << text;
+        ASSERT_TRUE(is_named(text, "place --within ")) << text;
+        const double within_m = std::stod(text.substr(text.rfind("--within ") + 9));
+        EXPECT_GT(within_m, 498'000);
+        EXPECT_EQ(aligned(a, b, {Alignment::place, within_m}).by, Alignment::place) << "as it says";
+    }
+    for (ComparedFrame& frame : b.frames) frame.utc_s.reset(), frame.has_place = false;
+    EXPECT_THAT(refusal(Alignment::place), HasSubstr("b has no frame with a valid position"));
+    for (const std::optional<Alignment> how : {std::optional(Alignment::time), std::optional(Alignment::place), {}})
+        EXPECT_THAT(refusal(how), HasSubstr("no other --align aligns these runs either")) << refusal(how);
+    know_utc(b, 1000 - 10'000);
+    EXPECT_THAT(refusal(Alignment::place), HasSubstr("; --align time aligns them"));
+    b = made_run("b", 20, 5);
+    EXPECT_THAT(refusal(Alignment::takeoff), HasSubstr("neither a nor b shows a take-off; --align place aligns them"));
+}
+
+TEST(Alignment, ADistanceIsRefusedWhereNoPlacesAreAligned) {
+    const ComparedRun a = made_run("a", 20);
+    test_support::expect_user_error([&] { (void)by(Alignment::time, a, a, 100); }, "--within: --align time takes places");
+    test_support::expect_user_error([&] { (void)by(Alignment::takeoff, a, a, 100); }, "leave --within out");
+    EXPECT_EQ(by(Alignment::place, a, a, 100).instants.size(), 20u);
 }
 
 TEST(Alignment, TheFramesThatAreSkippedAreNotWithoutACounterpart) {

@@ -76,7 +76,7 @@ TEST(ComparedRun, CountsRegionsAboveTheClutterBudgetAlone) {
 
 TEST(ComparedRun, RefusesWhatIsNoRun) {
     const test_support::TemporaryFolder place;
-    expect_user_error([&] { (void)read_compared_run(place.file("none")); }, "name a folder that replay wrote");
+    expect_user_error([&] { (void)read_compared_run(place.file("none")); }, "name a folder that replay or fly wrote");
     std::filesystem::create_directories(place.file("a"));
     place.write("a/frames.jsonl", "{\"frame\":0,\"hash\":\"0\"}\n");
     expect_user_error([&] { (void)read_compared_run(place.file("a")); }, "frames.jsonl:1: a record without time_s");

@@ -23,7 +23,7 @@ TEST(ComparisonCharts, ThereIsOneForEachQuantityThatTheRecordsHold) {
     const ComparedRun run = made_run("a", 20);
     const std::string html = comparison_charts(compared_runs(run, run, {}));
     EXPECT_EQ(charts_in(html), kQuantityCount - 1) << "no record has crowded regions";
-    EXPECT_THAT(html, HasSubstr("Altitude, equal in A and B [m]"));
+    EXPECT_THAT(html, HasSubstr("Altitude, equal in A and B [ft]"));
     EXPECT_THAT(html, Not(HasSubstr("B - A")));
 }
 

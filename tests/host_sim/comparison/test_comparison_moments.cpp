@@ -49,6 +49,20 @@ TEST(ComparisonMoments, ShowWhereRunsDifferMost) {
     for (std::size_t n = 1; n < moments.size(); ++n) EXPECT_LT(moments[n - 1].instant, moments[n].instant);
 }
 
+/// The closest point of the summary lies between two frames, or outside of what is compared.
+TEST(ComparisonMoments, TheClosestPointIsThatOfTheSummary) {
+    ComparedRun a = pictured("a"), b = pictured("b");
+    a.frames[3].values[kHeightAboveTerrain] = 100;
+    a.closest = nlohmann::ordered_json::parse(R"({"by_height": [{"time_s": 20.6, "height_above_terrain_m": 30}]})");
+    b.closest = nlohmann::ordered_json::parse(R"({"by_height": [{"time_s": 900, "height_above_terrain_m": 30}]})");
+    const auto moments = comparison_moments(compared_runs(a, b, {}));
+    EXPECT_EQ(moment_at(moments, 4), nullptr);
+    ASSERT_NE(moment_at(moments, 21), nullptr);
+    EXPECT_THAT(moment_at(moments, 21)->reasons, Contains("A is closest to the ground"));
+    for (const ComparisonMoment& moment : moments)
+        for (const std::string& reason : moment.reasons) EXPECT_EQ(reason.find("B is closest"), std::string::npos);
+}
+
 TEST(ComparisonMoments, AreThoseOfWhichBothHaveThePicture) {
     ComparedRun a = pictured("a"), b = pictured("b");
     for (std::size_t n = 0; n < a.frames.size(); ++n) {

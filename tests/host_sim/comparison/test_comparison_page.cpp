@@ -32,7 +32,7 @@ protected:
     }
     [[nodiscard]] std::string page() const {
         const RunComparison runs = compared_runs(a_, b_, {});
-        return comparison_page(runs, comparison_moments(runs), nullptr);
+        return comparison_page(runs, comparison_moments(runs), {nullptr, "The map has no terrain: <none>."});
     }
     const test_support::TemporaryFolder place_;
     ComparedRun a_ = made_run("a", 20), b_ = made_run("b", 20);
@@ -42,7 +42,8 @@ TEST_F(ComparisonPage, HasAllItsParts) {
     const std::string html = page();
     EXPECT_THAT(html, StartsWith(kComparisonPageBeginning));
     for (const char* part :
-         {"B placed 4 labels more", "Tracks", "A: 95 m", "A, B begin", "Side by side", "labels placed differ most",
+         {"B placed 4 labels more", "Tracks", "A: 312 ft", "1312 ft above the terrain", "The map has no terrain: &lt;none&gt;.",
+          "Closest to the ground in flight", "A, B begin", "Side by side", "labels placed differ most",
           "Over the time of the log", "In numbers", "Effects drawn", "not certified", "&lt;flight&gt;.log"})
         EXPECT_NE(html.find(part), std::string::npos) << part;
     EXPECT_EQ(html.find("<flight>"), std::string::npos);
@@ -74,10 +75,20 @@ TEST_F(ComparisonPage, RowsSayOfHowManyInstantsTheyAre) {
     for (std::size_t n = 0; n < 5; ++n) b_.frames[n].values[kAltitude] = kUnknown;
     b_.log = a_.log;
     const std::string html = page();
-    EXPECT_THAT(html, HasSubstr("Altitude (15 of 20 instants)"));
+    EXPECT_THAT(html, HasSubstr("Altitude, ft (15 of 20 instants)"));
     EXPECT_THAT(html, HasSubstr("equal where both know it"));
     EXPECT_THAT(html, HasSubstr("equal everywhere")) << "the other quantities";
     EXPECT_THAT(html, HasSubstr("Known in one run alone, in instants: altitude (5 of 20)"));
+}
+
+/// Each in one unit, whether in a sentence, a table, a caption or a curve.
+TEST_F(ComparisonPage, HeightsAreInFeet) {
+    const std::string html = page();
+    EXPECT_THAT(html, HasSubstr("<td>Altitude, ft</td><td class='n'>3280.8</td>"));
+    EXPECT_THAT(html, HasSubstr("Height above terrain, equal in A and B [ft]"));
+    EXPECT_THAT(html, Not(HasSubstr("[m]")));
+    EXPECT_FALSE(std::regex_search(html, std::regex("[0-9] m (above|higher|lower|apart, at)")))
+        << "metres stand in parentheses alone, and on the scale";
 }
 
 TEST_F(ComparisonPage, WithoutPicturesItSaysSo) {

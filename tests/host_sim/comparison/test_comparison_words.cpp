@@ -53,12 +53,12 @@ TEST(ComparisonWords, NumbersAreThoseOfTheRuns) {
     b.frames[6].terrain_alert = 2;
     const auto sentences = difference_sentences(compared_runs(a, b, {}));
     EXPECT_THAT(sentences, Contains(HasSubstr("B came 312 ft (95 m) closer to the ground in flight: A to 1312 ft (400 m)")));
-    EXPECT_THAT(sentences, Contains(HasSubstr("B placed 30 labels more: 80 against 50 in 10 instants")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("B placed 30 labels more: 80 against 50 in 10 frames of each")));
     EXPECT_THAT(sentences, Contains(HasSubstr("B flew 328 ft (100 m) higher than A")));
-    EXPECT_THAT(sentences, Contains(HasSubstr("1 effect was drawn in unequally many instants: shadow (A 10, B 0)")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("1 effect was drawn in unequally many of 10 frames: shadow (A 10, B 0)")));
     EXPECT_THAT(sentences, Contains(HasSubstr("The flight phase differs in 1 of 10 instants, first at 6.0 s: cruise in A, "
                                               "approach.final in B")));
-    EXPECT_THAT(sentences, Contains(HasSubstr("0 cautions and 1 warning in B")));
+    EXPECT_THAT(sentences, Contains(HasSubstr("caution in 0 and warning in 1 of 10 in B")));
     EXPECT_THAT(sentences, Contains(HasSubstr("The pictures are equal in all 10 instants")));
     for (const std::string& sentence : sentences) EXPECT_EQ(sentence.back(), '.');
     const auto exchanged = difference_sentences(compared_runs(with_log(b, "b.log"), with_log(a, "b.log"), {}));
@@ -128,7 +128,8 @@ TEST(ComparisonWords, EqualIsSaidOfTheInstantsThatKnowIt) {
 TEST(ComparisonWords, WithoutThePhaseNothingIsSaidOfTheGround) {
     ComparedRun a = made_run("a", 10), b = a;
     b.frames[0].values[kHeightAboveTerrain] = 0;
-    EXPECT_THAT(difference_sentences(compared_runs(a, b, {})), Contains(StartsWith("Of the instants compared, B came")));
+    EXPECT_THAT(difference_sentences(compared_runs(a, b, {})),
+                Contains(AllOf(StartsWith("B came 1312 ft"), HasSubstr("; each over its frames in flight"))));
     for (ComparedRun* const run : {&a, &b})
         for (ComparedFrame& frame : run->frames) frame.phase = "unknown";
     EXPECT_THAT(difference_sentences(compared_runs(a, a, {})),
@@ -137,6 +138,36 @@ TEST(ComparisonWords, WithoutThePhaseNothingIsSaidOfTheGround) {
         EXPECT_THAT(sentence, Not(HasSubstr("to the ground")));
         EXPECT_THAT(sentence, Not(HasSubstr("flight phase")));
     }
+}
+
+TEST(ComparisonWords, TheClosestPointIsThatOfTheSummary) {
+    ComparedRun a = made_run("a", 10), b = made_run("b", 10);
+    a.closest = nlohmann::ordered_json::parse(R"({"by_height": [{"time_s": 3.5, "height_above_terrain_m": 30.48}]})");
+    EXPECT_THAT(
+        difference_sentences(compared_runs(a, b, {})),
+        Contains(AllOf(HasSubstr("A to 100 ft (30 m) above it at 3.5 s, B to 1312 ft (400 m) at 0.0 s; A over its whole run"),
+                       HasSubstr(", B over its frames in flight"))));
+    b.closest = nlohmann::ordered_json::parse(R"({"by_height": [{"time_s": 7, "height_above_terrain_m": 60.96}]})");
+    EXPECT_THAT(
+        difference_sentences(compared_runs(a, b, {})),
+        Contains(AllOf(StartsWith("A came 100 ft (30 m) closer"), HasSubstr("each over its whole run, between its frames"))));
+}
+
+TEST(ComparisonWords, WhereTheFramesOfBRepeatNumbersArePerFrame) {
+    ComparedRun a = made_run("a", 41), b = with_log(made_run("b", 11, 0, 4), "a.log");
+    b.frames[5].values[kLabelsPlaced] = 16;
+    b.frames[5].effects = {};
+    b.frames[5].terrain_alert = 1;
+    const RunComparison runs = compared_runs(a, b, {});
+    EXPECT_THAT(run_introductions(runs)[2], HasSubstr("They are 11 frames of B"));
+    EXPECT_THAT(run_introductions(compared_runs(a, a, {}))[2], Not(HasSubstr("They are")));
+    EXPECT_THAT(
+        difference_sentences(runs),
+        AllOf(Contains("B placed 1.0 labels more per frame in the mean: 6.0 in 11 frames of B, 5.0 in 41 frames of A."),
+              Contains("2 effects were drawn in unequal parts of the frames, 41 of A and 11 of B: fog (A 41, B 10), shadow "
+                       "(A 41, B 10)."),
+              Contains("Frames with terrain alerts: caution in 0 and warning in 0 of 41 in A, caution in 1 and "
+                       "warning in 0 of 11 in B.")));
 }
 
 TEST(ComparisonWords, LongRunsSayHowManyFramesWereLookedAt) {

@@ -72,8 +72,47 @@ TEST(RunComparison, ItIsSymmetricWhereTheTimesAreTheSame) {
     EXPECT_EQ(ab.terrain_b, ba.terrain_a);
     ASSERT_EQ(ab.effects.size(), 2u);
     EXPECT_EQ(ab.effects[0].name, "shadow") << "what differs most comes first";
-    EXPECT_EQ(ab.effects[0].instants_a, 30u);
-    EXPECT_EQ(ba.effects[0].instants_b, 30u);
+    EXPECT_EQ(ab.effects[0].frames_a, 30u);
+    EXPECT_EQ(ba.effects[0].frames_b, 30u);
+}
+
+/// Of B every fourth frame: each is the nearest one to several frames of A, and counts once.
+TEST(RunComparison, AFrameCountsOnceHoweverManyInstantsItIsNearestTo) {
+    ComparedRun a = made_run("a", 41), b = with_log(made_run("b", 11, 0, 4), "a.log");
+    b.frames[5].terrain_alert = 2;
+    b.frames[5].effects = {"haze", "haze"};  // of two layers
+    b.frames[5].values[kLabelsPlaced] = 16;
+    b.frames[5].values[kFrameTime] = 1000;
+    const RunComparison runs = compared_runs(a, b, {});
+    EXPECT_EQ(runs.aligned.instants.size(), 41u);
+    EXPECT_EQ(runs.compared_a.size(), 41u);
+    EXPECT_EQ(runs.compared_b.size(), 11u);
+    EXPECT_EQ(runs.terrain_b, (AlertLevels{10, 0, 1}));
+    EXPECT_EQ(runs.obstacles_b, (AlertLevels{11, 0, 0}));
+    for (const EffectDifference& effect : runs.effects)
+        EXPECT_EQ(effect.frames_b, effect.name == "haze" ? 1u : 10u) << effect.name;
+    EXPECT_EQ(runs.find(kLabelsPlaced)->values_b, 11u);
+    EXPECT_DOUBLE_EQ(runs.find(kLabelsPlaced)->sum_b(), 10 * 5 + 16);
+    EXPECT_DOUBLE_EQ(runs.find(kLabelsPlaced)->mean_a, 5);
+    EXPECT_EQ(runs.find(kAltitude)->values_b, 41u) << "interpolated at each instant";
+}
+
+/// Equally many frames with an alert, at other moments.
+TEST(RunComparison, AlertsAtOtherMomentsAreADifference) {
+    ComparedRun a = made_run("a", 30), b = a;
+    a.frames[3].obstacle_alert = 1;
+    b.frames[9].obstacle_alert = 1;
+    EXPECT_FALSE(compared_runs(a, b, {}).is_equal());
+}
+
+TEST(RunComparison, TheClosestPointsAreThoseOfTheWholeRuns) {
+    ComparedRun a = made_run("a", 30), b = with_log(made_run("b", 10, 10), "a.log");
+    a.frames[2].values[kHeightAboveTerrain] = 50;  // before B begins
+    const RunComparison runs = compared_runs(a, b, {});
+    EXPECT_EQ(runs.find(kHeightAboveTerrain)->least_a, 400) << "of the instants";
+    EXPECT_EQ(runs.closest_a->height_m, 50);
+    EXPECT_EQ(runs.closest_a->time_s, 2);
+    EXPECT_EQ(runs.closest_b->height_m, 400);
 }
 
 TEST(RunComparison, ListsTheSettingsThatDiffer) {

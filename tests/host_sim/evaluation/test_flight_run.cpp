@@ -57,7 +57,7 @@ TEST(FlightRun, SaysHowPicturesAreMade) {
     const test_support::TemporaryFolder place;
     test_support::write_run(place, "run", [](FrameResult&) {});
     test_support::expect_user_error([&] { (void)read_flight_run(place.file("run")); }, "--frames png");
-    test_support::expect_user_error([&] { (void)read_flight_run(place.path()); }, "name a folder that replay wrote");
+    test_support::expect_user_error([&] { (void)read_flight_run(place.path()); }, "name a folder that replay or fly wrote");
     (void)place.write("run/frames.jsonl", "{\"frame\":0,\"hash\":\"1\"}\n");
     test_support::expect_user_error([&] { (void)read_flight_run(place.file("run")); }, "frames.jsonl:1: a record without time_s");
 }

@@ -24,7 +24,7 @@ TEST(RunRecords, ReadsWhatARunWrote) {
 
 TEST(RunRecords, SaysWhichLineIsNone) {
     const test_support::TemporaryFolder place;
-    test_support::expect_user_error([&] { RunRecords(place.path()); }, "name a folder that replay wrote");
+    test_support::expect_user_error([&] { RunRecords(place.path()); }, "name a folder that replay or fly wrote");
     (void)place.write("frames.jsonl", "");
     test_support::expect_user_error([&] { RunRecords(place.path()); }, "holds no frame");
     (void)place.write("frames.jsonl", "{\"frame\":0,\"hash\":\"1\"}\n{\"frame\":-1,\"hash\":\"1\"}\n");

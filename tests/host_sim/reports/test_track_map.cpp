@@ -92,6 +92,31 @@ TEST(TracksMap, EachTrackHasItsColorAndTheNamesOfItsEnds) {
     EXPECT_THAT(together, Not(HasSubstr(">B begins<")));
 }
 
+/// Boxes of all labels, as wide as a wide font draws them: the rule is stated anew here.
+TEST(TracksMap, LabelsDoNotOverlap) {
+    std::vector<MapMark> marks;
+    for (int n = 0; n < 12; ++n) marks.push_back({46.545 + 0.0004 * (n % 4), 9.7 + 0.0005 * (n / 4), "A: 312 ft", "place"});
+    const std::string svg = tracks_map_svg({straight("A", "#111111", 0), straight("B", "#222222", 0.002)}, nullptr, marks);
+    const std::regex text("<text x='([-0-9.]+)' y='([-0-9.]+)' text-anchor='([a-z]+)' class='map-text'>([^<]*)<");
+    struct Box {
+        double left, right, baseline;
+    };
+    std::vector<Box> boxes;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), text), end; at != end; ++at) {
+        const double x = std::stod((*at)[1]), width = 6 * static_cast<double>((*at)[4].length());
+        const double left = (*at)[3] == "start" ? x : (*at)[3] == "end" ? x - width : x - width / 2;
+        boxes.push_back({left, left + width, std::stod((*at)[2])});
+    }
+    for (std::size_t n = 0; n < boxes.size(); ++n)
+        for (std::size_t other = 0; other < n; ++other)
+            EXPECT_FALSE(boxes[n].left < boxes[other].right && boxes[other].left < boxes[n].right &&
+                         std::abs(boxes[n].baseline - boxes[other].baseline) < 11)
+                << n << " and " << other;
+    EXPECT_GT(boxes.size(), 6u) << "some of the marks have room";
+    EXPECT_LT(boxes.size(), 4 + 4 + 12u) << "not all of them";
+    EXPECT_EQ(count_of(svg, "<title>place</title>"), 12u) << "each has its title";
+}
+
 TEST(TracksMap, GapsBreakTheLineAndShortTracksAreLeftOut) {
     MapTrack track = straight("A", "#111111", 0);
     EXPECT_EQ(count_of(tracks_map_svg({track}, nullptr), "<polyline"), 2u);

@@ -1,0 +1,48 @@
+/// The frames of a run, in the order of time: what every reader of its records needs of each.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/reports/run_records.hpp"
+
+namespace tedavis::host_sim {
+
+struct RunFrame {
+    std::uint64_t frame = 0;
+    double time_s = 0;    ///< since the log's first frame
+    std::string phase;    ///< "approach.final"; empty where the record has none
+    std::string picture;  ///< path; of read_run_frame() also where there is no such file
+};
+
+/// Of the record that was read last. Throws UserError where it has no time.
+[[nodiscard]] RunFrame read_run_frame(const RunRecords::Json& record, const RunRecords& records, const std::string& folder);
+
+/// `Frame` is derived from RunFrame. `read(record, frame)` adds to each what else is needed of its record. Throws UserError where
+/// the folder holds no run, and what `read` throws.
+template <class Frame, class Read>
+[[nodiscard]] std::vector<Frame> frames_of_run(const std::string& folder, Read read) {
+    std::vector<Frame> frames;
+    RunRecords records(folder);
+    while (const std::optional<RunRecords::Json> record = records.next()) {
+        Frame& frame = frames.emplace_back();
+        static_cast<RunFrame&>(frame) = read_run_frame(*record, records, folder);
+        read(*record, frame);
+    }
+    std::stable_sort(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.time_s < b.time_s; });
+    return frames;
+}
+
+/// `summary.json`, null where there is none, as in a run that was interrupted. Throws UserError where it is no object.
+[[nodiscard]] RunRecords::Json summary_of_run(const std::string& folder);
+
+/// A file that the summary names, such as the terrain. What `fly` wrote lies in the folder of the run, which may have been moved
+/// since. A relative name was given in the folder in which the run was made: it is looked for in that of the run, in those above
+/// it, and in the working folder. Nothing where it is in none of them.
+[[nodiscard]] std::optional<std::string> file_of_run(const std::string& folder, const std::string& name);
+
+}  // namespace tedavis::host_sim
