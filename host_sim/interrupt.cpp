@@ -2,10 +2,13 @@
 
 #include <signal.h>
 
+#include "host_sim/user_error.hpp"
+
 namespace tedavis::host_sim {
 namespace {
 
 volatile sig_atomic_t g_requested = 0;
+int g_guards = 0;
 struct sigaction g_previous_interrupt;
 struct sigaction g_previous_terminate;
 
@@ -14,6 +17,7 @@ void on_signal(int) { g_requested = 1; }
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
+    if (g_guards++ > 0) return;
     g_requested = 0;
     struct sigaction action {};
     action.sa_handler = on_signal;
@@ -24,10 +28,15 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
+    if (--g_guards > 0) return;
     sigaction(SIGINT, &g_previous_interrupt, nullptr);
     sigaction(SIGTERM, &g_previous_terminate, nullptr);
 }
 
 bool InterruptGuard::requested() const { return g_requested != 0; }
+
+void require_uninterrupted(const InterruptGuard& interrupt) {
+    if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+}
 
 }  // namespace tedavis::host_sim

@@ -51,8 +51,8 @@ void add_accuracy_verdicts(CLI::App& command, AccuracyOptions& o) {
 void add_accuracy(CLI::App& app, CommandLine& line) {
     AccuracyOptions& o = line.accuracy;
     CLI::App* command =
-        add_command(app, line, "accuracy", "what accuracy costs in time: errors and times of every setting's levels",
-                    [&o](Console& console) { return run_accuracy(o, console); });
+        add_long_command(app, line, "accuracy", "what accuracy costs in time: errors and times of every setting's levels",
+                         [&o](Console& console) { return run_accuracy(o, console); });
     command
         ->add_option("-o", o.output,
                      "folder for report.html, accuracy.json and accuracy.csv; a run that was stopped goes on there")

@@ -6,9 +6,9 @@ namespace {
 
 void add_convert(CLI::App& app, CommandLine& line) {
     ConvertOptions& o = line.convert;
-    CLI::App* command =
-        add_command(app, line, "convert", "recorded flight (IGC, GPX, ADS-B JSON, CSV) to a candump log of CANaerospace frames",
-                    [&o](Console& console) { return run_convert(o, console); });
+    CLI::App* command = add_long_command(app, line, "convert",
+                                         "recorded flight (IGC, GPX, ADS-B JSON, CSV) to a candump log of CANaerospace frames",
+                                         [&o](Console& console) { return run_convert(o, console); });
     command->add_option("FLIGHT", o.flight, "the recording; may be gzip-compressed")->required();
     command->add_option("-o", o.output, "the log to write")->required();
     add_flight_options(command, o);
@@ -19,8 +19,8 @@ void add_scenario(CLI::App& app, CommandLine& line) {
     group->require_subcommand(1);
     ScenarioBuildOptions& o = line.scenario;
     CLI::App* command =
-        add_command(*group, line, "build", "scenario file to flight.log, flight.switches, scene.sdb and scenario.json",
-                    [&o](Console& console) { return run_scenario_build(o, console); });
+        add_long_command(*group, line, "build", "scenario file to flight.log, flight.switches, scene.sdb and scenario.json",
+                         [&o](Console& console) { return run_scenario_build(o, console); });
     command->add_option("SCENARIO", o.scenario, "scenario file or shipped name")->required();
     command->add_option("-o", o.output, "folder to write to")->required();
     add_optional(command, "--seed", o.seed, "replaces the file's seed")->check(from_zero());
@@ -30,8 +30,8 @@ void add_scene(CLI::App& app, CommandLine& line) {
     CLI::App* group = app.add_subcommand("scene", "scene databases: spatial data and their uncertainty");
     group->require_subcommand(1);
     SceneBuildOptions& b = line.scene_build;
-    CLI::App* build = add_command(*group, line, "build", "scene file and its sources to a database",
-                                  [&b](Console& console) { return run_scene_build(b, console); });
+    CLI::App* build = add_long_command(*group, line, "build", "scene file and its sources to a database",
+                                       [&b](Console& console) { return run_scene_build(b, console); });
     build->add_option("SCENE", b.scene, "scene file or shipped name")->required();
     build->add_option("-o", b.output, "the database to write (.sdb)")->required();
     SceneInfoOptions& i = line.scene_info;
@@ -49,14 +49,14 @@ void add_terrain(CLI::App& app, CommandLine& line) {
     CLI::App* group = app.add_subcommand("terrain", "terrain databases");
     group->require_subcommand(1);
     TerrainBuildOptions& b = line.terrain_build;
-    CLI::App* build = add_command(*group, line, "build", "rasters to a database with error proof",
-                                  [&b](Console& console) { return run_terrain_build(b, console); });
+    CLI::App* build = add_long_command(*group, line, "build", "rasters to a database with error proof",
+                                       [&b](Console& console) { return run_terrain_build(b, console); });
     build->add_option("DEM", b.rasters, "any raster that GDAL reads")->required();
     build->add_option("-o", b.output, "the database to write (.tdb)")->required();
     add_raster_options(build, b);
     TerrainCheckOptions& c = line.terrain_check;
-    CLI::App* check = add_command(*group, line, "check", "every chunk against the rasters again",
-                                  [&c](Console& console) { return run_terrain_check(c, console); });
+    CLI::App* check = add_long_command(*group, line, "check", "every chunk against the rasters again",
+                                       [&c](Console& console) { return run_terrain_check(c, console); });
     check->add_option("DATABASE", c.database, "database (.tdb)")->required();
     check->add_option("DEM", c.build.rasters, "the rasters it was built from")->required();
     add_raster_options(check, c.build);
@@ -65,8 +65,8 @@ void add_terrain(CLI::App& app, CommandLine& line) {
                                  [&i](Console& console) { return run_terrain_info(i, console); });
     info->add_option("DATABASE", i.database, "database (.tdb)")->required();
     TerrainFractalOptions& f = line.terrain_fractal;
-    CLI::App* fractal = add_command(*group, line, "fractal", "generated terrain, a square of any size",
-                                    [&f](Console& console) { return run_terrain_fractal(f, console); });
+    CLI::App* fractal = add_long_command(*group, line, "fractal", "generated terrain, a square of any size",
+                                         [&f](Console& console) { return run_terrain_fractal(f, console); });
     fractal->add_option("--size", f.size, "posts a side")->check(from_zero())->capture_default_str();
     fractal->add_option("--seed", f.seed, "equal seeds give equal terrain")->check(from_zero())->capture_default_str();
     fractal->add_option("--type", f.numbers, "float32, or int16: whole metres in half the space")

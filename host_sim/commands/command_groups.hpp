@@ -67,6 +67,11 @@ struct CommandLine {
 [[nodiscard]] CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
                                     std::function<int(Console&)> run);
 
+/// The same of a command that an InterruptGuard lets end early: from its start on, also while its files are being loaded. All
+/// that takes long in it, and what it writes, asks that guard.
+[[nodiscard]] CLI::App* add_long_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
+                                         std::function<int(Console&)> run);
+
 /// --strict: warnings end the command with kCheckFailedExitCode.
 void add_strict(CLI::App* command, bool& strict);
 /// --class; `otherwise`: what counts without it.
@@ -99,5 +104,7 @@ void add_flight_options(CLI::App* command, ConvertOptions& options);
 void add_fly(CLI::App& app, CommandLine& line);
 /// accuracy, which add_displays() adds among its own.
 void add_accuracy(CLI::App& app, CommandLine& line);
+/// replay, likewise.
+void add_replay(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

@@ -9,6 +9,7 @@
 
 #include "host_sim/commands/command_groups.hpp"
 #include "host_sim/commands/option_texts.hpp"
+#include "host_sim/interrupt.hpp"
 #include "host_sim/version.hpp"
 
 namespace tedavis::host_sim {
@@ -19,6 +20,14 @@ CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& na
     command->add_flag("--json", line.json, "machine-readable result on stdout");
     command->callback([&line, run = std::move(run)] { line.run = run; });
     return command;
+}
+
+CLI::App* add_long_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
+                           std::function<int(Console&)> run) {
+    return add_command(parent, line, name, purpose, [run = std::move(run)](Console& console) {
+        const InterruptGuard interrupt;
+        return run(console);
+    });
 }
 
 void add_class(CLI::App* command, std::optional<flight::AircraftClass>& aircraft, const std::string& otherwise) {
@@ -79,8 +88,9 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
                     "prints one design, a file or a shipped name, with all that it inherits by based_on, as a file of its own");
     add_strict(check, c.strict);
     EvaluateOptions& e = line.evaluate;
-    CLI::App* evaluate = add_command(app, line, "evaluate", "clutter and saliency of pictures, of a flight, or of two designs",
-                                     [&e](Console& console) { return run_evaluate(e, console); });
+    CLI::App* evaluate =
+        add_long_command(app, line, "evaluate", "clutter and saliency of pictures, of a flight, or of two designs",
+                         [&e](Console& console) { return run_evaluate(e, console); });
     evaluate
         ->add_option("INPUT", e.inputs,
                      "pictures (PNG, JPEG) of any software, folders that sheet wrote; or a folder that replay wrote, with its "
@@ -98,8 +108,8 @@ void add_comparisons(CLI::App& app, CommandLine& line) {
                          "recorded gaze (CSV with columns x,y in pixels or 0..1; file with several pictures; time_s with a run): "
                          "scores the saliency maps by AUC and NSS");
     ContractOptions& k = line.contract;
-    CLI::App* contract = add_command(app, line, "contract", "whether the pictures of a run keep a perceptual contract",
-                                     [&k](Console& console) { return run_contract(k, console); });
+    CLI::App* contract = add_long_command(app, line, "contract", "whether the pictures of a run keep a perceptual contract",
+                                          [&k](Console& console) { return run_contract(k, console); });
     contract->add_option("RUN", k.run, "folder that replay wrote, with its pictures; best with --layers")->required();
     contract->add_option("CONTRACT", k.contract, "file or shipped name, such as default")->required();
     contract->add_option("-o", k.output, "folder to write to: contract.json, views of the worst moment of what does not hold");

@@ -1,98 +1,14 @@
 #include "host_sim/commands/command_groups.hpp"
+#include "host_sim/commands/display_options.hpp"
 #include "host_sim/commands/display_sheet.hpp"
 #include "host_sim/commands/gallery_sheet.hpp"
 #include "host_sim/commands/option_checks.hpp"
 #include "host_sim/commands/option_texts.hpp"
 #include "host_sim/commands/readme_sheet.hpp"
 #include "host_sim/commands/trace_sheet.hpp"
-#include "host_sim/options/replay_config.hpp"
-#include "host_sim/window/window_keys.hpp"
 
 namespace tedavis::host_sim {
 namespace {
-
-constexpr const char* kLayersText =
-    "beside each picture X.layers.png: 0 terrain, 1 data, 2 uncertainty, 3 labels, 4 symbology, by which pixel is whose";
-
-/// What every command that draws has.
-void add_surface_options(CLI::App* command, PictureOptions& picture) {
-    static const std::map<std::string, GlChoice> kGl = {{"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
-    command->add_option("--terrain", picture.terrain, "terrain database (.tdb)");
-    command->add_option("--scene", picture.scene, "spatial data: scene database (.sdb)");
-    command->add_option("--device", picture.device, "device file or shipped name")->capture_default_str();
-    command->add_option(
-        "--aircraft", picture.aircraft,
-        "aircraft file or shipped name: speeds for the airspeed tape and the pilot's eye point; default: none is known");
-    command->add_option_function<std::string>(
-        "--size", [&picture](const std::string& text) { picture.size = size_from(text); }, "WIDTHxHEIGHT; default: the device's");
-    command
-        ->add_option_function<std::string>(
-            "--gl", [&picture](const std::string& word) { picture.gl = choice_from("--gl", word, kGl); }, "egl or osmesa")
-        ->default_str("egl");
-}
-
-void add_picture_options(CLI::App* command, PictureOptions& picture) {
-    add_surface_options(command, picture);
-    command->add_option("--design", picture.design, "design file or shipped name")->capture_default_str();
-    command->add_option("--palette", picture.palette,
-                        "palette file of the symbology or shipped name: its colors by day and by night; default: standard");
-    static const std::map<std::string, design::SymbologyLight> kLight = {{"day", design::SymbologyLight::day},
-                                                                         {"night", design::SymbologyLight::night}};
-    command
-        ->add_option_function<std::string>(
-            "--light", [&picture](const std::string& word) { picture.light = choice_from("--light", word, kLight); },
-            "day or night: colors of the symbology; terrain, sky and data keep theirs")
-        ->default_str("day");
-    add_optional(command, "--tau", picture.tau_px, "terrain error in pixels; default: the design's")->check(above_zero());
-    command->add_option_function<std::string>(
-        "--weights", [&picture](const std::string& text) { picture.weights = weights_from(text); },
-        "of aspects, 0 to 1, such as terrain=0.3,data=1; default: the design's");
-    command
-        ->add_option("--focus", picture.foci,
-                     "a focus before the design's: the keys of [[focus]] within one line of TOML, such as "
-                     "'shape = \"circle\", at = \"place\", place = \"DAVOS\", terrain.brightness = 0.5'; may be repeated")
-        ->allow_extra_args(false);
-    add_optional(command, "--deadline", picture.deadline_ms,
-                 "milliseconds that a frame may take by the costs of --costs; default: none is held")
-        ->check(above_zero());
-    command->add_option(
-        "--costs", picture.costs,
-        "what everything costs on this machine, and the quality levels to choose from: a file that calibrate wrote");
-    static const std::map<std::string, design::SaliencyView> kSaliency = {{"heat", design::SaliencyView::heat},
-                                                                          {"map", design::SaliencyView::map}};
-    command->add_option_function<std::string>(
-        "--saliency", [&picture](const std::string& word) { picture.saliency = choice_from("--saliency", word, kSaliency); },
-        "what draws the eye in each picture: heat (over it) or map (alone); default: as the design says");
-    static const std::map<std::string, design::ClutterView> kClutter = {{"edges", design::ClutterView::edges},
-                                                                        {"regions", design::ClutterView::regions}};
-    command->add_option_function<std::string>(
-        "--clutter", [&picture](const std::string& word) { picture.clutter = choice_from("--clutter", word, kClutter); },
-        "edges of each picture (alone), or regions (how dense they are, over it); default: as the design says");
-    command->add_flag("--force-effects", picture.force_effects, "leave no effect out for being too small to be seen");
-}
-
-void add_legend(CLI::App* command, PictureOptions& picture) {
-    static const std::map<std::string, flight::LegendShow> kLegends = {
-        {"none", flight::LegendShow::none}, {"key", flight::LegendShow::key}, {"whole", flight::LegendShow::whole}};
-    command
-        ->add_option_function<std::string>(
-            "--legend", [&picture](const std::string& word) { picture.legend = choice_from("--legend", word, kLegends); },
-            "none, key (a small key of the scales that are shown) or whole; a switch or the bus may ask for another")
-        ->default_str("key");
-}
-
-void add_accuracy_shown(CLI::App* command, AccuracyShown& shown) {
-    command->add_flag("--show-accuracy", shown.figures,
-                      "writes over each picture its requested and its proven terrain error and its quality level");
-    command->add_flag("--error-map", shown.error_map,
-                      "colors the ground by its measured error on the screen, dark blue at 0 to yellow at the requested error");
-}
-
-void add_time(CLI::App* command, std::optional<base::Time>& time) {
-    command->add_option_function<std::string>(
-        "--time", [&time](const std::string& text) { time = time_from(text); },
-        "UTC such as 2026-06-01T14:00:00Z, by which data are valid and have an age; default: data at their own first time");
-}
 
 void add_shot(CLI::App& app, CommandLine& line) {
     ShotOptions& o = line.shot;
@@ -201,9 +117,9 @@ void add_trace(CLI::App& app, CommandLine& line) {
 
 void add_calibrate(CLI::App& app, CommandLine& line) {
     CalibrateOptions& o = line.calibrate;
-    CLI::App* command =
-        add_command(app, line, "calibrate", "what every effect and quality level costs on this machine, as a file for --costs",
-                    [&o](Console& console) { return run_calibrate(o, console); });
+    CLI::App* command = add_long_command(app, line, "calibrate",
+                                         "what every effect and quality level costs on this machine, as a file for --costs",
+                                         [&o](Console& console) { return run_calibrate(o, console); });
     command->add_option("-o", o.output, "the costs to write (.toml); beside it as .json what they were measured from")
         ->required();
     add_surface_options(command, o.picture);
@@ -220,8 +136,8 @@ void add_calibrate(CLI::App& app, CommandLine& line) {
 void add_shaders(CLI::App& app, CommandLine& line) {
     ShadersOptions& o = line.shaders;
     o.picture.device = "sc2";
-    CLI::App* command = add_command(app, line, "shaders", "a design's programs as binaries, for a device without a compiler",
-                                    [&o](Console& console) { return run_shaders(o, console); });
+    CLI::App* command = add_long_command(app, line, "shaders", "a design's programs as binaries, for a device without a compiler",
+                                         [&o](Console& console) { return run_shaders(o, console); });
     command->add_option("-o", o.output, "folder to write to; a board file names it as its programs")->required();
     add_surface_options(command, o.picture);
     command->add_option("--design", o.picture.design, "design file or shipped name")->capture_default_str();
@@ -230,7 +146,7 @@ void add_shaders(CLI::App& app, CommandLine& line) {
 void add_sheet(CLI::App& app, CommandLine& line) {
     SheetOptions& o = line.sheet;
     CLI::App* command =
-        add_command(app, line, "sheet", "contact sheet: one labelled picture a technique", [&o](Console& console) {
+        add_long_command(app, line, "sheet", "contact sheet: one labelled picture a technique", [&o](Console& console) {
             if (o.sheet == kDisplaySheetName) return run_display_sheet(o, console);
             if (o.sheet == kGallerySheetName) return run_gallery_sheet(o, console);
             if (o.sheet == kReadmeSheetName) return run_readme_sheet(o, console);
@@ -256,8 +172,8 @@ void add_sheet(CLI::App& app, CommandLine& line) {
 
 void add_sweep(CLI::App& app, CommandLine& line) {
     SweepOptions& o = line.sweep;
-    CLI::App* command = add_command(app, line, "sweep", "a place from viewpoints round it: clutter, and what draws the eye",
-                                    [&o](Console& console) { return run_sweep(o, console); });
+    CLI::App* command = add_long_command(app, line, "sweep", "a place from viewpoints round it: clutter, and what draws the eye",
+                                         [&o](Console& console) { return run_sweep(o, console); });
     command->add_option_function<std::string>(
         "--around", [&o](const std::string& text) { o.place = place_from(text); },
         "lat,lon or lat,lon,alt_m of the place; default: the middle of the terrain, on the ground");
@@ -288,111 +204,6 @@ void add_sweep(CLI::App& app, CommandLine& line) {
     add_picture_options(command, o.picture);
     command->get_option("--terrain")
         ->description("terrain database (.tdb); default: the shipped one, with the shipped scenario's data");
-}
-
-/// What --config says, with what may stand beside it on the command line.
-void use_replay_config(CommandLine& line) {
-    if (line.replay_config.empty()) return;
-    for (const CLI::Option* option : line.replay_config_holds)
-        if (option->count() > 0)
-            throw UserError("--config " + line.replay_config + ": this file says it already; leave out " + option->get_name());
-    const ReplayOptions given = line.replay;
-    line.replay = load_replay_config(line.replay_config);
-    line.replay.output = given.output;
-    line.replay.window = given.window;
-    line.replay.strict = given.strict;
-    line.replay.yes = given.yes;
-    line.replay.tour = given.tour;
-    line.replay.video = given.video;
-    line.replay.save_config = given.save_config;
-}
-
-int run_replay_line(CommandLine& line, Console& console) {
-    use_replay_config(line);
-    const std::string& from = line.replay_config.empty() ? std::string("replay") : line.replay_config;
-    if (line.replay.log.empty()) throw UserError(from + ": no log named; give a candump log, or --config with a saved replay");
-    return run_replay(line.replay, console);
-}
-
-void add_replay_instants(CLI::App* command, ReplayOptions& o) {
-    add_optional(command, "--from", o.from_s, "earliest frame, in seconds since the log's first; default: 0");
-    add_optional(command, "--to", o.to_s, "latest frame; not before --from, also when going backwards; default: the log's end");
-    add_optional(command, "--step", o.step_s,
-                 "seconds between frames; negative: backwards from --to down to --from; default: the device's rate");
-    add_optional(
-        command, "--spread", o.spread,
-        "about so many frames, evenly from --from to --to, and one where a phase or a terrain alert begins; instead of --step")
-        ->check(CLI::Range(2u, kMaxSpread))
-        ->excludes("--step");
-    command->add_flag("--over-terrain", o.over_terrain,
-                      "from where the flight first comes over the terrain to where it last leaves it, between --from and --to");
-    static const std::map<std::string, FrameOutput> kOutputs{
-        {"png", FrameOutput::png}, {"hash", FrameOutput::hash}, {"none", FrameOutput::none}};
-    command->add_option_function<std::string>(
-        "--frames", [&o](const std::string& word) { o.frames = choice_from("--frames", word, kOutputs); },
-        "png, hash or none; default: png, with --window hash");
-}
-
-void add_ghosts(CLI::App* command, ReplayOptions& o) {
-    static const std::map<std::string, GhostAlign> kAlign = {
-        {"time", GhostAlign::time}, {"place", GhostAlign::place}, {"takeoff", GhostAlign::takeoff}};
-    CLI::Option* ghost =
-        command
-            ->add_option("--ghost", o.ghosts,
-                         "log of another flight that is shown beside this one, with its name and its way; may be "
-                         "repeated, 4 at most")
-            ->allow_extra_args(false);
-    command
-        ->add_option_function<std::string>(
-            "--ghost-align", [&o](const std::string& word) { o.ghost_align = choice_from("--ghost-align", word, kAlign); },
-            "which moment of it is shown: time (of the same UTC), place (nearest to the own ship's place) or takeoff (equally "
-            "long after take-off)")
-        ->default_str("time")
-        ->needs(ghost);
-}
-
-void add_replay(CLI::App& app, CommandLine& line) {
-    ReplayOptions& o = line.replay;
-    CLI::App* command = add_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
-                                    [&line](Console& console) { return run_replay_line(line, console); });
-    command->add_option("LOG", o.log, "candump log");
-    command->add_option("--switches", o.switches, "switch log");
-    command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
-    command->add_option_function<std::string>(
-        "--phase", [&o](const std::string& text) { o.phase = text == kNoPhase ? text : phase_from(text); },
-        "flight phase of the whole run, as if a switch stated it; none: motion states none; default: as recorded");
-    add_class(command, o.aircraft_class, "that of the aircraft file");
-    add_replay_instants(command, o);
-    command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
-    add_picture_options(command, o.picture);
-    add_legend(command, o.picture);
-    add_ghosts(command, o);
-    add_accuracy_shown(command, o.accuracy);
-    CLI::Option* layers = command->add_flag("--layers", o.layers, kLayersText);
-    CLI::Option* ledger = command->add_flag(
-        "--ledger", o.ledger, "what every effect that is replaced or left out would cost and show; ledger.json and ledger/");
-    line.replay_config_holds = command->get_options(
-        [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
-    command->add_option("-o", o.output, "folder to write to")->required();
-    add_strict(command, o.strict);
-    command->add_flag("--yes", o.yes, "begins a run of more than 20,000 frames or 4 GB without a question");
-    command->add_option("--save-config", o.save_config,
-                        "writes data, design and parameters of this replay to a file, after --window with its switches");
-    CLI::Option* video = command->add_option(
-        "--video", o.video,
-        "film of the pictures (.mp4), also with --frames none: one a step, so that it runs as the flight did");
-    CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below")
-                              ->excludes(ledger)
-                              ->excludes(layers)
-                              ->excludes(video)
-                              ->excludes("--over-terrain")
-                              ->excludes("--spread");
-    video->excludes("--spread");
-    command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
-    command->add_option(
-        "--config", line.replay_config,
-        "a file that --save-config wrote; beside it only -o, --strict, --yes, --save-config, --video, --window and --tour");
-    command->footer(window_keys_help());
 }
 
 }  // namespace

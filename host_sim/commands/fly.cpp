@@ -177,10 +177,13 @@ void say_where_it_is(const std::string& output, Console& console) {
 }  // namespace
 
 int run_fly(const FlyOptions& options, Console& console) {
+    const InterruptGuard interrupt;  // first, as files may take long to load
     NewFolder folder(options.replay.output);
     WrittenFiles made;
     Console steps = console.without_result();
-    const int code = run_replay(replay_of(options, made, steps), steps);
+    const ReplayOptions replay = replay_of(options, made, steps);
+    require_uninterrupted(interrupt);
+    const int code = run_replay(replay, steps);
     made.keep();
     folder.keep();
     say_where_it_is(options.replay.output, console);

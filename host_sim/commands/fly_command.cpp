@@ -32,13 +32,8 @@ void add_look_options(CLI::App* command, PictureOptions& picture) {
         ->default_str("egl");
 }
 
-}  // namespace
-
-void add_fly(CLI::App& app, CommandLine& line) {
-    FlyOptions& o = line.fly;
-    o.replay.spread = kFlyFrames;
-    CLI::App* command = add_command(app, line, "fly", "from a recorded flight to its report, in one command",
-                                    [&o](Console& console) { return run_fly(o, console); });
+/// What is flown, over what and with which data.
+void add_flown(CLI::App* command, FlyOptions& o) {
     command
         ->add_option("FLIGHT", o.flight.flight, "the recording: IGC, GPX, ADS-B JSON, CSV, or a bus log; may be gzip-compressed")
         ->required();
@@ -54,6 +49,16 @@ void add_fly(CLI::App& app, CommandLine& line) {
             ->allow_extra_args(false);
     command->add_option("--scene", o.scene, "spatial data: scene file or shipped name, which is built, or scene database (.sdb)")
         ->excludes(weather);
+}
+
+}  // namespace
+
+void add_fly(CLI::App& app, CommandLine& line) {
+    FlyOptions& o = line.fly;
+    o.replay.spread = kFlyFrames;
+    CLI::App* command = add_long_command(app, line, "fly", "from a recorded flight to its report, in one command",
+                                         [&o](Console& console) { return run_fly(o, console); });
+    add_flown(command, o);
     command->add_option("-o", o.replay.output, "folder to write to")->required();
     add_optional(command, "--frames", o.replay.spread,
                  "about so many frames, evenly, and one where a phase or a terrain alert begins; default: 300")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "host_sim/accuracy/accuracy_overlay.hpp"
 #include "host_sim/interrupt.hpp"
@@ -92,15 +93,14 @@ constexpr std::uint64_t kFramesForEachEvent = 4;  // so that a restless flight h
 
 /// Where the options spread frames over the flight, its events have frames too.
 FrameInstants instants_of(const ReplayOptions& options, const TimeRanges& parts, FlightPlayer& player, DisplaySession& session,
-                          FramePreroll& preroll, Console& console) {
+                          FramePreroll& preroll, const InterruptGuard& interrupt, Console& console) {
     FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz, parts);
     if (!options.spread) return times;
     const std::uint64_t most = std::max<std::uint64_t>(*options.spread / kFramesForEachEvent, 1);
-    const InterruptGuard interrupt;
     const auto of_flight = [&](base::Time time) { return static_cast<std::uint64_t>((time - player.first()).ns); };
     times.add(event_instants(player, preroll, times.parts(), most, [&](base::Time reached) {
         console.progress("looking for alerts", of_flight(reached), of_flight(times.parts().back().to));
-        if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+        require_uninterrupted(interrupt);
     }));
     console.progress_done();
     return times;
@@ -111,15 +111,18 @@ void require_consent_to(const ReplayOptions& options, const FrameInstants& times
     if (times.count() > kFramesWithoutAWord) require_consent(estimate_run(options, times, player, session), options, console);
 }
 
-int run_batch(const ReplayOptions& options, Console& console) {
+int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Console& console) {
     const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
+    const std::optional<DisplayFiles> files = IntervalStore::files_before_start(options);
     DisplaySession session(options.picture, is_generated_flight(options.log));
+    require_uninterrupted(interrupt);
     FlightPlayer player(player_files(options), session.display(), &console, index_policy(options));
     const TimeRanges parts = parts_of(options, player, session);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
-    const FrameInstants times = instants_of(options, parts, player, session, preroll, console);
+    const IntervalStore store(options, files, session, player, preroll, console);
+    const FrameInstants times = instants_of(options, parts, player, session, preroll, interrupt, console);
     require_consent_to(options, times, player, session, console);
-    const InterruptGuard interrupt;  // before anything is written
+    require_uninterrupted(interrupt);
     const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
     RunRecorder recorder(options, session, player);
     if (video) recorder.set_video(*video);
@@ -128,7 +131,6 @@ int run_batch(const ReplayOptions& options, Console& console) {
     if (!parts.empty()) recorder.note(words_of_spans(parts, player.first(), options.picture.terrain));
     for (const std::string& note : options.notes) recorder.note(note);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
-    const IntervalStore store(options, session, player, preroll, console);
     preroll.set_told([&](std::uint64_t done, std::uint64_t total) {
         console.progress(kBeforeFirstFrame, done, total);
         return !interrupt.requested();
@@ -145,8 +147,9 @@ int run_batch(const ReplayOptions& options, Console& console) {
 }  // namespace
 
 int run_replay(const ReplayOptions& options, Console& console) {
-    const auto run = [&console](const ReplayOptions& shown) {
-        return shown.window ? run_live_window(shown, console) : run_batch(shown, console);
+    const InterruptGuard interrupt;  // first, as files may take long to load
+    const auto run = [&](const ReplayOptions& shown) {
+        return shown.window ? run_live_window(shown, console) : run_batch(shown, interrupt, console);
     };
     if (options.ghosts.empty()) return run(options);
     const TemporaryFolder folder;

@@ -17,6 +17,7 @@
 #include "host_sim/reports/height_findings.hpp"
 #include "host_sim/terrain_builder/file_sources.hpp"
 #include "host_sim/terrain_builder/fractal_geotiff.hpp"
+#include "host_sim/terrain_builder/raster_file.hpp"
 #include "host_sim/terrain_builder/terrain_build.hpp"
 #include "host_sim/terrain_builder/terrain_check.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
@@ -100,15 +101,18 @@ std::vector<std::string> files_of(const TerrainBuildOptions& options) {
     return files;
 }
 
-/// A build goes on where files of the same names, sizes and times and the same options are given.
+void put_identity(const std::string& file, std::ostream& text) {
+    std::error_code ignored;
+    text << std::filesystem::weakly_canonical(file, ignored).string() << '\n'
+         << std::filesystem::file_size(file, ignored) << ' '
+         << std::filesystem::last_write_time(file, ignored).time_since_epoch().count() << '\n';
+}
+
+/// A build goes on where files of the same names, sizes and times, beside the same ones, and the same options are given.
 std::string identity_of(const TerrainBuildOptions& options) {
     std::ostringstream text;
-    for (const std::string& file : files_of(options)) {
-        std::error_code ignored;
-        text << std::filesystem::weakly_canonical(file, ignored).string() << '\n'
-             << std::filesystem::file_size(file, ignored) << ' '
-             << std::filesystem::last_write_time(file, ignored).time_since_epoch().count() << '\n';
-    }
+    for (const std::string& named : files_of(options))
+        for (const std::string& file : files_of_raster(named)) put_identity(file, text);
     text << options.crs << '\n'
          << options.extent << '\n'
          << options.bounds << '\n'

@@ -88,6 +88,31 @@ std::string megabytes(const std::string& path) {
     return decimal(static_cast<double>(fs::file_size(path, ignored)) / 1e6, 1) + " MB";
 }
 
+std::string required_folder() {
+    std::string folder = terrain_cache_folder();
+    if (folder.empty())
+        throw UserError(
+            "--terrain: there is no folder to keep a database in; set HOME or XDG_CACHE_HOME, or build one with "
+            "'tedavis terrain build'");
+    return folder;
+}
+
+bool is_found(const std::string& path, Console& console) {
+    if (!is_sound(path)) return false;
+    console.note("note: terrain from the cache: " + path);
+    return true;
+}
+
+void build_at(const std::string& path, const TerrainBuildOptions& build, Console& console) {
+    TerrainBuildOptions here = build;
+    here.output = path;
+    std::error_code ignored;
+    fs::remove(path, ignored);  // what could not be opened
+    Console only_notes = console.without_result();
+    (void)run_terrain_build(here, only_notes);
+    console.note("note: terrain was built for this and later flights: " + path + " (" + megabytes(path) + ")");
+}
+
 }  // namespace
 
 std::string terrain_cache_folder() {
@@ -99,29 +124,13 @@ std::string terrain_cache_folder() {
 
 std::string cached_terrain(const TerrainBuildOptions& build, Console& console) {
     for (const std::string& raster : build.rasters) require_there(raster);
-    const std::string folder = terrain_cache_folder();
-    if (folder.empty())
-        throw UserError(
-            "--terrain: there is no folder to keep a database in; set HOME or XDG_CACHE_HOME, or build one with "
-            "'tedavis terrain build'");
+    const std::string folder = required_folder();
     std::string path = cached_path(build, folder);
-    const auto found = [&] {
-        if (!is_sound(path)) return false;
-        console.note("note: terrain from the cache: " + path);
-        return true;
-    };
-    if (found()) return path;
+    if (is_found(path, console)) return path;
     make_folder(folder);
     const BuildLock lock(path + ".lock");
     lock.wait(path, console);
-    if (found()) return path;
-    TerrainBuildOptions here = build;
-    here.output = path;
-    std::error_code ignored;
-    fs::remove(path, ignored);  // what could not be opened
-    Console only_notes = console.without_result();
-    (void)run_terrain_build(here, only_notes);
-    console.note("note: terrain was built for this and later flights: " + path + " (" + megabytes(path) + ")");
+    if (!is_found(path, console)) build_at(path, build, console);
     return path;
 }
 

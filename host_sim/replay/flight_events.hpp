@@ -17,7 +17,8 @@ namespace tedavis::host_sim {
 using ReachedTime = std::function<void(base::Time time)>;
 
 /// The first intervals of terrain alerts in these parts of the flight, of which there is at least one: with a caution after none,
-/// or with a warning after less. Decides all intervals from the log's start on, which a run to the last part's end does as well.
+/// or with a warning after less. Decides all intervals from the log's start on that no earlier run has left (interval_store.hpp);
+/// a run to the last part's end does so as well.
 [[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts,
                                                      const ReachedTime& reached = nullptr);
 

@@ -151,12 +151,16 @@ std::int64_t FramePreroll::undecided_before(base::Time time) const {
 void FramePreroll::look_ahead(base::Time until, const ToldAlert& told) {
     if (!display_.planner().has_intervals()) return;
     const std::int64_t first = flight::decision_interval_of(player_.first()), last = flight::decision_interval_of(until);
-    restore_interval(first - 1);
-    for (std::int64_t interval = first; interval <= last; ++interval) {
-        decide_interval(interval);
-        told(std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first()), decided_.boost.terrain_ahead());
-    }
+    for (std::int64_t interval = first; interval <= last; ++interval)
+        told(std::max(base::Time{interval * flight::kDecisionInterval.ns}, player_.first()), alert_of(interval));
     if (display_.memory().budget.is_held()) forget();  // an interval follows from the governor of its time, which was not planned
+}
+
+policy::TerrainAhead FramePreroll::alert_of(std::int64_t interval) {
+    if (const std::optional<policy::TerrainAhead> known = intervals_.alert(interval)) return *known;
+    approach_interval(interval);
+    while (*interval_ < interval) decide_interval(*interval_ + 1);
+    return decided_.boost.terrain_ahead();
 }
 
 /// Before the log's first interval there are none.

@@ -48,9 +48,9 @@ public:
     [[nodiscard]] std::int64_t undecided_before(base::Time time) const;
     /// Decides those, one after the other, as long as `goes_on` says so: what a window does between its pictures.
     void decide_before(base::Time time, const std::function<bool()>& goes_on);
-    /// Decides all intervals up to the one of this instant, those of them that are kept in passing, and tells `told` the
-    /// beginning of each and whether the terrain alert is on in it. For a look ahead before a run; nothing where the display has
-    /// no intervals.
+    /// Tells `told` the beginning of each interval up to the one of this instant and whether the terrain alert is on in it.
+    /// Decides those of which it is not known yet, and keeps some of them in passing. For a look ahead before a run; nothing
+    /// where the display has no intervals.
     using ToldAlert = std::function<void(base::Time begin, policy::TerrainAhead alert)>;
     void look_ahead(base::Time until, const ToldAlert& told);
     /// What was decided holds no more: design, switches or camera are others.
@@ -75,6 +75,7 @@ private:
     void reach_interval(base::Time time);
     [[nodiscard]] std::int64_t interval_of(base::Time time) const;
     void approach_interval(std::int64_t wanted);
+    [[nodiscard]] policy::TerrainAhead alert_of(std::int64_t interval);
     void restore_interval(std::int64_t interval);
     void decide_interval(std::int64_t interval);
     [[nodiscard]] flight::PhaseStatus phase_before(base::Time time);

@@ -55,12 +55,14 @@ FileIdentity file_identity(const std::string& path, base::ByteSource& content) {
     return {hash.value(), times.changed_ns};
 }
 
-std::uint64_t program_identity() {
-    const FileTimes times = file_times("/proc/self/exe");
+std::uint64_t times_identity(const std::string& path) {
+    const FileTimes times = file_times(path);
     base::Fnv1a64 hash;
     hash.add(&times, sizeof times);
     return hash.value();
 }
+
+std::uint64_t program_identity() { return times_identity("/proc/self/exe"); }
 
 std::uint64_t text_identity(std::string_view text) {
     if (text.empty()) return 0;

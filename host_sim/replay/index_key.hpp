@@ -30,6 +30,9 @@ struct FileIdentity {
 /// Throws UserError where the file is gone.
 [[nodiscard]] FileIdentity file_identity(const std::string& path, base::ByteSource& content);
 
+/// Of a file's size and times alone. Throws UserError where the file is gone.
+[[nodiscard]] std::uint64_t times_identity(const std::string& path);
+
 /// Of the file that runs: checkpoints are its memory as it is, and another build may lay it out or compute it differently.
 [[nodiscard]] std::uint64_t program_identity();
 /// Of a text that was read; 0 for an empty one.

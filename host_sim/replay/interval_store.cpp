@@ -1,21 +1,18 @@
 #include "host_sim/replay/interval_store.hpp"
 
 #include <filesystem>
-#include <vector>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/replay/byte_stream.hpp"
-#include "host_sim/replay/load_design.hpp"
-#include "host_sim/replay/open_log.hpp"
-#include "host_sim/shipped_files.hpp"
-#include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
 constexpr std::uint64_t kLargestIntervalFile = 256u << 20;
+
+bool keeps_intervals(const ReplayOptions& options) { return options.keeps_index && !options.picture.deadline_ms; }
 
 /// Which instants are drawn, and what becomes of them, decides nothing.
 std::string deciding_options(ReplayOptions options) {
@@ -32,35 +29,29 @@ std::string deciding_options(ReplayOptions options) {
     return replay_config_text(options);
 }
 
-/// The files of the display, beside those that the player knows.
-void put_display_files(const PictureOptions& picture, ByteWriter& writer) {
-    std::vector<ReadFile> files;
-    static_cast<void>(load_designs(picture, &files));
-    for (const ReadFile& file : files) writer.put_text(file.text);
-    writer.put_text(read_file(resolve_config(picture.device, "devices")));
-    if (!picture.aircraft.empty()) writer.put_text(read_file(resolve_config(picture.aircraft, "aircraft")));
-    if (!picture.palette.empty()) writer.put_text(read_file(resolve_config(picture.palette, "palettes/symbology")));
-    if (!picture.scene.empty()) writer.put(file_identity(picture.scene, *open_log(picture.scene)).hash);
-}
-
-std::string key_of_intervals(const ReplayOptions& options, const DisplaySession& session, const FlightPlayer& player) {
+std::string key_of_intervals(const ReplayOptions& options, const DisplayFiles& files, const DisplaySession& session,
+                             const FlightPlayer& player) {
     ByteWriter writer;
     writer.put(player.key());
     writer.put(session.width());
     writer.put(session.height());
     writer.put_text(deciding_options(options));
-    put_display_files(options.picture, writer);
+    writer.put_text(files.content);
     return writer.take();
 }
 
 }  // namespace
 
-IntervalStore::IntervalStore(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player, FramePreroll& preroll,
-                             Console& console)
+std::optional<DisplayFiles> IntervalStore::files_before_start(const ReplayOptions& options) {
+    return keeps_intervals(options) ? display_files(options.picture) : std::nullopt;
+}
+
+IntervalStore::IntervalStore(const ReplayOptions& options, const std::optional<DisplayFiles>& files, DisplaySession& session,
+                             FlightPlayer& player, FramePreroll& preroll, Console& console)
     : session_(session), preroll_(preroll), console_(console) {
-    if (!options.keeps_index || !player.has_kept_index() || options.picture.deadline_ms) return;
+    if (!keeps_intervals(options) || !player.has_kept_index() || !equal(files, display_files(options.picture))) return;
     path_ = options.log + ".tdi";
-    made_from_ = key_of_intervals(options, session, player);
+    made_from_ = key_of_intervals(options, *files, session, player);
     std::error_code error;
     const auto bytes = std::filesystem::file_size(path_, error);
     if (error || bytes > kLargestIntervalFile) return;

@@ -15,7 +15,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr char kIntervalMagic[] = "TEDAVIS intervals 1\n";
+constexpr char kIntervalMagic[] = "TEDAVIS intervals 2\n";
 constexpr int kQuickIntervalCompression = 1;
 
 /// All that an interval leaves to the next one, and to the frames in it.
@@ -53,6 +53,9 @@ std::size_t IntervalTrack::plain_bytes() { return kBoostBytes + kLabelBytes; }
 void IntervalTrack::keep(std::int64_t interval, const display::PlannerMemory& decided) {
     if (interval % kEvery == 0 && packed_.count(interval) == 0) packed_[interval] = packed_interval(decided);
     recent_[interval] = decided;
+    if (alerts_.empty()) first_alert_ = interval;
+    if (interval == first_alert_ + static_cast<std::int64_t>(alerts_.size()))
+        alerts_.push_back(static_cast<char>(decided.boost.terrain_ahead()));
     while (recent_.size() > kRecent) {
         const bool is_first_farther = interval - recent_.begin()->first >= recent_.rbegin()->first - interval;
         recent_.erase(is_first_farther ? recent_.begin() : std::prev(recent_.end()));
@@ -72,9 +75,20 @@ display::PlannerMemory IntervalTrack::restore(std::int64_t interval) const {
     return unpacked_interval(packed_.at(interval));
 }
 
+std::optional<policy::TerrainAhead> IntervalTrack::alert(std::int64_t interval) const {
+    if (interval < first_alert_ || interval >= first_alert_ + static_cast<std::int64_t>(alerts_.size())) return std::nullopt;
+    return static_cast<policy::TerrainAhead>(alerts_[static_cast<std::size_t>(interval - first_alert_)]);
+}
+
+void IntervalTrack::take_alerts(std::int64_t first, std::string alerts) {
+    first_alert_ = first;
+    alerts_ = std::move(alerts);
+}
+
 void IntervalTrack::clear() {
     packed_.clear();
     recent_.clear();
+    alerts_.clear();
 }
 
 std::string pack_intervals(const IntervalTrack& track, std::string_view made_from) {
@@ -82,6 +96,8 @@ std::string pack_intervals(const IntervalTrack& track, std::string_view made_fro
     writer.put(kIntervalMagic);
     writer.put(std::uint64_t{IntervalTrack::plain_bytes()});
     writer.put_text(made_from);
+    writer.put(track.first_alert());
+    writer.put_text(track.alerts());
     writer.put(std::uint64_t{track.packed().size()});
     for (const auto& [interval, bytes] : track.packed()) {
         writer.put(interval);
@@ -100,6 +116,8 @@ std::optional<IntervalTrack> unpack_intervals(std::string_view bytes, std::strin
     ByteReader reader(body.substr(magic.size()));
     if (reader.get<std::uint64_t>() != IntervalTrack::plain_bytes() || reader.get_text() != made_from) return std::nullopt;
     IntervalTrack track;
+    const auto first_alert = reader.get<std::int64_t>();
+    track.take_alerts(first_alert, std::string(reader.get_text()));
     for (auto left = reader.get<std::uint64_t>(); left > 0 && reader.good(); --left) {
         const auto interval = reader.get<std::int64_t>();
         track.take(interval, std::string(reader.get_text()));

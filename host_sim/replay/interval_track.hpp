@@ -1,5 +1,6 @@
 /// What the display has decided for the intervals of a flight (flight/decision_interval.hpp): its labels and priorities, from
-/// which the next interval is decided. Of every kEvery-th interval a packed copy is kept, of those decided last plain ones.
+/// which the next interval is decided. Of every kEvery-th interval a packed copy is kept, of those decided last plain ones, and
+/// of all whether the terrain alert is on.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,9 @@ public:
     static constexpr std::size_t kRecent = 16;
 
     void keep(std::int64_t interval, const display::PlannerMemory& decided);
+    /// Whether the terrain alert is on in an interval that was kept at any time; nothing where none such is known. Intervals that
+    /// were kept in order are known without a gap.
+    [[nodiscard]] std::optional<policy::TerrainAhead> alert(std::int64_t interval) const;
     /// The last one at or before `interval` that is kept; nothing where there is none.
     [[nodiscard]] std::optional<std::int64_t> last_by(std::int64_t interval) const;
     /// Labels and priorities of an interval that is kept, and nothing else. Throws UserError where its copy is damaged.
@@ -26,6 +30,12 @@ public:
 
     /// Packed copies, by interval.
     [[nodiscard]] const std::map<std::int64_t, std::string>& packed() const { return packed_; }
+
+    /// The alerts of all intervals from `first_alert()` on, a byte each.
+    [[nodiscard]] std::int64_t first_alert() const { return first_alert_; }
+    [[nodiscard]] const std::string& alerts() const { return alerts_; }
+    /// Takes those of an earlier track.
+    void take_alerts(std::int64_t first, std::string alerts);
 
     /// Takes a packed copy of an earlier track.
     void take(std::int64_t interval, std::string bytes) { packed_[interval] = std::move(bytes); }
@@ -36,6 +46,8 @@ public:
 private:
     std::map<std::int64_t, std::string> packed_;
     std::map<std::int64_t, display::PlannerMemory> recent_;
+    std::int64_t first_alert_ = 0;
+    std::string alerts_;  ///< a byte an interval, that a look ahead over a day takes some 100 kB
 };
 
 /// The packed copies as a file: native byte order, one checksum over all of it. `made_from`: what they follow from.

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <vector>
+#include <set>
 
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/vertical_reference.hpp"
@@ -71,7 +71,25 @@ GdalDataset open_height_grid(const std::string& file, GDALDataset& container) {
                     "); give a height raster such as GeoTIFF, HGT, HF2, TER or BT");
 }
 
+/// Read by GDAL for many formats, but not listed by all of them.
+constexpr const char* kSidecars[] = {".aux.xml", ".ovr", ".msk"};
+
 }  // namespace
+
+std::vector<std::string> files_of_raster(const std::string& file) {
+    const QuietGdal quiet;
+    GDALAllRegister();  // does nothing the second time
+    std::set<std::string> files{file};
+    for (const char* const sidecar : kSidecars) {
+        VSIStatBufL info;
+        if (VSIStatL((file + sidecar).c_str(), &info) == 0) files.insert(file + sidecar);
+    }
+    if (const GdalDataset dataset = open_quietly(file); dataset != nullptr) {
+        const CPLStringList names(dataset->GetFileList());
+        for (int n = 0; n < names.Count(); ++n) files.insert(names[n]);
+    }
+    return {files.begin(), files.end()};
+}
 
 GdalDataset open_raster_file(const std::string& file) {
     GDALAllRegister();  // does nothing the second time

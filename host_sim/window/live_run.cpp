@@ -62,8 +62,8 @@ double near_plane_m(display::Display& display, const CameraPose& camera, base::T
 
 }  // namespace
 
-LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player, platform::Window& window,
-                 Console& console)
+LiveRun::LiveRun(const ReplayOptions& options, const std::optional<DisplayFiles>& files, DisplaySession& session,
+                 FlightPlayer& player, platform::Window& window, Console& console)
     : options_(options),
       session_(session),
       player_(player),
@@ -76,7 +76,7 @@ LiveRun::LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPl
       preroll_(player, session, session.device().frame_rate_hz),
       recorder_(options_, session, player),
       overlay_({options.accuracy, true, kErrorCell_px, ErrorMapStyle::dots}, options.picture.terrain),
-      intervals_(options_, session, player, preroll_, console) {
+      intervals_(options_, files, session, player, preroll_, console) {
     controller_.set_accuracy(options.accuracy);
     controller_.set_light(options.picture.light);
     controller_.set_legend(options.picture.legend);

@@ -32,9 +32,10 @@ namespace tedavis::host_sim {
 
 class LiveRun {
 public:
-    /// `window` is the surface of `session`. All but the options, which are copied, must outlive the run. Throws UserError.
-    LiveRun(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player, platform::Window& window,
-            Console& console);
+    /// `window` is the surface of `session`. `files` are IntervalStore::files_before_start(). All but the options and the files,
+    /// which are copied, must outlive the run. Throws UserError.
+    LiveRun(const ReplayOptions& options, const std::optional<DisplayFiles>& files, DisplaySession& session, FlightPlayer& player,
+            platform::Window& window, Console& console);
 
     /// Takes the window's events, lets `wall` go by, and draws where something changed; true when it drew.
     bool turn(base::Duration wall);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "host_sim/interrupt.hpp"
@@ -29,6 +30,7 @@ int run_until_closed(LiveRun& run, const InterruptGuard& interrupt, Console& con
 }  // namespace
 
 int run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window) {
+    const InterruptGuard interrupt;  // first, as files may take long to load
     platform::Window* window = nullptr;
     const SurfaceMaker make_surface =
         [&](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, base::Error> {
@@ -37,13 +39,15 @@ int run_live_window(const ReplayOptions& options, Console& console, const Window
         window = made.value().get();
         return std::unique_ptr<base::Surface>(std::move(made.value()));
     };
+    const std::optional<DisplayFiles> files = IntervalStore::files_before_start(options);
     DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
+    require_uninterrupted(interrupt);
     StartScreen screen(*window, session, std::filesystem::path(options.log).filename().string());
     IndexPolicy policy = index_policy(options);
     policy.told = [&screen](std::uint64_t done, std::uint64_t total) { screen.show(done, total, platform::monotonic_now()); };
     FlightPlayer player(player_files(options), session.display(), &console, policy);
-    const InterruptGuard interrupt;  // before anything is written
-    LiveRun run(options, session, player, *window, console);
+    require_uninterrupted(interrupt);
+    LiveRun run(options, files, session, player, *window, console);
     run.handle(screen.events());
     return run_until_closed(run, interrupt, console);
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "host_sim/user_error.hpp"
+
 namespace tedavis::host_sim::test_interrupt {
 namespace {
 
@@ -17,6 +19,25 @@ TEST(Interrupt, TheFirstSignalOnlySetsTheFlag) {
     EXPECT_FALSE(next.requested());
     raise(SIGTERM);
     EXPECT_TRUE(next.requested());
+}
+
+TEST(Interrupt, AGuardWithinAnotherOneIsTheSame) {
+    const InterruptGuard outer;
+    raise(SIGINT);
+    {
+        const InterruptGuard inner;
+        EXPECT_TRUE(inner.requested()) << "a step sees what came before it";
+        EXPECT_THROW(require_uninterrupted(inner), Interrupted);
+    }
+    EXPECT_TRUE(outer.requested());
+}
+
+TEST(Interrupt, AStepThatEndsLeavesTheHandlerToItsCommand) {
+    const InterruptGuard outer;
+    { const InterruptGuard inner; }
+    require_uninterrupted(outer);
+    raise(SIGTERM);
+    EXPECT_TRUE(outer.requested());
 }
 
 TEST(Interrupt, TheSecondSignalEndsTheProgram) {

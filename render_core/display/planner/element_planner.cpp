@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "render_core/display/planner/approach_frame.hpp"
+#include "render_core/display/planner/ghost_element.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
 #include "render_core/draw/data/feature_sight.hpp"
-#include "render_core/draw/data/ghost_signs.hpp"
 #include "render_core/draw/data/ground_strips.hpp"
 #include "render_core/draw/data/model_solids.hpp"
 #include "render_core/draw/data/obstacle_solids.hpp"
@@ -77,22 +77,6 @@ bool moves(const design::DataElement& element, const scene::Layer& layer) {
     if (technique == DataTechnique::isosurface) return draw::isosurfaces_move(layer);
     return is_traffic(layer) || is_runway_solid(element, layer) ||
            (technique == DataTechnique::prism && draw::prisms_move(layer));
-}
-
-/// Shows ghosts in a design that has no element for them: whoever puts them into a scene wants to see them, and another design
-/// in every phase too.
-const design::DataElement kGhosts = [] {
-    design::DataElement element;
-    element.role = scene::LayerRole::ghost;
-    element.technique = DataTechnique::billboard;
-    element.color = draw::kGhostColor;
-    return element;
-}();
-
-bool are_meant(const design::DataElementList& elements, const scene::Layer& layer) {
-    for (const design::DataElement& element : elements)
-        if (element.own == design::OwnData::none && is_meant(element, layer)) return true;
-    return false;
 }
 
 draw::OwnPlace own_place(const OwnFlightFrame& own) {
@@ -260,7 +244,7 @@ void ElementPlanner::begin_reports() {
     }
     if (scene_ == nullptr) return;
     for (const scene::Layer& layer : scene_->layers())
-        if (draw::shows_ghosts(layer) && !are_meant(*elements_, layer)) begin_report(kGhosts, &layer);
+        if (needs_ghost_element(*elements_, layer)) begin_report(ghost_element(), &layer);
 }
 
 void ElementPlanner::begin_scene_reports(const design::DataElement& element) {

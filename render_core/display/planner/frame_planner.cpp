@@ -276,14 +276,15 @@ double FramePlanner::undulation_m(const earth::Geodetic& place) const {
 void FramePlanner::plan_terrain() {
     const double tau_factor = memory_->budget.tau_factor(terrain_tolerance());
     frame_->terrain.tau_px = look_.terrain.tau_px * tau_factor;
+    Camera seen = frame_->picture.camera;
+    seen.view = frame_->seen;
     if (!frame_->decisions.show_terrain) {
-        terrain_.rest();
-        return;
+        const bool is_outside = frame_->conditions.terrain == policy::TerrainSource::outside &&
+                                frame_->state.own_ship.state == base::SignalState::valid;
+        return is_outside ? terrain_.approach(seen, look_, tau_factor) : terrain_.rest();
     }
     widen_bands();
     plan_alert_zone();
-    Camera seen = frame_->picture.camera;
-    seen.view = frame_->seen;
     TerrainPlan plan = terrain_.plan(seen, look_, tau_factor);
     if (plan.is_unmagnified) stop_magnifying();
     if (frame_->stereo_cameras.base_m > 0)

@@ -186,6 +186,14 @@ terrain::View TerrainPlanner::over_ground(terrain::View view) {
     return view;
 }
 
+/// Returns what would be drawn if all had arrived.
+terrain::LodResult TerrainPlanner::ask_for(const terrain::View& view, const terrain::LodSettings& lod) {
+    const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(view)), needed_soon(lod, parts_in_view()),
+                                                      SelectionKind::ideal, selected_);
+    store_.want({wanted_.data(), selector_.wanted(wanted_)});
+    return ideal;
+}
+
 TerrainPlan TerrainPlanner::plan(const Camera& camera, const design::DesignSettings& design, double tau_factor) {
     const terrain::LodSettings lod = lod_settings(design, camera, tau_factor);
     store_.begin_frame();
@@ -194,9 +202,7 @@ TerrainPlan TerrainPlanner::plan(const Camera& camera, const design::DesignSetti
     follow_view(view);
     plan.is_unmagnified = !view.magnifiers.empty() && !can_magnify(view, lod);
     if (plan.is_unmagnified) view.magnifiers.clear();
-    const terrain::LodResult ideal = selector_.select(store_, over_ground(seen_soon(view)), needed_soon(lod, parts_in_view()),
-                                                      SelectionKind::ideal, selected_);
-    store_.want({wanted_.data(), selector_.wanted(wanted_)});
+    const terrain::LodResult ideal = ask_for(view, lod);
     plan.lod = select_drawn(view, lod);
     for (const terrain::SelectedChunk& chunk : selected())
         plan.has_void = plan.has_void || (chunk.entry->flags & terrain::kChunkHasVoid) != 0;
@@ -290,6 +296,17 @@ void TerrainPlanner::rest() {
     if (!started_) return;
     store_.begin_frame();
     store_.want({});
+    chunks_ = 0;
+}
+
+void TerrainPlanner::approach(const Camera& camera, const design::DesignSettings& design, double tau_factor) {
+    if (!started_) return;
+    const terrain::LodSettings lod = lod_settings(design, camera, tau_factor);
+    store_.begin_frame();
+    terrain::View view = camera.view;
+    follow_view(view);
+    view.magnifiers.clear();
+    static_cast<void>(ask_for(view, lod));
     chunks_ = 0;
 }
 

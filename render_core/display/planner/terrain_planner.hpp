@@ -102,6 +102,10 @@ public:
     /// Instead of plan() in a frame without terrain: what has arrived later follows from such frames as well.
     void rest();
 
+    /// Instead of plan() in a frame that shows no terrain because the own ship is outside of the database: asks for what the view
+    /// needs, so that it has arrived when the own ship comes over the terrain.
+    void approach(const Camera& camera, const design::DesignSettings& design, double tau_factor);
+
     /// What plan() chose, for a painter; nothing before start().
     [[nodiscard]] SeenTerrain seen_from(const terrain::View& view) const;
     /// Depth of the farthest point that is drawn; 0 when nothing is.
@@ -125,6 +129,7 @@ private:
     [[nodiscard]] draw::ScreenPart drawn_part(const terrain::View& view) const;
     [[nodiscard]] terrain::View over_ground(terrain::View view);
     [[nodiscard]] bool can_magnify(const terrain::View& view, const terrain::LodSettings& lod);
+    [[nodiscard]] terrain::LodResult ask_for(const terrain::View& view, const terrain::LodSettings& lod);
     [[nodiscard]] terrain::LodResult select_drawn(const terrain::View& view, terrain::LodSettings lod);
     [[nodiscard]] std::uint32_t submitted_triangles(const terrain::View& view) const;
     [[nodiscard]] std::uint32_t parts_in_view() const;

@@ -43,12 +43,18 @@ inline host_sim::ErrorDistribution errors_of(host_sim::Knob& knob, std::size_t l
     return host_sim::distribution_of(all_errors(knob, level));
 }
 
+/// Mean errors of the levels over their amounts.
+inline std::vector<host_sim::LawPoint> points_of(const host_sim::Knob& knob, const std::vector<double>& means) {
+    std::vector<host_sim::LawPoint> points;
+    for (std::size_t level = 0; level < means.size(); ++level) points.push_back({knob.facts().levels[level].amount, means[level]});
+    return points;
+}
+
 /// Of the mean errors over the amounts, as the report has it.
 inline host_sim::FittedLaw law_of(host_sim::Knob& knob) {
-    std::vector<host_sim::LawPoint> points;
-    for (std::size_t level = 0; level < knob.facts().levels.size(); ++level)
-        points.push_back({knob.facts().levels[level].amount, errors_of(knob, level).mean});
-    return host_sim::fit_law(points);
+    std::vector<double> means;
+    for (std::size_t level = 0; level < knob.facts().levels.size(); ++level) means.push_back(errors_of(knob, level).mean);
+    return host_sim::fit_law(points_of(knob, means));
 }
 
 }  // namespace tedavis::test_support

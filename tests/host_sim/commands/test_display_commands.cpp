@@ -5,26 +5,6 @@ namespace {
 
 using Displays = test_support::ParsedCommands<add_displays>;
 
-TEST_F(Displays, OptionsReachTheReplay) {
-    parse({"replay",     "f.log", "--terrain", "x.tdb", "--size",   "320x240", "--gl",     "osmesa",
-           "--from",     "2.5",   "--step",    "-1",    "--frames", "hash",    "--ledger", "--force-effects",
-           "--saliency", "heat",  "--clutter", "edges", "--legend", "whole",   "-o",       "run"});
-    EXPECT_EQ(line.replay.log, "f.log");
-    EXPECT_EQ(line.replay.picture.legend, flight::LegendShow::whole);
-    EXPECT_EQ(line.shot.picture.legend, flight::LegendShow::key) << "the default in flight";
-    EXPECT_EQ(line.replay.picture.terrain, "x.tdb");
-    ASSERT_TRUE(line.replay.picture.size.has_value());
-    EXPECT_EQ(line.replay.picture.size->width, 320u);
-    EXPECT_EQ(line.replay.picture.gl, GlChoice::osmesa);
-    EXPECT_EQ(line.replay.from_s, 2.5);
-    EXPECT_EQ(line.replay.step_s, -1);
-    EXPECT_EQ(line.replay.frame_output(), FrameOutput::hash);
-    EXPECT_TRUE(line.replay.ledger);
-    EXPECT_TRUE(line.replay.picture.force_effects);
-    EXPECT_EQ(line.replay.picture.saliency, design::SaliencyView::heat);
-    EXPECT_EQ(line.replay.picture.clutter, design::ClutterView::edges);
-}
-
 TEST_F(Displays, OptionsReachTheSweep) {
     EXPECT_EQ(line.sweep.rings.bearings, 8u);
     parse({"sweep",       "--around",  "36.6,-84.2,400", "--radius",    "100",      "--bearings", "12",
@@ -52,9 +32,7 @@ TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {
 }
 
 TEST_F(Displays, WhatCannotStandTogetherIsRefused) {
-    EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--window", "--ledger"}), CLI::ParseError);
-    EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--tour", "t.csv"}), CLI::ParseError) << "a tour needs a window";
-    EXPECT_THROW(parse({"replay", "f.log", "-o", "run", "--gl", "metal"}), UserError);
+    EXPECT_THROW(parse({"shot", "--pose", "47,9,2000,0,0,0", "-o", "x.png", "--gl", "metal"}), UserError);
     EXPECT_THROW(parse({"shaders"}), CLI::ParseError);
     EXPECT_THROW(parse({"shot", "-o", "x.png"}), CLI::ParseError) << "no pose";
 }

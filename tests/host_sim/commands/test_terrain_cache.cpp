@@ -9,8 +9,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <thread>
 
+#include "tests/host_sim/terrain_builder/height_files.hpp"
 #include "tests/support/files/raster_file.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/support/programs/command_run.hpp"
@@ -84,6 +86,34 @@ TEST_F(TerrainCache, AnotherRasterOrOptionIsAnotherDatabase) {
     const std::string changed = cached();
     EXPECT_NE(changed, path);
     EXPECT_EQ(databases(), 3u);
+}
+
+/// They may move, project, mask or scale it.
+TEST_F(TerrainCache, AChangedFileBesideTheRasterIsAnotherDatabase) {
+    const std::string without = cached();
+    std::set<std::string> paths{without};
+    for (const char* const name : {"alps.tif.aux.xml", "alps.tif.ovr", "alps.tif.msk"}) {
+        const std::string aux = place_.write(name, "<PAMDataset></PAMDataset>");
+        EXPECT_TRUE(paths.insert(cached()).second) << name << " is there";
+        fs::last_write_time(aux, fs::last_write_time(aux) + std::chrono::seconds(5));
+        EXPECT_TRUE(paths.insert(cached()).second) << name << " was changed";
+        fs::remove(aux);
+        EXPECT_EQ(cached(), without) << "it is gone again";
+    }
+}
+
+TEST_F(TerrainCache, AChangedWorldFileIsAnotherDatabase) {
+    test_support::RasterFile file;
+    file.transform = {0, 1, 0, 0, 0, 1};  // none
+    file.type = GDT_Byte;
+    file.value = [](int i, int j) { return 3.0 * i + j; };
+    const std::string world = place_.write("hills.wld", "0.01\n0\n0\n-0.01\n9.605\n47.095\n");
+    build_.rasters = {test_support::write_as("PNG", file, place_.file("hills.png"))};
+    build_.crs = "EPSG:4326";
+    const std::string before = cached();
+    static_cast<void>(place_.write("hills.wld", "0.01\n0\n0\n-0.01\n10.605\n47.095\n"));
+    fs::last_write_time(world, fs::last_write_time(world) + std::chrono::seconds(5));
+    EXPECT_NE(cached(), before);
 }
 
 TEST_F(TerrainCache, ADamagedDatabaseIsBuiltAnew) {

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <filesystem>
+
 #include "platform/files/file_byte_source.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
@@ -41,6 +44,16 @@ TEST(IndexKey, AFileIsItselfUntilItChanges) {
     static_cast<void>(folder.write("a.log", "abd"));
     EXPECT_NE(identity(path).hash, before);
     EXPECT_GT(identity(path).changed_ns, 0);
+}
+
+TEST(IndexKey, TimesAloneTellThatAFileWasWrittenAgain) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.toml", "abc");
+    const std::uint64_t before = times_identity(path);
+    EXPECT_EQ(times_identity(path), before);
+    std::filesystem::last_write_time(path, std::filesystem::last_write_time(path) + std::chrono::seconds(1));
+    EXPECT_NE(times_identity(path), before);
+    test_support::expect_user_error([&] { static_cast<void>(times_identity(folder.file("b.toml"))); }, "cannot be looked at");
 }
 
 TEST(IndexKey, ARestoredModificationTimeDoesNotDeceiveIt) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <sstream>
 
 #include "host_sim/replay/frame_instants.hpp"
@@ -26,14 +27,17 @@ struct Drawn {
     std::int64_t undecided = 0;  ///< before the frame
 };
 
-/// The frame at a time of a run that begins with it.
-Drawn draw_at(const ReplayOptions& options, double time_s) {
+/// The frame at a time of a run that begins with it. `meanwhile` is done once the display has loaded its files.
+Drawn draw_at(
+    const ReplayOptions& options, double time_s, const std::function<void()>& meanwhile = [] {}) {
     std::ostringstream results, notes;
     Console console(results, notes, false, false);
+    const std::optional<DisplayFiles> files = IntervalStore::files_before_start(options);
     DisplaySession session(options.picture, false);
+    meanwhile();
     FlightPlayer player(player_files(options), session.display(), nullptr, always_kept());
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
-    const IntervalStore store(options, session, player, preroll, console);
+    const IntervalStore store(options, files, session, player, preroll, console);
     const base::Time time = player.first() + base::Duration::from_seconds(time_s);
     Drawn drawn;
     drawn.undecided = preroll.undecided_before(time);
@@ -49,6 +53,13 @@ struct Flown {
     test_support::FlownFiles files{test_support::FlownCircle()};
     ReplayOptions options = files.options("run");
     std::string kept = options.log + ".tdi";
+
+    [[nodiscard]] const test_support::TemporaryFolder& folder() const { return files.folder; }
+};
+
+struct Looked {
+    std::vector<std::pair<std::int64_t, policy::TerrainAhead>> alerts;
+    std::int64_t undecided = 0;  ///< before the last second, afterwards
 };
 
 TEST(IntervalStore, ALaterRunGoesOnFromWhatAnEarlierOneDecided) {
@@ -69,6 +80,46 @@ TEST(IntervalStore, AnotherDisplayTakesNothingOfIt) {
     EXPECT_EQ(draw_at(other, 8).undecided, first.undecided);
     EXPECT_EQ(draw_at(flown.options, 8).undecided, first.undecided) << "the other one has taken its place";
     EXPECT_LT(draw_at(flown.options, 8).undecided, first.undecided) << "control";
+}
+
+TEST(IntervalStore, ADesignThatIsEditedWhileTheRunStartsLeavesNothingUnderAWrongKey) {
+    Flown flown;
+    const std::string old_text = "name = \"a\"\n", new_text = "name = \"a\"\n[effects]\nfade_s = 0.5\n";
+    flown.options.picture.design = flown.folder().write("a.toml", old_text);
+    const Drawn by_old = draw_at(flown.options, 8, [&] { static_cast<void>(flown.folder().write("a.toml", new_text)); });
+    EXPECT_FALSE(std::filesystem::exists(flown.kept));
+    EXPECT_EQ(draw_at(flown.options, 8).undecided, by_old.undecided) << "the new design has not decided anything yet";
+    ASSERT_TRUE(std::filesystem::exists(flown.kept)) << "control: nobody edits it now";
+    std::filesystem::remove(flown.kept);
+    static_cast<void>(draw_at(flown.options, 8, [&] {
+        static_cast<void>(flown.folder().write("a.toml", old_text));
+        static_cast<void>(flown.folder().write("a.toml", new_text));
+    }));
+    EXPECT_FALSE(std::filesystem::exists(flown.kept)) << "which of the two was read";
+}
+
+/// Alerts of all intervals are kept, so that nothing is decided to look ahead.
+TEST(IntervalStore, ALookAheadTakesWhatAnEarlierRunDecided) {
+    Flown flown;
+    const auto look_ahead = [&] {
+        std::ostringstream results, notes;
+        Console console(results, notes, false, false);
+        const std::optional<DisplayFiles> files = IntervalStore::files_before_start(flown.options);
+        DisplaySession session(flown.options.picture, false);
+        FlightPlayer player(player_files(flown.options), session.display(), nullptr, always_kept());
+        FramePreroll preroll(player, session, session.device().frame_rate_hz);
+        const IntervalStore store(flown.options, files, session, player, preroll, console);
+        Looked looked;
+        preroll.look_ahead(player.last(),
+                           [&](base::Time begin, policy::TerrainAhead alert) { looked.alerts.emplace_back(begin.ns, alert); });
+        looked.undecided = preroll.undecided_before(player.last() - base::Duration::seconds(1));
+        return looked;
+    };
+    const Looked first = look_ahead(), again = look_ahead();
+    EXPECT_EQ(first.alerts, again.alerts);
+    EXPECT_GT(first.alerts.size(), 15u);
+    EXPECT_EQ(first.undecided, 0) << "every interval was decided";
+    EXPECT_GT(again.undecided, 0) << "none was";
 }
 
 TEST(IntervalStore, NothingIsKeptWithoutAnIndexOrWithADeadline) {

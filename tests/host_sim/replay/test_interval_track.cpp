@@ -72,6 +72,20 @@ TEST(IntervalTrack, AFileGivesThePackedOnesBack) {
     EXPECT_EQ(back->last_by(1000), 992);
 }
 
+TEST(IntervalTrack, AlertsOfAllIntervalsComeBackAndNoOthersAreKnown) {
+    IntervalTrack track = track_to(1000);
+    for (const std::int64_t unknown : {99, 1001}) EXPECT_FALSE(track.alert(unknown)) << unknown;
+    track.keep(1002, decided(1002));
+    EXPECT_FALSE(track.alert(1002)) << "nobody knows what lies between";
+    const auto back = unpack_intervals(pack_intervals(track, "a design"), "a design");
+    ASSERT_TRUE(back);
+    for (std::int64_t interval = 100; interval <= 1000; ++interval)
+        ASSERT_EQ(back->alert(interval), decided(interval).boost.terrain_ahead());
+    EXPECT_FALSE(back->alert(1001));
+    track.clear();
+    EXPECT_FALSE(track.alert(500));
+}
+
 TEST(IntervalTrack, AnotherOriginOrAChangedByteIsRefused) {
     const std::string bytes = pack_intervals(track_to(300), "a design");
     EXPECT_FALSE(unpack_intervals(bytes, "another design"));

@@ -57,7 +57,7 @@ struct Desk {
         session = std::make_unique<DisplaySession>(options.picture, false, scripted(window));
         player = std::make_unique<FlightPlayer>(
             PlayerFiles{options.log, options.picture.bus, options.switches, options.switch_config}, session->display());
-        run = std::make_unique<LiveRun>(options, *session, *player, *window, console);
+        run = std::make_unique<LiveRun>(options, std::nullopt, *session, *player, *window, console);
     }
     /// Half a second goes by, a frame of the options' step.
     bool turn() { return run->turn(Duration::milliseconds(500)); }

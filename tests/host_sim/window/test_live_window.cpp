@@ -72,6 +72,16 @@ TEST(LiveWindow, CtrlCLeavesAWholeRunToo) {
     EXPECT_THAT(files.folder.read("run/window.switches"), ::testing::HasSubstr("panel.APPROACH 1"));
 }
 
+TEST(LiveWindow, CtrlCWhileItOpensLeavesNothing) {
+    const test_support::FlownFiles files;
+    ReplayOptions options = files.options("run");
+    options.window = true;
+    Voice voice;
+    const WindowMaker window = window_with([](ScriptedWindow&) { raise(SIGINT); });
+    EXPECT_THROW(static_cast<void>(run_live_window(options, voice.console, window)), Interrupted);
+    EXPECT_FALSE(std::filesystem::exists(options.output));
+}
+
 TEST(LiveWindow, WithoutAScreenIsOneSentenceAndNothingIsWritten) {
     const test_support::FlownFiles files;
     ReplayOptions options = files.options("run");

@@ -20,11 +20,14 @@ std::vector<double> falling_means(Knob& knob) {
 
 class EffectKnobs : public ::testing::Test {
 protected:
-    test_support::ShippedKnobGround shipped_;
+    static void SetUpTestSuite() { shipped_ = new test_support::ShippedKnobGround; }
+    static void TearDownTestSuite() { delete shipped_; }
+    static test_support::ShippedKnobGround* shipped_;
 };
+test_support::ShippedKnobGround* EffectKnobs::shipped_ = nullptr;
 
 TEST_F(EffectKnobs, AFinerMapOfShadowsIsNearerToTheFinestAndLarger) {
-    const auto knob = make_shadow_map_knob(shipped_.quick());
+    const auto knob = make_shadow_map_knob(shipped_->quick());
     const std::vector<double> means = falling_means(*knob);
     EXPECT_LT(means.back(), 0.2 * means.front());
     EXPECT_GT(means.front(), 10 * knob->facts().reference.error_bound()) << "control: shadows are in the pictures";
@@ -32,29 +35,30 @@ TEST_F(EffectKnobs, AFinerMapOfShadowsIsNearerToTheFinestAndLarger) {
 }
 
 TEST_F(EffectKnobs, MoreStepsThroughTheAirAreNearerToVeryMany) {
-    const auto knob = make_shaft_steps_knob(shipped_.quick());
+    const auto knob = make_shaft_steps_knob(shipped_->quick());
     const std::vector<double> means = falling_means(*knob);
     EXPECT_LT(means.back(), 0.5 * means.front());
     EXPECT_GT(means.front(), 10 * knob->facts().reference.error_bound()) << "control: there are shafts in the pictures";
 }
 
 TEST_F(EffectKnobs, MorePlacesOfABlurAreNearerToVeryMany) {
-    const auto knob = make_blur_taps_knob(shipped_.quick());
+    const auto knob = make_blur_taps_knob(shipped_->quick());
     const std::vector<double> means = falling_means(*knob);
     EXPECT_LT(means.back(), 0.4 * means.front());
     EXPECT_GT(means.front(), 10 * knob->facts().reference.error_bound()) << "control: the pictures are blurred";
 }
 
 TEST_F(EffectKnobs, MoreStepsOfAContextAreNearerToNone) {
-    const auto knob = make_focus_levels_knob(shipped_.quick());
-    EXPECT_GT(falling_means(*knob).front(), 0.2) << "control: the context is in the pictures";
-    const FittedLaw law = test_support::law_of(*knob);
+    const auto knob = make_focus_levels_knob(shipped_->quick());
+    const std::vector<double> means = falling_means(*knob);
+    EXPECT_GT(means.front(), 0.2) << "control: the context is in the pictures";
+    const FittedLaw law = fit_law(test_support::points_of(*knob, means));
     EXPECT_TRUE(law.holds);
     EXPECT_NEAR(law.exponent, -1, 0.25);
 }
 
 TEST_F(EffectKnobs, FewerPagesOfMapsShowCoarserOnes) {
-    const auto knob = make_map_pages_knob(shipped_.quick());
+    const auto knob = make_map_pages_knob(shipped_->quick());
     const std::vector<double> means = falling_means(*knob);
     EXPECT_EQ(means.back(), 0);
     EXPECT_GT(means.front(), 0.1) << "control";

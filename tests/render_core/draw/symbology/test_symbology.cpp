@@ -180,8 +180,7 @@ TEST(Symbology, NumbersAreInTheCockpitsUnitsWithTheirSource) {
 
 /// Of one instant in both systems: each names its own units only.
 TEST(Symbology, AllIsWrittenInTheUnitsOfTheDesign) {
-    const std::vector<std::string> feet{"IASKT", "BAROFT", "FT/MIN", "RAFT"},
-        metres{"IASKM/H", "BAROM", "M/S", "RAM"};
+    const std::vector<std::string> feet{"IASKT", "BAROFT", "FT/MIN", "RAFT"}, metres{"IASKM/H", "BAROM", "M/S", "RAM"};
     for (const base::DisplayUnits units : {base::DisplayUnits::feet_and_knots, base::DisplayUnits::metric}) {
         SymbologyInput input = scene_input(scene_state(47.2, 0, 0), 1024, 768);
         input.shown.units = units;
