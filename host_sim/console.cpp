@@ -64,6 +64,7 @@ std::optional<bool> Console::confirm(std::string_view question) {
     *notes_ << question << " [y/N] " << std::flush;
     std::string answer;
     std::getline(*answers_, answer);
+    if (answers_->eof()) *notes_ << '\n' << std::flush;  // nobody has ended the line
     return !answer.empty() && (answer[0] == 'y' || answer[0] == 'Y');
 }
 

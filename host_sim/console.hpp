@@ -36,7 +36,7 @@ public:
     /// Where somebody can answer. Must outlive the console; null: nobody can.
     void set_answers(std::istream* answers) { answers_ = answers; }
     void set_between_lines(std::chrono::milliseconds between_lines) { between_lines_ = between_lines; }
-    /// Asks and waits for the answer: true for one that begins with y. Nothing where nobody can answer.
+    /// Asks and waits: true for an answer that begins with y, false also without one. Nothing where nobody can answer.
     [[nodiscard]] std::optional<bool> confirm(std::string_view question);
 
     [[nodiscard]] bool json() const { return json_; }

@@ -29,14 +29,15 @@ InterruptGuard::InterruptGuard() {
 
 InterruptGuard::~InterruptGuard() {
     if (--g_guards > 0) return;
+    g_requested = 0;
     sigaction(SIGINT, &g_previous_interrupt, nullptr);
     sigaction(SIGTERM, &g_previous_terminate, nullptr);
 }
 
 bool InterruptGuard::requested() const { return g_requested != 0; }
 
-void require_uninterrupted(const InterruptGuard& interrupt) {
-    if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+void require_uninterrupted(const std::string& output) {
+    if (g_requested != 0) throw Interrupted("interrupted; nothing was written to " + output);
 }
 
 }  // namespace tedavis::host_sim

@@ -1,9 +1,14 @@
 /// Ctrl-C and SIGTERM as a flag that long loops read, so that they end with a valid partial result.
 ///
-/// While a guard exists, the first signal sets the flag; the second one ends the program at once. A guard within another one, of
-/// a step of a command that has one already, is the same guard: a signal that came before it is requested there, too. Guards are
-/// made and destroyed by one thread.
+/// While a guard exists, the first signal sets the flag; the second one ends the program at once. A guard within another one is
+/// the same guard: a signal that came before it is requested there, too. Guards are made and destroyed by one thread.
+///
+/// The command line makes one for each command that takes long (add_long_command()), which counts from the command's start on. A
+/// function has one of its own only to ask it in a loop. Where it is called without a command line, as by a test, that guard is
+/// the only one.
 #pragma once
+
+#include <string>
 
 namespace tedavis::host_sim {
 
@@ -17,7 +22,8 @@ public:
     [[nodiscard]] bool requested() const;
 };
 
-/// To be called before a command writes anything: throws Interrupted where that was requested.
-void require_uninterrupted(const InterruptGuard& interrupt);
+/// To be called before a command writes anything to `output`: throws Interrupted, which says so, where a guard exists and was
+/// requested.
+void require_uninterrupted(const std::string& output);
 
 }  // namespace tedavis::host_sim

@@ -127,11 +127,10 @@ public:
 
     /// False where the user has stopped it.
     bool measure(const std::vector<RegisteredKnob>& knobs, const KnobGround& ground, AccuracyReport& report) {
-        const InterruptGuard interrupt;
         for (std::size_t n = 0; n < knobs.size(); ++n) {
             if (knob_of(report, knobs[n].name) != nullptr) continue;
             try {
-                put(measured(knobs[n], ground, n, knobs.size(), interrupt), report);
+                put(measured(knobs[n], ground, n, knobs.size()), report);
             } catch (const Interrupted&) {
                 report.interrupted = true;
                 break;
@@ -144,15 +143,14 @@ public:
 
     /// The chapters beside the knobs, each once. False where the user has stopped it.
     bool measure_chapters(const std::vector<MeasuredFlight>& flights, AccuracyReport& report) {
-        const InterruptGuard interrupt;
         const KnobGround ground = flights.front().knob_ground(options_);
         try {
             std::vector<KnobGround> asked;
             if (ground.recorded != nullptr) asked.push_back({ground.ground, ground.is_quick, nullptr, ground.display});
             for (const MeasuredFlight& flight : flights) asked.push_back(flight.knob_ground(options_));
             report.flights = errors_over(asked, report.flights);
-            for (const KnobGround& flown : asked) add_flight_errors(flown, interrupt, report);
-            if (!report.uncalled) report.uncalled = uncalled(ground, interrupt);
+            for (const KnobGround& flown : asked) add_flight_errors(flown, report);
+            if (!report.uncalled) report.uncalled = uncalled(ground);
             if (!report.control) report.control = measure_control(*make_ray_control(ground));
         } catch (const Interrupted&) {
             report.interrupted = true;
@@ -161,16 +159,22 @@ public:
         return !report.interrupted;
     }
 
+    /// Alone. False where the user has stopped it; since it is short, it is whole then, too.
+    bool measure_control_alone(const KnobGround& ground, AccuracyReport& report) {
+        report.control = measure_control(*make_ray_control(ground));
+        report.interrupted = interrupt_.requested();
+        return !report.interrupted;
+    }
+
     /// By the costs that the user gave, with the frames of the flight. False where the user has stopped it.
     bool measure_governor(const KnobGround& ground, AccuracyReport& report) {
-        const InterruptGuard interrupt;
         KnobFlight flight(ground);
         PictureOptions picture;
         picture.terrain = ground.ground.path();
         picture.design = ground.display.design;
         picture.scene = flight.scene();
         GovernorChoicePlan plan{options_.budget_ms, options_.is_quick ? kQuickGovernorRate_hz : kGovernorRate_hz, {}};
-        plan.progress = progress_of("frames of the governor", interrupt);
+        plan.progress = progress_of("frames of the governor");
         try {
             report.governor = governor_choice(options_.costs, picture, flight, plan);
         } catch (const Interrupted&) {
@@ -181,35 +185,34 @@ public:
     }
 
 private:
-    std::function<void(std::size_t, std::size_t)> progress_of(const char* what, const InterruptGuard& interrupt) {
-        return [this, what, &interrupt](std::size_t done, std::size_t total) {
+    std::function<void(std::size_t, std::size_t)> progress_of(const char* what) {
+        return [this, what](std::size_t done, std::size_t total) {
             console_.progress(what, done, total);
-            if (interrupt.requested()) throw Interrupted("interrupted");
+            if (interrupt_.requested()) throw Interrupted("interrupted");
         };
     }
 
     /// Of a flight that the report does not have yet.
-    void add_flight_errors(const KnobGround& ground, const InterruptGuard& interrupt, AccuracyReport& report) {
+    void add_flight_errors(const KnobGround& ground, AccuracyReport& report) {
         if (errors_over(ground, report.flights) != nullptr) return;
         FlightErrorsPlan plan;
         if (!options_.is_quick) plan = {kMoments, kLinePoses, kPlacesAcross, {}};
-        plan.progress = progress_of("error along the flight", interrupt);
+        plan.progress = progress_of("error along the flight");
         report.flights.push_back(measure_flight_errors(ground, plan));
         write_report(report, options_.output);
     }
 
-    UncalledEffects uncalled(const KnobGround& ground, const InterruptGuard& interrupt) {
+    UncalledEffects uncalled(const KnobGround& ground) {
         KnobFlight flight(ground);
         PictureOptions picture = flown_level(ground.ground.path(), ground.display).picture;
         picture.scene = flight.scene();
         UncalledPlan plan;
         if (options_.is_quick) plan.poses = kQuickEffectPoses;
-        plan.progress = progress_of("effects", interrupt);
+        plan.progress = progress_of("effects");
         return measure_uncalled(flight, picture, plan);
     }
 
-    MeasuredKnob measured(const RegisteredKnob& registered, const KnobGround& ground, std::size_t number, std::size_t count,
-                          const InterruptGuard& interrupt) {
+    MeasuredKnob measured(const RegisteredKnob& registered, const KnobGround& ground, std::size_t number, std::size_t count) {
         const std::unique_ptr<Knob> knob = registered.make(ground);
         MeasuringPlan plan;
         plan.rounds = options_.is_quick ? kQuickRounds : kRounds;
@@ -217,7 +220,7 @@ private:
         plan.clock_ms = clock_ms;
         plan.progress = [&](std::size_t done, std::size_t total) {
             console_.progress("knobs", number * total + done, count * total);
-            if (interrupt.requested()) throw Interrupted("interrupted");
+            if (interrupt_.requested()) throw Interrupted("interrupted");
         };
         MeasuredKnob found = measure_knob(*knob, plan);
         for (MeasuredLevel& level : found.levels) complete_command(level.worst_command);
@@ -230,6 +233,7 @@ private:
         if (command.rfind(kOwnCommand, 0) == 0) command += (options_.is_quick ? " --quick" : "") + input_options(options_);
     }
 
+    const InterruptGuard interrupt_;
     const AccuracyOptions& options_;
     Console& console_;
 };
@@ -327,10 +331,11 @@ int run_accuracy(const AccuracyOptions& options, Console& console) {
     for (const auto& [file, old] : earlier) static_cast<void>(compare_accuracy(report, old, file, limits));  // of one kind?
     report.budget_ms = options.budget_ms;
     AccuracyRun run(options, console);
+    require_uninterrupted(options.output);  // also where nothing is left to be measured
     bool is_whole = run.measure(knobs, ground, report);
     list_unmeasured(knobs, report);
     if (options.is_control_only)
-        report.control = measure_control(*make_ray_control(ground));
+        is_whole = run.measure_control_alone(ground, report);
     else if (is_whole && options.knobs.empty())
         is_whole = run.measure_chapters(flights, report);
     if (is_whole && !options.costs.empty()) is_whole = run.measure_governor(ground, report);

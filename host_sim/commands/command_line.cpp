@@ -62,11 +62,9 @@ void add_compare(CLI::App& app, CommandLine& line) {
         "--align", [&o](const std::string& word) { o.align.by = choice_from("--align", word, kAlignments); },
         "time (of one log, else UTC), place (the nearest on the other track), or takeoff (time since it); default: the first of "
         "them that the runs share");
-    command
-        ->add_option(
-            "--within", o.align.within_m,
-            "metres that counterparts are apart at most where places are aligned; default: 3000; not with --align time or "
-            "takeoff")
+    add_optional(
+        command, "--within", o.align.within_m,
+        "metres that counterparts are apart at most where places are aligned; default: 3000; not with --align time or takeoff")
         ->check(CLI::Range(1.0, 1e6));
 }
 

@@ -37,6 +37,12 @@ struct FoundTerrain {
     std::string why_none;  // a sentence, where there is none
 };
 
+/// What file_of_run() has searched.
+std::string not_found_words(const std::string& file) {
+    return std::filesystem::path(file).is_absolute() ? "neither there nor in the folder of the run"
+                                                     : "neither in its folder, nor in those above it, nor in the working folder";
+}
+
 /// The page says why it has no terrain, so that a database that has moved since is no error.
 FoundTerrain terrain_below(const RunComparison& runs) {
     std::string why;
@@ -44,8 +50,7 @@ FoundTerrain terrain_below(const RunComparison& runs) {
         if (run->terrain.empty()) continue;
         const std::optional<std::string> path = file_of_run(run->folder, run->terrain);
         if (!path) {
-            why += " " + run->terrain + " of " + run->folder +
-                   " is neither in its folder, nor in those above it, nor in the working folder.";
+            why += " " + run->terrain + " of " + run->folder + " is " + not_found_words(run->terrain) + ".";
             continue;
         }
         try {

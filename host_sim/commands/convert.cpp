@@ -126,6 +126,7 @@ int run_convert(const ConvertOptions& options, Console& console, std::vector<std
     const ResampledFlight resampled(flight, settings, geoid, options.flight);
 
     const InterruptGuard interrupt;
+    require_uninterrupted(options.output);  // so that no log of a millisecond takes the place of an earlier one
     AtomicFile log(options.output), companion(options.output + ".json");
     FlightLogSettings log_settings;
     log_settings.name = options.output;

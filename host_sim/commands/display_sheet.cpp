@@ -76,7 +76,6 @@ int run_display_sheet(const SheetOptions& options, Console& console) {
         throw UserError(
             "sheet display: shows one stated approach over the shipped terrain; leave --layers, --pose, --time, "
             "--scene and --terrain out");
-    const InterruptGuard interrupt;
     const TemporaryFolder temporary;
     PictureOptions picture = options.picture;
     picture.terrain = build_own_terrain({shipped_root() + kOwnRaster, false}, temporary.path(), console);
@@ -84,7 +83,7 @@ int run_display_sheet(const SheetOptions& options, Console& console) {
     if (picture.aircraft.empty()) picture.aircraft = "turboprop";
     const RgbaPicture named = named_display(picture);
     const std::string facts = sheet_facts(kOwnRaster).dump(1);
-    require_uninterrupted(interrupt);
+    require_uninterrupted(options.output);
     NewFolder folder(options.output);
     write_png(options.output + "/" + kDisplaySheetPicture, view_of(named));
     write_file_atomically(options.output + "/" + kSheetPageName, display_page());

@@ -71,7 +71,8 @@ std::string log_of_flight(const FlyOptions& options, WrittenFiles& made, Console
     convert.output = options.replay.output + "/flight.log";
     made.add_new(convert.output);
     made.add_new(convert.output + ".json");
-    if (run_convert(convert, console, notes) != 0) throw Interrupted("interrupted; nothing was written");
+    if (run_convert(convert, console, notes) != 0)
+        throw Interrupted("interrupted; nothing was written to " + options.replay.output);
     return convert.output;
 }
 
@@ -177,12 +178,11 @@ void say_where_it_is(const std::string& output, Console& console) {
 }  // namespace
 
 int run_fly(const FlyOptions& options, Console& console) {
-    const InterruptGuard interrupt;  // first, as files may take long to load
     NewFolder folder(options.replay.output);
     WrittenFiles made;
     Console steps = console.without_result();
     const ReplayOptions replay = replay_of(options, made, steps);
-    require_uninterrupted(interrupt);
+    require_uninterrupted(options.replay.output);
     const int code = run_replay(replay, steps);
     made.keep();
     folder.keep();

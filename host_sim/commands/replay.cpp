@@ -73,6 +73,10 @@ std::unique_ptr<VideoFile> opened_video(const ReplayOptions& options, const Disp
 
 void fly(const ReplayOptions& options, const FrameInstants& times, FramePreroll& preroll, RunRecorder& recorder,
          EffectLedger& ledger, DisplaySession& session, const InterruptGuard& interrupt, Console& console) {
+    preroll.set_told([&](std::uint64_t done, std::uint64_t total) {
+        console.progress(kBeforeFirstFrame, done, total);
+        return !interrupt.requested();
+    });
     for (std::uint64_t n = 0; n < times.count() && !interrupt.requested(); ++n) {
         if (!preroll.preroll(times.at(n))) break;
         const FrameResult& drawn = recorder.draw(times.at(n));
@@ -93,14 +97,14 @@ constexpr std::uint64_t kFramesForEachEvent = 4;  // so that a restless flight h
 
 /// Where the options spread frames over the flight, its events have frames too.
 FrameInstants instants_of(const ReplayOptions& options, const TimeRanges& parts, FlightPlayer& player, DisplaySession& session,
-                          FramePreroll& preroll, const InterruptGuard& interrupt, Console& console) {
+                          FramePreroll& preroll, Console& console) {
     FrameInstants times(options, player.first(), player.last(), session.device().frame_rate_hz, parts);
     if (!options.spread) return times;
     const std::uint64_t most = std::max<std::uint64_t>(*options.spread / kFramesForEachEvent, 1);
     const auto of_flight = [&](base::Time time) { return static_cast<std::uint64_t>((time - player.first()).ns); };
     times.add(event_instants(player, preroll, times.parts(), most, [&](base::Time reached) {
         console.progress("looking for alerts", of_flight(reached), of_flight(times.parts().back().to));
-        require_uninterrupted(interrupt);
+        require_uninterrupted(options.output);
     }));
     console.progress_done();
     return times;
@@ -111,30 +115,32 @@ void require_consent_to(const ReplayOptions& options, const FrameInstants& times
     if (times.count() > kFramesWithoutAWord) require_consent(estimate_run(options, times, player, session), options, console);
 }
 
-int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Console& console) {
-    const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
-    const std::optional<DisplayFiles> files = IntervalStore::files_before_start(options);
-    DisplaySession session(options.picture, is_generated_flight(options.log));
-    require_uninterrupted(interrupt);
-    FlightPlayer player(player_files(options), session.display(), &console, index_policy(options));
-    const TimeRanges parts = parts_of(options, player, session);
-    FramePreroll preroll(player, session, session.device().frame_rate_hz);
-    const IntervalStore store(options, files, session, player, preroll, console);
-    const FrameInstants times = instants_of(options, parts, player, session, preroll, interrupt, console);
-    require_consent_to(options, times, player, session, console);
-    require_uninterrupted(interrupt);
-    const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
-    RunRecorder recorder(options, session, player);
-    if (video) recorder.set_video(*video);
+/// What the run says about itself, and what is drawn over its pictures; `overlay` must outlive the recorder.
+void prepare(RunRecorder& recorder, const ReplayOptions& options, const AccuracyOverlay& overlay, const TimeRanges& parts,
+             const FlightPlayer& player) {
     if (options.accuracy.any())
         recorder.set_overlay([&overlay](DisplaySession& drawn, FrameResult& result) { return overlay.over(drawn, result); });
     if (!parts.empty()) recorder.note(words_of_spans(parts, player.first(), options.picture.terrain));
     for (const std::string& note : options.notes) recorder.note(note);
+}
+
+int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Console& console) {
+    const AccuracyOverlay overlay({options.accuracy}, options.picture.terrain);
+    const std::optional<DisplayFiles> files = IntervalStore::files_before_start(options);
+    DisplaySession session(options.picture, is_generated_flight(options.log));
+    require_uninterrupted(options.output);
+    FlightPlayer player(player_files(options), session.display(), &console, index_policy(options));
+    const TimeRanges parts = parts_of(options, player, session);
+    FramePreroll preroll(player, session, session.device().frame_rate_hz);
+    const IntervalStore store(options, files, session, player, preroll, console);
+    const FrameInstants times = instants_of(options, parts, player, session, preroll, console);
+    require_consent_to(options, times, player, session, console);
+    require_uninterrupted(options.output);
+    const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
+    RunRecorder recorder(options, session, player);
+    if (video) recorder.set_video(*video);
+    prepare(recorder, options, overlay, parts, player);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
-    preroll.set_told([&](std::uint64_t done, std::uint64_t total) {
-        console.progress(kBeforeFirstFrame, done, total);
-        return !interrupt.requested();
-    });
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);
     fly(options, times, preroll, recorder, ledger, session, interrupt, console);
@@ -147,7 +153,7 @@ int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Con
 }  // namespace
 
 int run_replay(const ReplayOptions& options, Console& console) {
-    const InterruptGuard interrupt;  // first, as files may take long to load
+    const InterruptGuard interrupt;
     const auto run = [&](const ReplayOptions& shown) {
         return shown.window ? run_live_window(shown, console) : run_batch(shown, interrupt, console);
     };

@@ -68,12 +68,8 @@ void add_ghosts(CLI::App* command, ReplayOptions& o) {
         ->needs(ghost);
 }
 
-}  // namespace
-
-void add_replay(CLI::App& app, CommandLine& line) {
-    ReplayOptions& o = line.replay;
-    CLI::App* command = add_long_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
-                                         [&line](Console& console) { return run_replay_line(line, console); });
+/// What was flown, and of that what is shown.
+void add_replayed_flight(CLI::App* command, ReplayOptions& o) {
     command->add_option("LOG", o.log, "candump log");
     command->add_option("--switches", o.switches, "switch log");
     command->add_option("--switch-config", o.switch_config, "file or shipped name")->capture_default_str();
@@ -83,15 +79,22 @@ void add_replay(CLI::App& app, CommandLine& line) {
     add_class(command, o.aircraft_class, "that of the aircraft file");
     add_replay_instants(command, o);
     command->add_option("--bus", o.picture.bus, "bus file or shipped name: how the log's frames are read")->capture_default_str();
+}
+
+/// All that a file of --config holds.
+void add_replay_config_options(CLI::App* command, ReplayOptions& o) {
+    add_replayed_flight(command, o);
     add_picture_options(command, o.picture);
     add_legend(command, o.picture);
     add_ghosts(command, o);
     add_accuracy_shown(command, o.accuracy);
-    CLI::Option* layers = command->add_flag("--layers", o.layers, kLayersText);
-    CLI::Option* ledger = command->add_flag(
-        "--ledger", o.ledger, "what every effect that is replaced or left out would cost and show; ledger.json and ledger/");
-    line.replay_config_holds = command->get_options(
-        [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
+    command->add_flag("--layers", o.layers, kLayersText);
+    command->add_flag("--ledger", o.ledger,
+                      "what every effect that is replaced or left out would cost and show; ledger.json and ledger/");
+}
+
+/// Where the run goes to, and who sees it.
+void add_replay_output(CLI::App* command, ReplayOptions& o) {
     command->add_option("-o", o.output, "folder to write to")->required();
     add_strict(command, o.strict);
     command->add_flag("--yes", o.yes, "begins a run of more than 20,000 frames or 4 GB without a question");
@@ -101,13 +104,24 @@ void add_replay(CLI::App& app, CommandLine& line) {
         "--video", o.video,
         "film of the pictures (.mp4), also with --frames none: one a step, so that it runs as the flight did");
     CLI::Option* window = command->add_flag("--window", o.window, "in a window on the screen, with the keys below")
-                              ->excludes(ledger)
-                              ->excludes(layers)
+                              ->excludes("--ledger")
+                              ->excludes("--layers")
                               ->excludes(video)
                               ->excludes("--over-terrain")
                               ->excludes("--spread");
     video->excludes("--spread");
     command->add_option("--tour", o.tour, "path file (CSV) that the window's camera follows")->needs(window);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, CommandLine& line) {
+    CLI::App* command = add_long_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
+                                         [&line](Console& console) { return run_replay_line(line, console); });
+    add_replay_config_options(command, line.replay);
+    line.replay_config_holds = command->get_options(
+        [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
+    add_replay_output(command, line.replay);
     command->add_option(
         "--config", line.replay_config,
         "a file that --save-config wrote; beside it only -o, --strict, --yes, --save-config, --video, --window and --tour");

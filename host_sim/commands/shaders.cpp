@@ -41,12 +41,11 @@ Json list_of(const ShadersOptions& options, const MadePrograms& programs) {
 int run_shaders(const ShadersOptions& options, Console& console) {
     if (DisplaySession::has_compiler(options.picture))
         throw UserError("--device " + options.picture.device + ": it has a compiler and needs no programs; name one without");
-    const InterruptGuard interrupt;
     const TemporaryFolder temporary;
     PictureOptions picture = options.picture;
     use_own_ground(picture, temporary.path(), console);
     const MadePrograms programs = DisplaySession::make_programs(picture);
-    require_uninterrupted(interrupt);
+    require_uninterrupted(options.output);
     NewFolder folder(options.output);
     for (const auto& [key, made] : programs.all()) write_program(options.output, key, made);
     const Json list = list_of(options, programs);

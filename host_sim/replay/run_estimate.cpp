@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "host_sim/interrupt.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/user_error.hpp"
@@ -89,11 +90,12 @@ void require_consent(const RunEstimate& estimate, const ReplayOptions& options, 
     const bool is_long = estimate.frames > kFramesWithoutAsking || estimate.bytes > kBytesWithoutAsking;
     if (!is_long || options.yes) return console.note("note: " + words);
     const std::optional<bool> answer = console.confirm(words + "; go on?");
+    require_uninterrupted(options.output);
     if (!answer)
         throw UserError(words +
                         (options.spread ? "; ask for fewer with --frames" : "; draw fewer, such as with --step 1, --from, --to") +
                         ", or confirm with --yes");
-    if (!*answer) throw UserError(words + ": not confirmed; nothing was written");
+    if (!*answer) throw UserError(words + ": not confirmed; nothing was written to " + options.output);
 }
 
 }  // namespace tedavis::host_sim

@@ -42,7 +42,7 @@ template <class Frame, class Read>
 
 /// A file that the summary names, such as the terrain. What `fly` wrote lies in the folder of the run, which may have been moved
 /// since. A relative name was given in the folder in which the run was made: it is looked for in that of the run, in those above
-/// it, and in the working folder. Nothing where it is in none of them.
+/// it, and in the working folder; an absolute one in the folder of the run and where it was. Nothing where it is in none of them.
 [[nodiscard]] std::optional<std::string> file_of_run(const std::string& folder, const std::string& name);
 
 }  // namespace tedavis::host_sim

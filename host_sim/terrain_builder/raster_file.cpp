@@ -74,20 +74,34 @@ GdalDataset open_height_grid(const std::string& file, GDALDataset& container) {
 /// Read by GDAL for many formats, but not listed by all of them.
 constexpr const char* kSidecars[] = {".aux.xml", ".ovr", ".msk"};
 
+void add_sidecars(const std::string& file, std::set<std::string>& files) {
+    for (const char* const sidecar : kSidecars) {
+        VSIStatBufL info;
+        if (VSIStatL((file + sidecar).c_str(), &info) == 0) files.insert(file + sidecar);
+    }
+}
+
+/// Files that are known already are not opened again, as virtual rasters may name each other.
+void add_files_of(const std::string& file, std::set<std::string>& files) {
+    const GdalDataset dataset = open_quietly(file);
+    if (dataset == nullptr) return;
+    const CPLStringList names(dataset->GetFileList());
+    for (int n = 0; n < names.Count(); ++n) {
+        const std::string part = names[n];
+        if (!files.insert(part).second) continue;
+        add_sidecars(part, files);
+        if (has_extension(part, "vrt")) add_files_of(part, files);
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> files_of_raster(const std::string& file) {
     const QuietGdal quiet;
     GDALAllRegister();  // does nothing the second time
     std::set<std::string> files{file};
-    for (const char* const sidecar : kSidecars) {
-        VSIStatBufL info;
-        if (VSIStatL((file + sidecar).c_str(), &info) == 0) files.insert(file + sidecar);
-    }
-    if (const GdalDataset dataset = open_quietly(file); dataset != nullptr) {
-        const CPLStringList names(dataset->GetFileList());
-        for (int n = 0; n < names.Count(); ++n) files.insert(names[n]);
-    }
+    add_sidecars(file, files);
+    add_files_of(file, files);
     return {files.begin(), files.end()};
 }
 

@@ -15,9 +15,9 @@ using GdalDataset = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>;
 /// name such as NETCDF:"file.nc":z means. Throws UserError, one sentence, for what is none.
 [[nodiscard]] GdalDataset open_raster_file(const std::string& file);
 
-/// The raster's own file and all that GDAL reads with it: world files, projections, masks, statistics, overviews, the parts of a
-/// virtual raster. Of what is no raster, its own name alone. Each once, in the order of their names; what GDAL names need not be
-/// there.
+/// The raster's own file and all that GDAL reads with it: world files, projections, masks, statistics, overviews, and the parts
+/// of a virtual raster with their masks, statistics and overviews, also through virtual rasters among them. Of what is no raster,
+/// its own name alone. Each once, in the order of their names; what GDAL names need not be there.
 [[nodiscard]] std::vector<std::string> files_of_raster(const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -30,7 +30,7 @@ int run_until_closed(LiveRun& run, const InterruptGuard& interrupt, Console& con
 }  // namespace
 
 int run_live_window(const ReplayOptions& options, Console& console, const WindowMaker& make_window) {
-    const InterruptGuard interrupt;  // first, as files may take long to load
+    const InterruptGuard interrupt;
     platform::Window* window = nullptr;
     const SurfaceMaker make_surface =
         [&](const platform::SurfaceSettings& settings) -> base::Result<std::unique_ptr<base::Surface>, base::Error> {
@@ -41,12 +41,12 @@ int run_live_window(const ReplayOptions& options, Console& console, const Window
     };
     const std::optional<DisplayFiles> files = IntervalStore::files_before_start(options);
     DisplaySession session(options.picture, is_generated_flight(options.log), make_surface);
-    require_uninterrupted(interrupt);
+    require_uninterrupted(options.output);
     StartScreen screen(*window, session, std::filesystem::path(options.log).filename().string());
     IndexPolicy policy = index_policy(options);
     policy.told = [&screen](std::uint64_t done, std::uint64_t total) { screen.show(done, total, platform::monotonic_now()); };
     FlightPlayer player(player_files(options), session.display(), &console, policy);
-    require_uninterrupted(interrupt);
+    require_uninterrupted(options.output);
     LiveRun run(options, files, session, player, *window, console);
     run.handle(screen.events());
     return run_until_closed(run, interrupt, console);

@@ -1,6 +1,6 @@
 /// The units that the display writes. One setting of a design is for all that it writes of itself: tapes, readouts, legends,
 /// labels and maps. What charts and the field write in one unit whatever the display's are (flight levels, wind barbs of 5 and 10
-/// knots, spacings as the design states them) stays in it.
+/// knots, spacings as the design states them, data in metres) stays in it.
 ///
 /// Pure; any thread.
 #pragma once

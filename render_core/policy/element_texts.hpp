@@ -24,7 +24,7 @@ struct ElementText {
     std::string_view place;  ///< an element's name, or "phase", "distortion", "legend" or "notices"
     ElementShow show;        ///< in which the texts are shown; normal for what is no element
     TextColor color;
-    std::string_view texts;  ///< separated by ", ". "#" stands for a number, "(phase)" and "(title)" for names
+    std::string_view texts;  ///< separated by ", ". "#" stands for a number, "(phase)" and "(title)" for names; in feet and knots
     std::string_view cause, removed;
 };
 [[nodiscard]] base::Span<const ElementText> element_texts() noexcept;

@@ -3,18 +3,25 @@
 #include <cmath>
 #include <utility>
 
+#include "render_core/policy/terrain_ahead.hpp"
+
 namespace tedavis::policy {
 
-void ObstacleAlerts::add(std::uint16_t layer, std::uint32_t feature, double seconds) {
-    if (!(seconds <= kTerrainCaution_s)) return;
+void ObstacleAlerts::add(std::uint16_t layer, std::uint32_t feature, double on_track_s, double straight_s) {
+    const double counts_s = counted_s(on_track_s, straight_s);
+    if (!(counts_s <= kTerrainCaution_s)) return;
     ++count_;
-    const AlertedObstacle one{feature, layer, static_cast<std::uint16_t>(10 * std::fmax(seconds, 0))};
+    const bool is_straight = counts_s < on_track_s;
+    const auto tenths = static_cast<std::uint16_t>(10 * std::fmax(is_straight ? straight_s : on_track_s, 0));
+    const std::uint16_t mark = is_straight ? AlertedObstacle::kStraightAhead : 0;
+    const AlertedObstacle one{feature, layer, static_cast<std::uint16_t>(tenths | mark)};
     if (all_.full()) {
-        if (!(one.tenths < all_.back().tenths)) return;
+        if (!(one.counted_s() < all_.back().counted_s())) return;
         all_.pop_back();
     }
     static_cast<void>(all_.try_push_back(one));
-    for (std::size_t n = all_.size() - 1; n > 0 && all_[n].tenths < all_[n - 1].tenths; --n) std::swap(all_[n], all_[n - 1]);
+    for (std::size_t n = all_.size() - 1; n > 0 && all_[n].counted_s() < all_[n - 1].counted_s(); --n)
+        std::swap(all_[n], all_[n - 1]);
 }
 
 TerrainAhead ObstacleAlerts::level() const { return all_.empty() ? TerrainAhead::none : all_[0].level(); }

@@ -12,30 +12,38 @@
 namespace tedavis::policy {
 
 struct AlertedObstacle {
+    static constexpr std::uint16_t kStraightAhead = 0x8000;
+
     std::uint32_t feature = 0;
     std::uint16_t layer = 0;   ///< its number in the scene
-    std::uint16_t tenths = 0;  ///< of a second until it is met, as they count (counted_s), rounded down
+    std::uint16_t tenths = 0;  ///< of a second until it is met, rounded down; with kStraightAhead of a turn (counted_s)
 
-    [[nodiscard]] double seconds() const { return tenths / 10.0; }
+    [[nodiscard]] bool is_straight_ahead() const { return (tenths & kStraightAhead) != 0; }
+    [[nodiscard]] double seconds() const { return (tenths & ~kStraightAhead) / 10.0; }
+    [[nodiscard]] double counted_s() const { return (is_straight_ahead() ? 2 : 1) * seconds(); }
     [[nodiscard]] TerrainAhead level() const {
-        return seconds() <= kTerrainWarning_s ? TerrainAhead::warning : TerrainAhead::caution;
+        return counted_s() <= kTerrainWarning_s ? TerrainAhead::warning : TerrainAhead::caution;
     }
 };
+static_assert(sizeof(AlertedObstacle) == 8, "planner memories hold many");
 
 class ObstacleAlerts {
 public:
     /// The soonest so many are colored; the level counts all.
     static constexpr std::size_t kMax = 48;
 
-    /// Ignores what is not met within kTerrainCaution_s.
-    void add(std::uint16_t layer, std::uint32_t feature, double seconds);
+    /// With the times until it is met on the predicted track and on the straight one, infinite where it is not. Ignores what
+    /// counts for more than kTerrainCaution_s.
+    void add(std::uint16_t layer, std::uint32_t feature, double on_track_s, double straight_s);
 
     [[nodiscard]] TerrainAhead level() const;
     /// `none` for an obstacle that is not in the way.
     [[nodiscard]] TerrainAhead of(std::uint16_t layer, std::uint32_t feature) const;
-    /// Infinite without an alert.
-    [[nodiscard]] double soonest_s() const { return all_.empty() ? std::numeric_limits<double>::infinity() : all_[0].seconds(); }
-    /// The soonest first.
+    /// The counted time of the first; infinite without an alert.
+    [[nodiscard]] double soonest_s() const {
+        return all_.empty() ? std::numeric_limits<double>::infinity() : all_[0].counted_s();
+    }
+    /// The soonest first, by what counts.
     [[nodiscard]] const base::FixedVector<AlertedObstacle, kMax>& all() const { return all_; }
     /// Of all obstacles in the way.
     [[nodiscard]] std::uint32_t count() const { return count_; }

@@ -68,7 +68,7 @@ struct Picture {
     }
 };
 
-Picture picture(const std::string& device, const Obstacle* obstacle, double speed_mps = kSpeed_mps) {
+Picture picture(const std::string& device, const Obstacle* obstacle, double speed_mps = kSpeed_mps, double turn_deg_s = 0) {
     const test_support::TemporaryFolder folder;
     const auto& image = test_support::hills().image;
     host_sim::PictureOptions options;
@@ -84,6 +84,7 @@ Picture picture(const std::string& device, const Obstacle* obstacle, double spee
     flight::AircraftState state = test_support::aircraft_over_hills(kEye_m, kHeading_deg);
     state.own_ship.velocity_north_mps *= speed_mps / kSpeed_mps;
     state.own_ship.velocity_east_mps *= speed_mps / kSpeed_mps;
+    state[flight::Signal::heading_rate] = {radians(turn_deg_s), kHillsNow};
     display::settle(session.display(), {state, {}, kHillsNow});
     session.display().plan({state, {}, kHillsNow});
     session.draw();
@@ -114,6 +115,17 @@ TEST_P(ObstaclePoints, P33ObstaclesInTheWayAreRedOrAmberByTheirTime) {
         EXPECT_EQ(gained(*control, kRed) + gained(*control, kAmber), 0u);
         EXPECT_GE(gained(*control, kOwn), 15u) << "in its own color";
     }
+}
+
+/// What lies straight ahead in a turn counts for twice its time.
+TEST_P(ObstaclePoints, P33InATurnAnObstacleStraightAheadIsAmberWhereItWouldBeRed) {
+    const Obstacle near_one{20}, later{45};
+    const Picture turning = picture(GetParam(), &near_one, kSpeed_mps, 9), control = picture(GetParam(), &near_one);
+    EXPECT_EQ(turning.record.alerts.obstacle, policy::TerrainAhead::caution);
+    EXPECT_EQ(control.record.alerts.obstacle, policy::TerrainAhead::warning);
+    ASSERT_FALSE(turning.record.alerts.obstacles.all().empty());
+    EXPECT_NEAR(turning.record.alerts.obstacles.all()[0].seconds(), control.record.alerts.obstacles.all()[0].seconds(), 0.15);
+    EXPECT_FALSE(picture(GetParam(), &later, kSpeed_mps, 9).says("obstacle.ahead"));
 }
 
 /// Pixels in which two pictures differ by more than dithering.

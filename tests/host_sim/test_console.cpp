@@ -74,6 +74,7 @@ TEST(Console, AsksWhereSomebodyCanAnswer) {
         EXPECT_EQ(console.confirm("sure?"), is_yes) << typed;
     }
     EXPECT_EQ(notes.str().substr(0, 12), "sure? [y/N] ");
+    EXPECT_EQ(notes.str().back(), '\n') << "what follows a question without an answer has a line of its own";
 }
 
 TEST(Console, SurvivesATotalOfZero) {

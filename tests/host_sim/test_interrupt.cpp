@@ -27,7 +27,7 @@ TEST(Interrupt, AGuardWithinAnotherOneIsTheSame) {
     {
         const InterruptGuard inner;
         EXPECT_TRUE(inner.requested()) << "a step sees what came before it";
-        EXPECT_THROW(require_uninterrupted(inner), Interrupted);
+        EXPECT_THROW(require_uninterrupted("out"), Interrupted);
     }
     EXPECT_TRUE(outer.requested());
 }
@@ -35,9 +35,23 @@ TEST(Interrupt, AGuardWithinAnotherOneIsTheSame) {
 TEST(Interrupt, AStepThatEndsLeavesTheHandlerToItsCommand) {
     const InterruptGuard outer;
     { const InterruptGuard inner; }
-    require_uninterrupted(outer);
+    require_uninterrupted("out");
     raise(SIGTERM);
     EXPECT_TRUE(outer.requested());
+}
+
+TEST(Interrupt, IsOverWithTheLastGuardAndSaysWhereNothingWasWritten) {
+    {
+        const InterruptGuard guard;
+        raise(SIGINT);
+        try {
+            require_uninterrupted("out/run");
+            ADD_FAILURE() << "it goes on";
+        } catch (const Interrupted& interrupted) {
+            EXPECT_STREQ(interrupted.what(), "interrupted; nothing was written to out/run");
+        }
+    }
+    EXPECT_NO_THROW(require_uninterrupted("out/run"));
 }
 
 TEST(Interrupt, TheSecondSignalEndsTheProgram) {

@@ -69,9 +69,8 @@ private:
             const scene::Layer& layer = planner_.data_.scene().layers()[n];
             if (!is_obstacles(layer) || !is_valid_at(layer, instant.time)) continue;
             for (std::uint32_t feature = 0; feature < layer.entry->feature_count; ++feature)
-                boosts.obstacles.add(static_cast<std::uint16_t>(n), feature,
-                                     policy::counted_s(obstacles.seconds_to(layer, feature),
-                                                       turns ? obstacles_ahead.seconds_to(layer, feature) : kNever_s));
+                boosts.obstacles.add(static_cast<std::uint16_t>(n), feature, obstacles.seconds_to(layer, feature),
+                                     turns ? obstacles_ahead.seconds_to(layer, feature) : kNever_s);
         }
     }
 

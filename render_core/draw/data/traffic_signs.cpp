@@ -36,12 +36,11 @@ constexpr Sides kNameSides{Side::right, Side::left, Side::above, Side::below};
 
 /// "+12", "-03": hundreds of feet; "+370M", "-90M": metres by tens.
 BillboardText height_text(double over_m, double climb_mps, base::DisplayUnits units) {
-    constexpr double kMax = 999;
     BillboardText text;
     if (!std::isfinite(over_m)) return text;
     const bool is_metric = units == base::DisplayUnits::metric;
-    const double per_count = is_metric ? 10 : 100;
-    const auto counts = static_cast<int>(std::clamp(std::round(base::height_unit(units).of(over_m) / per_count), -kMax, kMax));
+    const double per_count = is_metric ? 10 : 100, most = is_metric ? 3045 : 999;
+    const auto counts = static_cast<int>(std::clamp(std::round(base::height_unit(units).of(over_m) / per_count), -most, most));
     char digits[16];
     const int size = std::abs(counts);
     std::snprintf(digits, sizeof digits, is_metric ? "%c%dM" : "%c%02d", counts < 0 ? '-' : '+', is_metric ? size * 10 : size);

@@ -124,7 +124,7 @@ void build_caption(const Painter& painter, const AdjacentInput& input, base::Dis
     painter.plate({box.x, box.y, box.width, kLine * t}, title_of(input).view(), 0.75f, painter.color(SymbolRole::scale));
     char number[24];
     const base::DisplayUnit unit = base::distance_unit(units);
-    std::snprintf(number, sizeof number, "RNG %.3g ", unit.of(input.view.range_m));
+    std::snprintf(number, sizeof number, "RNG %.4g ", unit.of(input.view.range_m));
     ShortText range(number);
     range.append(unit.text);
     const Rect line{box.x, box.y + kLine * t, box.width, kLine * t};

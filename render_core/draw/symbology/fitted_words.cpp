@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kLeftOut = "..";
 constexpr float kWidthSlack_px = 0.02f;  // of rounding: a text that was made to fit does
 
-constexpr std::size_t kMaxUnitLetters = 3;  // "KT", "HPA", "M/S"
+constexpr std::size_t kMaxUnitLetters = 3;  // "KT", "HPA"
 
 bool has_digit(std::string_view text) { return text.find_first_of("0123456789") != std::string_view::npos; }
 
@@ -21,13 +21,16 @@ struct ValueSpan {
     std::size_t from = 0, to = 0;
 };
 
+/// "KT", "HPA", "KM/H", "FT/MIN".
+bool is_unit(std::string_view word) { return word.size() <= kMaxUnitLetters || word.find('/') != std::string_view::npos; }
+
 /// The word with a digit, with the unit after it, in which `text` would be cut at `at`; empty where it is cut elsewhere.
 ValueSpan value_around(std::string_view text, std::size_t at) {
     for (std::size_t from = 0; from < at;) {
         std::size_t to = word_end(text, from);
         if (has_digit(text.substr(from, to - from)) && to < text.size()) {
             const std::size_t unit_end = word_end(text, to + 1);
-            if (unit_end - to - 1 <= kMaxUnitLetters) to = unit_end;
+            if (is_unit(text.substr(to + 1, unit_end - to - 1))) to = unit_end;
         }
         if (at < to && has_digit(text.substr(from, to - from))) return {from, to};
         from = to + 1;

@@ -24,7 +24,7 @@ struct TapeUnits {
     RollingFormat readout;
     double slowest_trend;  ///< over kTrend_s
 };
-constexpr TapeUnits kKnots{0, 999, 100, 10, 2, 0, {}, 1}, kKilometresAnHour{0, 999, 200, 10, 5, 0, {}, 2};
+constexpr TapeUnits kKnots{0, 999, 100, 10, 2, 0, {}, 1}, kKilometresAnHour{0, 1850, 200, 10, 5, 0, {}, 2};
 constexpr TapeUnits kFeet{-2000, 99'999, 1000, 50, 2, 10, {20, 2}, 20}, kMetres{-600, 99'999, 300, 20, 5, 25, {10, 2}, 6};
 
 /// A fixed scale of vertical speeds: a tick at each quarter of its end, and a number at every second of them.

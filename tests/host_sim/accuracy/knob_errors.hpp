@@ -46,7 +46,8 @@ inline host_sim::ErrorDistribution errors_of(host_sim::Knob& knob, std::size_t l
 /// Mean errors of the levels over their amounts.
 inline std::vector<host_sim::LawPoint> points_of(const host_sim::Knob& knob, const std::vector<double>& means) {
     std::vector<host_sim::LawPoint> points;
-    for (std::size_t level = 0; level < means.size(); ++level) points.push_back({knob.facts().levels[level].amount, means[level]});
+    for (std::size_t level = 0; level < means.size(); ++level)
+        points.push_back({knob.facts().levels[level].amount, means[level]});
     return points;
 }
 

@@ -51,6 +51,12 @@ TEST_F(CompareCommand, SaysWhyTheMapHasNoTerrainAndWhatAWithinChanges) {
         place_.write(std::string(name) + "/summary.json", R"({"log": "x.log", "terrain": "j.tdb"})");
     EXPECT_EQ(compare("out/page.html").code, 0);
     EXPECT_THAT(place_.read("out/page.html"), HasSubstr("j.tdb of " + place_.file("a") + " is neither in its folder"));
+    const std::string gone = place_.file("gone/j.tdb");
+    place_.write("a/summary.json", R"({"log": "x.log", "terrain": ")" + gone + R"("})");
+    EXPECT_EQ(compare("out/page.html").code, 0);
+    EXPECT_THAT(place_.read("out/page.html"),
+                HasSubstr(gone + " of " + place_.file("a") + " is neither there nor in the folder of the run."));
+    place_.write("a/summary.json", R"({"log": "x.log", "terrain": "j.tdb"})");
     place_.write("j.tdb", "no database");  // beside the folders of the runs
     EXPECT_EQ(compare("out/page.html").code, 0);
     EXPECT_THAT(place_.read("out/page.html"), Not(HasSubstr("is neither in its folder")));

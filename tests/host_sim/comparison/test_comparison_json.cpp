@@ -45,5 +45,47 @@ TEST(ComparisonJson, SaysWhatIsNotKnownAndNotSearched) {
     EXPECT_TRUE(json["instants"][0]["b"]["hash"].is_null());
 }
 
+/// Twenty instants of the first run, for which the second one has five frames.
+TEST(ComparisonJson, CountsAFrameOnceHoweverManyInstantsItServes) {
+    const ComparedRun a = made_run("a", 20);
+    ComparedRun b = with_log(made_run("b", 5, 0, 4.75), "a.log");
+    for (std::size_t n = 0; n < 5; ++n)
+        b.frames[n].effects = n < 2 ? std::vector<std::string>{"fog"} : std::vector<std::string>{};
+    const auto json = comparison_json(compared_runs(a, b, {}));
+    EXPECT_EQ(json["instants"].size(), 20u);
+    EXPECT_EQ(json["compared_frames"]["a"], 20);
+    EXPECT_EQ(json["compared_frames"]["b"], 5);
+    const auto named = [](const auto& list, const char* key, const char* name) {
+        for (const auto& one : list)
+            if (one[key] == name) return one;
+        return nlohmann::ordered_json();
+    };
+    const auto labels = named(json["differences"], "quantity", "labels_placed");
+    EXPECT_EQ(labels["instants"], 20);
+    EXPECT_EQ(labels["values_a"], 20);
+    EXPECT_EQ(labels["values_b"], 5);
+    const auto altitude = named(json["differences"], "quantity", "altitude");
+    EXPECT_EQ(altitude["values_b"], 20) << "what is flown has a value at each instant";
+    const auto fog = named(json["effects"], "name", "fog"), shadow = named(json["effects"], "name", "shadow");
+    EXPECT_EQ(fog["frames_a"], 20);
+    EXPECT_EQ(fog["frames_b"], 2);
+    EXPECT_EQ(shadow["frames_b"], 0);
+}
+
+TEST(ComparisonJson, HasTheClosestPointOfEachWholeRun) {
+    ComparedRun a = made_run("a", 10), b = with_log(made_run("b", 10), "a.log");
+    a.frames[6].values[kHeightAboveTerrain] = 120;
+    for (ComparedFrame& frame : b.frames) frame.values[kHeightAboveTerrain] = kUnknown;
+    const auto json = comparison_json(compared_runs(a, b, {}));
+    const auto& closest = json["closest"]["a"];
+    EXPECT_EQ(closest["height_above_terrain_m"], 120);
+    EXPECT_EQ(closest["time_s"], 6);
+    EXPECT_NEAR(closest["lat_deg"].get<double>(), a.frames[6].latitude_deg, 1e-9);
+    EXPECT_NEAR(closest["lon_deg"].get<double>(), 9, 1e-9);
+    EXPECT_EQ(closest["phase"], "cruise");
+    EXPECT_EQ(closest["searched"], "frames");
+    EXPECT_TRUE(json["closest"]["b"].is_null()) << "its height is not known";
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_comparison_json

@@ -31,6 +31,17 @@ TEST(FlightRun, ReadsRecordsPicturesAndSummary) {
     EXPECT_FALSE(is_folder(place.file("run/summary.json")));
 }
 
+TEST(FlightRun, ItsSummaryMayBeMissingButNotDamaged) {
+    const test_support::TemporaryFolder place;
+    test_support::write_striped_run(place, "run", 4, {2});
+    EXPECT_EQ(read_flight_run(place.file("run")).design, "") << "as of an interrupted run";
+    for (const char* damaged : {"", "[]", R"({"log":"a.log","design":"cru)"}) {
+        (void)place.write("run/summary.json", damaged);
+        test_support::expect_user_error([&] { (void)read_flight_run(place.file("run")); },
+                                        "run/summary.json: no summary of a run; replay the run again");
+    }
+}
+
 TEST(FlightRun, FramesOfARunThatGoesBackwardsAreInTheOrderOfTime) {
     const test_support::TemporaryFolder place;
     test_support::write_run(place, "run", [](FrameResult& result) {

@@ -115,19 +115,21 @@ TEST(EnteredTerrain, EveryFrameOverItHasAllOfIt) {
     ASSERT_LT(entered_s(), kLasts_s - 0.5);
     EXPECT_EQ(frames_without_terrain(whole()), 0u);
     EXPECT_EQ(frames_without_terrain(Flown().fly(0, kLasts_s, kStep_s, false)), 0u) << "as on a board, which has no preroll";
-    EXPECT_GT(frames_without_terrain(Flown().fly(entered_s(), kLasts_s, kStep_s, false)), 0u) << "control: nothing was read before";
+    const double at_s = entered_s();
+    EXPECT_GT(frames_without_terrain(Flown().fly(at_s, kLasts_s, kStep_s, false)), 0u) << "control: nothing was read before";
 }
 
 TEST(EnteredTerrain, TheFirstFrameIsDrawnAsByADisplayThatHasStoodThere) {
+    const base::Time time{entered()};  // another display, which must be gone before this one draws
     Flown stood;
-    const base::Time time{entered()};
     display::settle(stood.session.display(), stood.player.at(time));
     EXPECT_EQ(stood.draw(time).triangles, whole().at(entered()).triangles);
 }
 
 TEST(EnteredTerrain, AFrameIsTheSameHoweverItIsReached) {
+    const double at_s = entered_s();
     for (const int frames : {-2, -1, 0, 1, 2, 7, 9})
-        EXPECT_EQ(differences(Flown().fly(entered_s() + frames * kStep_s, kLasts_s, kStep_s)), 0u) << "from frame " << frames;
+        EXPECT_EQ(differences(Flown().fly(at_s + frames * kStep_s, kLasts_s, kStep_s)), 0u) << "from frame " << frames;
     for (const double frames : {2.0, -1.0, -7.0})
         EXPECT_EQ(differences(Flown().fly(0, kLasts_s, frames * kStep_s)), 0u) << "every " << frames << "th";
 }

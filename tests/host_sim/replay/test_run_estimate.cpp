@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <functional>
 #include <sstream>
 
+#include "host_sim/interrupt.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
@@ -107,6 +109,20 @@ struct Consent {
     }
 };
 
+/// With a line that waits: no answer counts then.
+TEST(RunEstimate, AnInterruptedQuestionIsNoAnswer) {
+    const InterruptGuard of_command;
+    raise(SIGINT);
+    for (const char* typed : {"", "y\n"}) {
+        try {
+            const Consent consent({20'001, 10, 1e6}, typed);
+            ADD_FAILURE() << "it goes on: " << consent.notes;
+        } catch (const Interrupted& interrupted) {
+            EXPECT_STREQ(interrupted.what(), "interrupted; nothing was written to out");
+        }
+    }
+}
+
 TEST(RunEstimate, AShortRunIsNotSpokenOfAndALongerOneIsNot) {
     const Consent quiet({200, 10, 1e6}, nullptr), said({201, 10, 1e6}, nullptr);
     EXPECT_TRUE(quiet.goes_on);
@@ -122,7 +138,7 @@ TEST(RunEstimate, ALongRunNeedsAnAnswer) {
         for (const char* no : {"n\n", "\n", "", "maybe\n"}) {
             const Consent refused(estimate, no);
             EXPECT_FALSE(refused.goes_on) << no;
-            EXPECT_THAT(refused.notes, HasSubstr("not confirmed; nothing was written"));
+            EXPECT_THAT(refused.notes, HasSubstr("not confirmed; nothing was written to out"));
         }
         const Consent nobody(estimate, nullptr);
         EXPECT_FALSE(nobody.goes_on);

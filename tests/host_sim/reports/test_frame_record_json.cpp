@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -64,7 +66,7 @@ TEST(FrameRecordJson, StatesTheAlertsAndWhatTheyAreOf) {
     EXPECT_EQ(alerts["obstacles"], Json({{"level", "none"}, {"count", 0}, {"ahead", Json::array()}}));
     display::AlertRecord& stated = result.record.alerts;
     stated = {policy::TerrainAhead::warning, policy::TerrainAhead::caution, {}, true, 30.5, 250};
-    stated.obstacles.add(2, 7, 41.25);
+    stated.obstacles.add(2, 7, 41.25, std::numeric_limits<double>::infinity());
     policy::TerrainAlertZone& zone = result.record.alert_zone;
     zone.alert = policy::TerrainAhead::warning;
     zone.north_mps = zone.east_mps = 50;

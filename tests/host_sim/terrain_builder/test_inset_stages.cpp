@@ -29,8 +29,9 @@ struct TwoRasters {
     std::uint32_t density;                                                      // fine posts to a coarse one
     std::uint32_t width = density > 8 ? 7 : 20, height = density > 8 ? 6 : 16;  // of the inset, in coarse posts
     Raster coarse = test_support::make_raster(
-        density > 8 ? 84 : 150, density > 8 ? 70 : 110, [](auto i, auto j) { return static_cast<float>(800 + 300 * std::sin(i * 0.2) * std::cos(j * 0.15)); }, 9.6,
-        47.1, kCoarse_deg);
+        density > 8 ? 84 : 150, density > 8 ? 70 : 110,
+        [](auto i, auto j) { return static_cast<float>(800 + 300 * std::sin(i * 0.2) * std::cos(j * 0.15)); }, 9.6, 47.1,
+        kCoarse_deg);
     Raster fine = test_support::make_raster(
         width * density + 1, height* density + 1,
         [this](auto i, auto j) {

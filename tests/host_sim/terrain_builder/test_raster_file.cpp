@@ -325,5 +325,33 @@ TEST_F(RasterFormats, WhatCannotBeReadIsSaidInOneSentence) {
     expect_heights(load_rasters({asc}, options), hills(), 0.005);
 }
 
+/// A virtual raster of one part.
+std::string virtual_raster(const std::string& part) {
+    return R"(<VRTDataset rasterXSize="40" rasterYSize="30"><VRTRasterBand dataType="Float32" band="1"><SimpleSource>)"
+           R"(<SourceFilename relativeToVRT="1">)" +
+           part + "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
+}
+
+TEST_F(RasterFormats, FilesOfARasterAreAllThatIsReadWithIt) {
+    const std::string tile = write_as("GTiff", hills(), folder_.file("t.tif"));
+    EXPECT_THAT(files_of_raster(tile), ElementsAre(tile));
+    for (const char* name : {"t.tif.aux.xml", "t.tif.msk", "t.tif.ovr"}) folder_.write(name, "");
+    folder_.write("t.tif.txt", "");  // control: nobody reads it
+    EXPECT_THAT(files_of_raster(tile), ElementsAre(tile, tile + ".aux.xml", tile + ".msk", tile + ".ovr"));
+    const std::string mosaic = folder_.write("m.vrt", virtual_raster("t.tif"));
+    EXPECT_THAT(files_of_raster(mosaic), ElementsAre(mosaic, tile, tile + ".aux.xml", tile + ".msk", tile + ".ovr"));
+    const std::string outer = folder_.write("a.vrt", virtual_raster("m.vrt"));
+    folder_.write("m.vrt.ovr", "");
+    EXPECT_THAT(files_of_raster(outer),
+                ElementsAre(outer, mosaic, mosaic + ".ovr", tile, tile + ".aux.xml", tile + ".msk", tile + ".ovr"));
+}
+
+TEST_F(RasterFormats, FilesOfARasterThatIsNotThereAreNamedNevertheless) {
+    const std::string mosaic = folder_.write("m.vrt", virtual_raster("gone.tif"));
+    EXPECT_THAT(files_of_raster(mosaic), ::testing::Contains(mosaic));
+    EXPECT_THAT(files_of_raster(folder_.file("none.tif")), ElementsAre(folder_.file("none.tif")));
+    EXPECT_THAT(files_of_raster(folder_.write("n.tif", "no raster")), ElementsAre(folder_.file("n.tif")));
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_raster_file

@@ -116,6 +116,29 @@ TEST(TerrainAlert, WhatLiesStraightAheadCountsInATurn) {
     }
 }
 
+/// On the way towards hills, straight ahead and in a turn away from them.
+TEST(TerrainAlert, WhatLiesStraightAheadOfATurnCountsForTwiceItsTime) {
+    struct Place {
+        double ahead_m;
+        policy::TerrainAhead straight, turning;
+    };
+    using policy::TerrainAhead;
+    for (const Place& place :
+         {Place{300, TerrainAhead::caution, TerrainAhead::none}, Place{1200, TerrainAhead::warning, TerrainAhead::caution},
+          Place{2400, TerrainAhead::warning, TerrainAhead::warning}}) {
+        flight::AircraftState state = test_support::aircraft_over_hills(1150, 30, 0);
+        earth::Geodetic& at = state.own_ship.position;
+        at.latitude_rad += place.ahead_m * std::cos(base::radians(30)) / 6.37e6;
+        at.longitude_rad += place.ahead_m * std::sin(base::radians(30)) / (6.39e6 * std::cos(base::radians(47)));
+        const auto level = [&](double turn_deg_s) {
+            state[flight::Signal::heading_rate] = {base::radians(turn_deg_s), kHillsNow};
+            return shown(test_support::shipped_design("cruise"), state, {Scenario::cruise, 0}, "es3-mid").record.alerts.terrain;
+        };
+        EXPECT_EQ(level(0), place.straight) << place.ahead_m << " m";
+        EXPECT_EQ(level(9), place.turning) << place.ahead_m << " m";
+    }
+}
+
 /// As warning bands: said, but not colored, while the height is not geometric.
 TEST(TerrainAlert, AHeightOnTheAltimetersSettingColorsNoGround) {
     design::DesignSettings design = test_support::shipped_design("cruise");

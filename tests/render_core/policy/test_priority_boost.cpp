@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -166,11 +168,11 @@ TEST(PriorityBoost, AnAlertComesAtOnceAndStaysForTwoSeconds) {
 TEST(PriorityBoost, AnObstacleAlertStaysAsLongWithTheObstaclesThatItLastNamed) {
     Flight flight;
     flight.follow(10);
-    flight.asked.raises.obstacles.add(1, 7, 40);
+    flight.asked.raises.obstacles.add(1, 7, 40, std::numeric_limits<double>::infinity());
     flight.follow(10.5);
     EXPECT_EQ(flight.raised.obstacles().of(1, 7), TerrainAhead::caution);
     flight.asked.raises.obstacles = {};
-    flight.asked.raises.obstacles.add(1, 8, 20);
+    flight.asked.raises.obstacles.add(1, 8, 20, std::numeric_limits<double>::infinity());
     flight.follow(11);
     EXPECT_EQ(flight.raised.obstacles().of(1, 7), TerrainAhead::none) << "it is no longer in the way";
     flight.asked.raises.obstacles = {};

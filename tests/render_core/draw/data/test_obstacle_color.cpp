@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <algorithm>
 
 #include "render_core/design/warning_bands.hpp"
@@ -23,8 +25,8 @@ bool is(design::Color a, design::Color b) {
 /// Of three masts the first is met after 20 s, the second after 40 s.
 policy::ObstacleAlerts alerts_of_masts() {
     policy::ObstacleAlerts alerts;
-    alerts.add(3, 0, 20);
-    alerts.add(3, 1, 40);
+    alerts.add(3, 0, 20, std::numeric_limits<double>::infinity());
+    alerts.add(3, 1, 40, std::numeric_limits<double>::infinity());
     return alerts;
 }
 

@@ -242,6 +242,7 @@ TEST(TrafficSigns, P34TheRelativeHeightStandsOnItsSideAndHasAnArrowFrom500FeetAM
     EXPECT_EQ(built(300, 13).letters, level + 8) << "512 ft/min up";
     EXPECT_EQ(built(300, -13).letters, level + 8) << "and down";
     EXPECT_EQ(built(300, 0, base::DisplayUnits::metric).letters, level + 16) << "+300M for +10";
+    EXPECT_EQ(built(11'000, 0, base::DisplayUnits::metric).letters, level + 32) << "+11000M";
 }
 
 TEST(TrafficSigns, ALinkLeadsDown) {

@@ -199,7 +199,9 @@ bool is_host(Element element) {
 
 struct AlertScreen {
     std::uint32_t width, height;
+    base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
+constexpr AlertScreen kMetricScreen{1280, 720, base::DisplayUnits::metric};
 constexpr AlertScreen kLargeScreen{1280, 720}, kSmallestScreens[] = {{240, 320}, {320, 240}};
 
 SymbologyInput good_input(const AlertScreen& screen = kLargeScreen) {
@@ -209,6 +211,7 @@ SymbologyInput good_input(const AlertScreen& screen = kLargeScreen) {
     input.decisions.radio_minimum = input.decisions.baro_minimum = policy::MinimumsState::above;
     input.shown.legend = false;
     input.shown.map = true;
+    input.shown.units = screen.units;
     input.map.px_per_m = 0.01;
     input.wind_speed_mps = 6;
     return input;
@@ -411,6 +414,29 @@ TEST(AlertTexts, OnTheSmallestScreensEveryTextIsOneOfTheTableOrAShorterWordingOf
     }
     const Found cut{"heading flagged amber HDGT..", "course flagged amber L.."};
     EXPECT_EQ(missing_in(lines_with_shorter_wordings(), cut), cut) << "control";
+}
+
+/// The table has the texts of a display in feet and knots.
+TEST(AlertTexts, AMetricDisplayHasTheSameOnesInItsUnits) {
+    const auto lines = [](const AlertScreen& screen) {
+        Found found;
+        add_elements(found, screen);
+        return found;
+    };
+    Found in_feet;
+    for (std::string line : lines(kMetricScreen)) {
+        for (const auto& [metric, feet] : {std::pair{"KM/H", "KT"},
+                                           {"MSLM", "MSLFT"},
+                                           {"STDM", "STDFT"},
+                                           {"BAROM", "BAROFT"},
+                                           {"AGLM", "AGLFT"},
+                                           {"RAM", "RAFT"}})
+            if (const std::size_t at = line.find(metric); at != std::string::npos)
+                line.replace(at, std::string(metric).size(), feet);
+        in_feet.insert(line);
+    }
+    EXPECT_EQ(in_feet, lines(kLargeScreen));
+    EXPECT_NE(lines(kMetricScreen), in_feet) << "control";
 }
 
 TEST(AlertTexts, AChangedRowIsFoundBothWays) {

@@ -52,6 +52,8 @@ TEST(FittedWords, AValueAndItsUnitAreNeverParted) {
     } kTexts[] = {{"WIND 850 HPA", {"850 HPA"}},
                   {"241/112KT 45S", {"241/112KT 45S", "241/112KT"}},
                   {"TRAFFIC 12 NM AHEAD", {"12 NM"}},
+                  {"GUST 116 KM/H MAX", {"116 KM/H"}},
+                  {"CLIMB 500 FT/MIN MAX", {"500 FT/MIN"}},
                   {"FL125 CLOUD TOPS", {"FL125"}},
                   {"5.0\xC2\xB0 PATH", {"5.0\xC2\xB0"}}};
     for (const auto& [text, values] : kTexts)
