@@ -29,9 +29,9 @@ InterruptGuard::InterruptGuard() {
 
 InterruptGuard::~InterruptGuard() {
     if (--g_guards > 0) return;
-    g_requested = 0;
     sigaction(SIGINT, &g_previous_interrupt, nullptr);
     sigaction(SIGTERM, &g_previous_terminate, nullptr);
+    g_requested = 0;
 }
 
 bool InterruptGuard::requested() const { return g_requested != 0; }

@@ -16,12 +16,13 @@ public:
 
     /// Before it is written.
     void add(const std::string& path) { paths_.push_back(path); }
-    /// The same, but a file that is there already, of an earlier command, is not removed.
+    /// The same; a file that is there already, of an earlier command, is set aside (`X.earlier`) until keep(), and comes back
+    /// without it.
     void add_new(const std::string& path);
-    void keep() { paths_.clear(); }
+    void keep();
 
 private:
-    std::vector<std::string> paths_;
+    std::vector<std::string> paths_, set_aside_;
 };
 
 }  // namespace tedavis::host_sim

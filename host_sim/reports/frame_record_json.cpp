@@ -251,12 +251,15 @@ Json terrain_alert_json(const display::FrameRecord& record) {
             {"zone", alert_zone_json(record.alert_zone)}};
 }
 
-/// Layers by their number in the scene, from 0; the soonest first.
+/// Layers by their number in the scene, from 0. Straight ahead of a turn the time counts twice; the soonest by that first.
 Json obstacle_alert_json(const display::AlertRecord& alerts) {
     Json json = {{"level", level_text(alerts.obstacle)}, {"count", alerts.obstacles.count()}, {"ahead", Json::array()}};
     for (const policy::AlertedObstacle& one : alerts.obstacles.all())
-        json["ahead"].push_back(
-            {{"layer", one.layer}, {"feature", one.feature}, {"level", level_text(one.level())}, {"seconds", one.seconds()}});
+        json["ahead"].push_back({{"layer", one.layer},
+                                 {"feature", one.feature},
+                                 {"level", level_text(one.level())},
+                                 {"seconds", one.seconds()},
+                                 {"straight_ahead", one.is_straight_ahead()}});
     return json;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <set>
 
 #include "host_sim/quiet_gdal.hpp"
@@ -81,16 +82,21 @@ void add_sidecars(const std::string& file, std::set<std::string>& files) {
     }
 }
 
-/// Files that are known already are not opened again, as virtual rasters may name each other.
-void add_files_of(const std::string& file, std::set<std::string>& files) {
+std::vector<std::string> file_list(const std::string& file) {
     const GdalDataset dataset = open_quietly(file);
-    if (dataset == nullptr) return;
+    if (dataset == nullptr) return {};
     const CPLStringList names(dataset->GetFileList());
-    for (int n = 0; n < names.Count(); ++n) {
-        const std::string part = names[n];
+    return {names.List(), names.List() + names.Count()};
+}
+
+/// Virtual rasters may name each other, in other spellings: each file is opened once.
+void add_files_of(const std::string& file, std::set<std::string>& opened, std::set<std::string>& files) {
+    std::error_code ignored;
+    if (!opened.insert(std::filesystem::weakly_canonical(file, ignored).string()).second) return;
+    for (const std::string& part : file_list(file)) {
         if (!files.insert(part).second) continue;
         add_sidecars(part, files);
-        if (has_extension(part, "vrt")) add_files_of(part, files);
+        if (has_extension(part, "vrt")) add_files_of(part, opened, files);
     }
 }
 
@@ -101,7 +107,8 @@ std::vector<std::string> files_of_raster(const std::string& file) {
     GDALAllRegister();  // does nothing the second time
     std::set<std::string> files{file};
     add_sidecars(file, files);
-    add_files_of(file, files);
+    std::set<std::string> opened;
+    add_files_of(file, opened, files);
     return {files.begin(), files.end()};
 }
 

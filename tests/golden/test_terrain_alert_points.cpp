@@ -48,11 +48,11 @@ Picture picture(const std::string& device, double msl_m, double speed_mps) {
     return {upright(session.pixels()), session.display().record()};
 }
 
-/// Red or amber, shaded, which no ground of the design is.
+/// Of the picture below the strip of notices: red or amber, shaded, which no ground of the design is.
 double alarming_share(const Picture& picture) {
     std::size_t alarming = 0;
     const std::vector<std::uint8_t>& rgba = picture.pixels.pixels;
-    for (std::size_t n = 0; n + 3 < rgba.size(); n += 4)
+    for (std::size_t n = rgba.size() / 5; n + 3 < rgba.size(); n += 4)
         alarming += rgba[n] > rgba[n + 2] + 60 && rgba[n + 1] < rgba[n] + 30 ? 1u : 0u;
     return static_cast<double>(alarming) * 4 / static_cast<double>(rgba.size());
 }

@@ -22,7 +22,7 @@ TEST(WrittenFiles, GoUnlessKept) {
     }
 }
 
-TEST(WrittenFiles, WhatWasThereBeforeStays) {
+TEST(WrittenFiles, WhatWasThereBeforeComesBackUnlessKept) {
     const test_support::TemporaryFolder place;
     (void)place.write("old", "before");
     {
@@ -31,6 +31,15 @@ TEST(WrittenFiles, WhatWasThereBeforeStays) {
         files.add_new(place.file("new"));
         (void)place.write("old", "replaced");
         (void)place.write("new", "now");
+    }
+    EXPECT_EQ(place.entries(), 1u);
+    EXPECT_EQ(place.read("old"), "before");
+    {
+        WrittenFiles files;
+        files.add_new(place.file("old"));
+        (void)place.write("old", "replaced");
+        files.add_new(place.file("old"));
+        files.keep();
     }
     EXPECT_EQ(place.entries(), 1u);
     EXPECT_EQ(place.read("old"), "replaced");

@@ -21,8 +21,12 @@ struct ValueSpan {
     std::size_t from = 0, to = 0;
 };
 
-/// "KT", "HPA", "KM/H", "FT/MIN".
-bool is_unit(std::string_view word) { return word.size() <= kMaxUnitLetters || word.find('/') != std::string_view::npos; }
+/// "KT", "HPA", "KM/H", "FT/MIN": so many letters on either side of a slash.
+bool is_unit(std::string_view word) {
+    const std::size_t slash = word.find('/');
+    if (slash == std::string_view::npos) return word.size() <= kMaxUnitLetters;
+    return slash <= kMaxUnitLetters && word.size() - slash - 1 <= kMaxUnitLetters;
+}
 
 /// The word with a digit, with the unit after it, in which `text` would be cut at `at`; empty where it is cut elsewhere.
 ValueSpan value_around(std::string_view text, std::size_t at) {

@@ -80,9 +80,11 @@ TEST(FrameRecordJson, StatesTheAlertsAndWhatTheyAreOf) {
     EXPECT_EQ(alerts["terrain"]["zone"]["width_m"], Json({60.0, 140.0}));
     EXPECT_EQ(alerts["terrain"]["zone"]["floor_msl_m"], Json({900.0, 860.0}));
     EXPECT_NEAR(alerts["terrain"]["zone"]["track_deg"].get<double>(), 45, 1e-9);
-    EXPECT_EQ(alerts["obstacles"], Json({{"level", "caution"},
-                                         {"count", 1},
-                                         {"ahead", {{{"layer", 2}, {"feature", 7}, {"level", "caution"}, {"seconds", 41.2}}}}}));
+    EXPECT_EQ(
+        alerts["obstacles"],
+        Json({{"level", "caution"},
+              {"count", 1},
+              {"ahead", {{{"layer", 2}, {"feature", 7}, {"level", "caution"}, {"seconds", 41.2}, {"straight_ahead", false}}}}}));
 }
 
 TEST(FrameRecordJson, SaysByWhichTimeDataAreValid) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "host_sim/quiet_gdal.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
@@ -344,6 +345,12 @@ TEST_F(RasterFormats, FilesOfARasterAreAllThatIsReadWithIt) {
     folder_.write("m.vrt.ovr", "");
     EXPECT_THAT(files_of_raster(outer),
                 ElementsAre(outer, mosaic, mosaic + ".ovr", tile, tile + ".aux.xml", tile + ".msk", tile + ".ovr"));
+}
+
+TEST_F(RasterFormats, VirtualRastersThatNameEachOtherAreReadOnce) {
+    const std::string name = std::filesystem::path(folder_.path()).filename().string();
+    const std::string loop = folder_.write("l.vrt", virtual_raster("../" + name + "/l.vrt"));
+    EXPECT_LE(files_of_raster(loop).size(), 3u);
 }
 
 TEST_F(RasterFormats, FilesOfARasterThatIsNotThereAreNamedNevertheless) {

@@ -59,6 +59,7 @@ TEST(FittedWords, AValueAndItsUnitAreNeverParted) {
     for (const auto& [text, values] : kTexts)
         for (float room = 5; room < text_width_px(text, 11); room += 1)
             EXPECT_EQ(changed_value(text, cut(text, room), values), "") << text << " in " << room << ": " << cut(text, room);
+    EXPECT_EQ(cut("2D WIND/TURBULENCE", 40), "2D WI..") << "a slash alone makes no unit";
     EXPECT_EQ(cut("WIND 850 HPA", 60), "WIND..");
     EXPECT_EQ(cut("850 HPA WIND", 75), "850 HPA WI..");
     // The controls: values that are cut as words would be.
