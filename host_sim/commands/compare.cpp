@@ -45,6 +45,7 @@ std::string not_found_words(const std::string& file) {
 
 /// The page says why it has no terrain, so that a database that has moved since is no error.
 FoundTerrain terrain_below(const RunComparison& runs) {
+    FoundTerrain found;
     std::string why;
     for (const ComparedRun* const run : {&runs.a, &runs.b}) {
         if (run->terrain.empty()) continue;
@@ -54,12 +55,14 @@ FoundTerrain terrain_below(const RunComparison& runs) {
             continue;
         }
         try {
-            return {std::make_unique<OpenDatabase>(*path), {}};
+            found.database = std::make_unique<OpenDatabase>(*path);
+            return found;
         } catch (const UserError& error) {
             why += std::string(" ") + error.what() + ".";
         }
     }
-    return {nullptr, "The map has no terrain:" + (why.empty() ? " neither run names a terrain database." : why)};
+    found.why_none = "The map has no terrain:" + (why.empty() ? " neither run names a terrain database." : why);
+    return found;
 }
 
 std::string result_text(const RunComparison& runs, const std::string& page) {
