@@ -10,12 +10,10 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "tests/support/flights/flown_circle.hpp"
-#include "tests/support/programs/expect_user_error.hpp"
 
 namespace tedavis::host_sim::test_run_estimate {
 namespace {
 
-using test_support::expect_user_error;
 using ::testing::HasSubstr;
 
 ReplayOptions options() {
