@@ -5,7 +5,6 @@
 namespace tedavis::bus {
 namespace {
 
-constexpr std::size_t kFramesAtOnce = 256;
 constexpr std::size_t kEdgesAtOnce = 64;
 constexpr base::Duration kStep = flight::PhaseMonitor::kStep;
 
@@ -37,8 +36,8 @@ flight::FrameInput FlightTracker::advance_to(base::Time now, flight::TerrainHeig
 void FlightTracker::step(flight::TerrainHeights& heights) {
     const base::Time now = memory_.next_step;
     read_until(now);
-    const BusSnapshot snapshot = memory_.assembler.snapshot(now);
-    flight::AircraftState aircraft = snapshot.state;
+    BusSnapshot snapshot = memory_.assembler.snapshot(now);
+    flight::AircraftState& aircraft = snapshot.state;
     ask_for_height(aircraft, now, heights);
     memory_.monitor.step(aircraft, phase_inputs(snapshot.phase_status, now), now);
     memory_.trail.step(aircraft, now);
@@ -66,12 +65,11 @@ flight::FrameInput FlightTracker::input_at(base::Time now, flight::TerrainHeight
 }
 
 void FlightTracker::read_until(base::Time time) {
-    CanFrame batch[kFramesAtOnce];
     std::size_t count = kFramesAtOnce;
     for (std::uint32_t n = 0; n < ports_.max_batches && count == kFramesAtOnce; ++n) {
-        count = ports_.can.read(time, base::Span<CanFrame>(batch));
-        memory_.assembler.feed({batch, count});
-        if (ports_.listener != nullptr) ports_.listener->receive({batch, count});
+        count = ports_.can.read(time, base::Span<CanFrame>(batch_));
+        memory_.assembler.feed({batch_, count});
+        if (ports_.listener != nullptr) ports_.listener->receive({batch_, count});
     }
     memory_.assembler.record_dropped(ports_.can.statistics().dropped);
     read_switches(time);

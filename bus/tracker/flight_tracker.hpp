@@ -81,8 +81,11 @@ private:
     [[nodiscard]] bool panel_asks_for_legend(base::Time time) const;
     [[nodiscard]] flight::PhaseInputs phase_inputs(const PhaseMessage& stated, base::Time time) const;
 
+    static constexpr std::size_t kFramesAtOnce = 256;
+
     TrackerMemory& memory_;
     TrackerPorts ports_;
+    CanFrame batch_[kFramesAtOnce];  ///< of one reading; what is left in it means nothing
 };
 
 }  // namespace tedavis::bus

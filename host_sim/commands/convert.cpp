@@ -94,6 +94,10 @@ std::vector<std::string> what_was_done(const ImportedFile& file, const CleaningC
         said.push_back("the recording has gaps (the longest " + std::to_string(static_cast<int>(d.longest_gap_s)) +
                        " s); nothing is sent there");
     }
+    if (d.velocities_not_believed > 0) {
+        said.push_back("speed: of " + std::to_string(d.velocities_not_believed) + " of " + std::to_string(d.fixes) +
+                       " fixes the recorded speed contradicts the recorded positions, and the speed is that of the positions");
+    }
     said.push_back("height: " + d.height);
     said.push_back("heading " + d.heading + "; bank " + d.roll + "; pitch " + d.pitch);
     if (!d.height_is_geometric && !options.qnh_hpa) {
@@ -143,9 +147,9 @@ int run_convert(const ConvertOptions& options, Console& console, std::vector<std
         console.note("note: " + done);
         said.push_back(std::move(done));
     }
-    if (counts.interrupted) console.note("note: interrupted; the log is valid and ends early");
     console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight" +
-                       (flight.aircraft.empty() ? "" : " " + flight.aircraft),
+                       (flight.aircraft.empty() ? "" : " " + flight.aircraft) +
+                       (counts.interrupted ? "; interrupted, so that the log is valid and ends early" : ""),
                    json_text(json));
     return counts.interrupted ? kInterruptedExitCode : 0;
 }

@@ -10,6 +10,7 @@
 #include "host_sim/interrupt.hpp"
 #include "host_sim/new_folder.hpp"
 #include "host_sim/options/replay_config.hpp"
+#include "host_sim/replay/closest_finder.hpp"
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/replay/effect_ledger.hpp"
 #include "host_sim/replay/flight_events.hpp"
@@ -110,6 +111,21 @@ FrameInstants instants_of(const ReplayOptions& options, const TimeRanges& parts,
     return times;
 }
 
+constexpr std::size_t kClosestShown = 3;
+
+/// Where the options spread frames over the flight, its closest points to the terrain have frames too: these are returned.
+std::vector<base::Time> add_closest(const ReplayOptions& options, FlightPlayer& player, DisplaySession& session,
+                                    FrameInstants& times) {
+    const terrain::TerrainDatabase* const database = session.display().planner().terrain_database();
+    if (!options.spread || database == nullptr) return {};
+    ClearanceMeter meter(*database);
+    std::vector<base::Time> frames =
+        closest_instants(player, meter, {times.parts().front().from, times.parts().back().to}, kClosestShown);
+    for (base::Time& instant : frames) instant = times.frame_at_or_after(instant);
+    times.add(frames);
+    return frames;
+}
+
 void require_consent_to(const ReplayOptions& options, const FrameInstants& times, FlightPlayer& player, DisplaySession& session,
                         Console& console) {
     if (times.count() > kFramesWithoutAWord) require_consent(estimate_run(options, times, player, session), options, console);
@@ -133,13 +149,15 @@ int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Con
     const TimeRanges parts = parts_of(options, player, session);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
     const IntervalStore store(options, files, session, player, preroll, console);
-    const FrameInstants times = instants_of(options, parts, player, session, preroll, console);
+    FrameInstants times = instants_of(options, parts, player, session, preroll, console);
+    const std::vector<base::Time> closest = add_closest(options, player, session, times);
     require_consent_to(options, times, player, session, console);
     require_uninterrupted(options.output);
     const std::unique_ptr<VideoFile> video = opened_video(options, session, times);
     RunRecorder recorder(options, session, player);
     if (video) recorder.set_video(*video);
     prepare(recorder, options, overlay, parts, player);
+    recorder.set_closest(closest);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);

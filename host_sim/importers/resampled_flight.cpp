@@ -278,7 +278,11 @@ void ResampledFlight::describe(const RecordedFlight& flight) {
         d.height = flight.gnss_datum == HeightDatum::msl_egm96 ? "recorded GNSS height above sea level, EGM96 undulation added"
                                                                : "recorded GNSS height above the WGS84 ellipsoid";
     } else if (pressure && settings_.assume_geometric) {
-        d.height = "pressure altitude taken for a height above sea level (--assume-geometric), EGM96 undulation added";
+        d.height = settings_.qnh_pa
+                       ? "altitude on QNH, from pressure altitude, taken for a height above sea level "
+                         "(--assume-geometric), EGM96 undulation added"
+                       : "pressure altitude taken for a height above sea level (--assume-geometric), EGM96 undulation "
+                         "added";
     } else if (pressure) {
         d.height = settings_.qnh_pa ? "no geometric height; altitude on QNH from pressure altitude"
                                     : "no geometric height; pressure altitude only";

@@ -57,8 +57,22 @@ std::vector<TrackSample> flown_track(FlightPlayer& player, ClearanceMeter& meter
     return track;
 }
 
-void ClosestFinder::add(const display::FrameRecord& record, bool has_picture) {
-    FrameBeside frame{record.frame, seconds(record.time), record.alerts.terrain, std::string(record.design.view()), {}};
+std::vector<base::Time> closest_instants(FlightPlayer& player, ClearanceMeter& meter, const TimeRange& part, std::size_t most) {
+    const ClosestPoints points = closest_points(flown_track(player, meter, part.from, part.to), meter);
+    std::vector<base::Time> instants;
+    for (std::size_t n = 0; n < std::min(most, points.by_height.size()); ++n) instants.push_back(points.by_height[n].sample.time);
+    if (!points.by_distance.empty()) instants.push_back(points.by_distance.front().sample.time);
+    return instants;
+}
+
+bool ClosestFinder::wants_picture(base::Time time) const {
+    constexpr std::int64_t kSameFrame_ns = 1000;
+    return std::any_of(shown_.begin(), shown_.end(), [&](base::Time one) { return std::abs((one - time).ns) <= kSameFrame_ns; });
+}
+
+void ClosestFinder::add(const display::FrameRecord& record, bool has_picture, std::string small_png) {
+    FrameBeside frame{record.frame, seconds(record.time), record.alerts.terrain, std::string(record.design.view()),
+                      {},           std::move(small_png)};
     if (has_picture) frame.picture = frame_picture_path(".", record.frame).substr(2);
     frames_.push_back(frame);
 }

@@ -22,6 +22,8 @@ public:
     void add(const std::vector<base::Time>& events);
 
     [[nodiscard]] std::uint64_t count() const { return listed_.empty() ? steps_.count : listed_.size(); }
+    /// The device's first frame at or after a time.
+    [[nodiscard]] base::Time frame_at_or_after(base::Time time) const;
     /// In the order of the run: backwards for a negative step.
     [[nodiscard]] base::Time at(std::uint64_t n) const { return in_order_of_time(backwards_ ? count() - 1 - n : n); }
     /// A part of a run whose start is a whole step has the instants of the whole run, to the nanosecond.
@@ -51,7 +53,6 @@ private:
     void spread(std::uint64_t frames, std::vector<Part>& parts);
     void list_steps(const std::vector<Part>& parts);
     [[nodiscard]] base::Time step_at(const Steps& steps, std::uint64_t n) const;
-    [[nodiscard]] base::Time frame_at_or_after(base::Time time) const;
 
     base::Time origin_;
     double rate_hz_ = 0;

@@ -1,6 +1,8 @@
 #include "host_sim/replay/log_facts.hpp"
 
+#include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "host_sim/input_file.hpp"
@@ -106,6 +108,15 @@ LogFacts facts_of(const bus::CandumpLogSource& source, const bus::StateAssembler
                 {n < source.interface_names().size() ? std::string(source.interface_names()[n].view()) : "others", frames[n]});
     facts.has_position = end.state[flight::Signal::latitude].received() && end.state[flight::Signal::longitude].received();
     return facts;
+}
+
+bool assumes_heights(const std::string& log) {
+    const std::string companion = log + ".json";
+    if (!std::filesystem::is_regular_file(companion)) return false;
+    const auto said = nlohmann::json::parse(read_file(companion), nullptr, false);
+    const nlohmann::json::json_pointer assumed("/assume_geometric"), height("/derived/height");
+    if (!said.is_object() || !said.contains(assumed) || said[assumed] != true || !said.contains(height)) return false;
+    return said[height].is_string() && said[height].get<std::string>().find("pressure") != std::string::npos;
 }
 
 LogFacts read_log_facts(const std::string& log, const bus::BusSettings& settings) {

@@ -35,6 +35,9 @@ struct LogFacts {
 [[nodiscard]] LogFacts facts_of(const bus::CandumpLogSource& source, const bus::StateAssembler& assembler,
                                 const InterfaceFrames& frames, base::Time first);
 
+/// True where `convert` says beside the log (LOG.json) that its geometric heights are pressure altitudes, --assume-geometric.
+[[nodiscard]] bool assumes_heights(const std::string& log);
+
 /// Reads a log that may be gzip-compressed. Throws UserError where no line of it is a frame.
 [[nodiscard]] LogFacts read_log_facts(const std::string& log, const bus::BusSettings& settings);
 

@@ -8,6 +8,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
+#include "host_sim/replay/log_facts.hpp"
 #include "host_sim/replay/scene_findings.hpp"
 #include "host_sim/reports/height_findings.hpp"
 #include "host_sim/reports/html_report.hpp"
@@ -19,6 +20,8 @@ namespace tedavis::host_sim {
 namespace {
 
 using flight::Signal;
+
+constexpr std::uint32_t kClosestWidth = 640;
 
 double milliseconds_between(base::Time a, base::Time b) { return (b - a).to_seconds() * 1000; }
 
@@ -104,7 +107,8 @@ void RunRecorder::keep() {
     const double above = input_.state[Signal::height_above_terrain].value_or(std::numeric_limits<double>::quiet_NaN());
     tally_.add(result_.record, above);
     effects_.add(result_.record);
-    closest_.add(result_.record, options_.frame_output() == FrameOutput::png);
+    closest_.add(result_.record, options_.frame_output() == FrameOutput::png,
+                 closest_.wants_picture(result_.record.time) ? encode_small_png(view_of(shrunk(shown(), kClosestWidth))) : "");
     if (story_.add(result_, above, input_.state[Signal::ground_speed].value_or(0))) story_.add_picture(result_, shown());
     legends_.note(std::string(session_.display().planned().shown->name.view()), result_, input_);
     if (options_.frame_output() == FrameOutput::png)
@@ -120,6 +124,7 @@ int RunRecorder::finish(bool interrupted, Console& console) {
     const base::BudgetTable memory = session_.display().planner().budget();  // of the run, without the legends' pictures
     legends_.draw(session_, story_);
     if (clearance_ && !interrupted) done.closest = closest_.find(player_, *clearance_);
+    done.closest.assumes_heights = assumes_heights(options_.log);
     write_run_reports(options_.output, done, story_, memory, session_.display().planner().terrain_database());
     if (video_ != nullptr && video_->pictures() > 0) video_->commit();  // last: a disk that it fills leaves the records
     char line[200];
@@ -145,6 +150,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     s.fps_median = times.median_ms > 0 ? 1000 / times.median_ms : 0;
     s.ms_p99 = times.p99_ms;
     s.terrain_frames = tally_.frames_with_terrain();
+    s.frames_over_void = tally_.frames_over_void();
     s.worst_error_px = tally_.worst_error_px();
     s.worst_start_error_px = tally_.worst_start_error_px();
     s.terrain_alerts = tally_.terrain_alerts();

@@ -39,6 +39,8 @@ public:
 
     /// The pictures that are kept from now on are added to the film, which finish() ends. It must outlive the recorder.
     void set_video(VideoFile& video) { video_ = &video; }
+    /// Instants of frames that show a closest point: their pictures go into the report.
+    void set_closest(const std::vector<base::Time>& instants) { closest_.set_shown(instants); }
 
     /// From now on this legend is shown, whatever switches and bus ask for.
     void ask_legend(flight::LegendShow legend) { legend_ = legend; }

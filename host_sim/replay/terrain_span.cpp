@@ -1,7 +1,9 @@
 #include "host_sim/replay/terrain_span.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "host_sim/clearance/clearance.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
 #include "host_sim/reports/geo_extent.hpp"
 #include "host_sim/reports/line_chart.hpp"
@@ -21,10 +23,10 @@ GeoExtent extent_of_places(const std::vector<OutlinePlace>& places) {
     return extent;
 }
 
-std::string never_over(const std::string& name, const std::vector<OutlinePlace>& asked,
-                       const terrain::TerrainDatabase& database) {
+std::string never_over(const std::string& name, const std::vector<OutlinePlace>& asked, const terrain::TerrainDatabase& database,
+                       const std::string& how = "is never over it") {
     if (asked.empty()) return name + ": no position of the flight is known; leave out --over-terrain";
-    return name + ": the flight is never over it: it covers " + extent_of(database).words() + ", the flight " +
+    return name + ": the flight " + how + ": it covers " + extent_of(database).words() + ", the flight " +
            extent_of_places(asked).words() + "; give terrain of that region";
 }
 
@@ -33,6 +35,24 @@ GeoExtent around(const OutlinePlace& a, const OutlinePlace& b) {
     GeoExtent box = extent_of_places({a, b});
     const double high_deg = box.north_deg - box.south_deg + kNear_deg, wide_deg = box.east_deg - box.west_deg + kNear_deg;
     return {box.south_deg - high_deg, box.north_deg + high_deg, box.west_deg - wide_deg, box.east_deg + wide_deg};
+}
+
+/// From the first to the last place of each span with known ground below; a span without one goes.
+TimeRanges with_known_ground(const TimeRanges& spans, const std::vector<OutlinePlace>& places,
+                             const terrain::TerrainDatabase& database) {
+    ClearanceMeter meter(database);
+    TimeRanges known;
+    for (const TimeRange& span : spans) {
+        const std::size_t before = known.size();
+        for (const OutlinePlace& place : places) {
+            if (place.time < span.from || place.time > span.to) continue;
+            const OwnShipPlace own{{place.latitude_rad, place.longitude_rad, {}}, 0, true};
+            if (std::isnan(meter.height_above_terrain_m(own))) continue;
+            if (known.size() == before) known.push_back({place.time, place.time});
+            known.back().to = place.time;
+        }
+    }
+    return known;
 }
 
 }  // namespace
@@ -57,11 +77,14 @@ TimeRanges terrain_spans(const ReplayOptions& options, const FlightOutline& outl
         const double time_s = (place.time - first).to_seconds();
         if (time_s >= options.from_s.value_or(time_s) && time_s <= options.to_s.value_or(time_s)) asked.push_back(place);
     }
-    TimeRanges spans = spans_over(asked, database->lattice());
+    const TimeRanges inside = spans_over(asked, database->lattice());
     if (asked.empty() && (options.from_s || options.to_s))
         throw UserError(options.picture.terrain +
                         ": no position of the flight is known between --from and --to; choose other times");
-    if (spans.empty()) throw UserError(never_over(options.picture.terrain, asked, *database));
+    if (inside.empty()) throw UserError(never_over(options.picture.terrain, asked, *database));
+    TimeRanges spans = with_known_ground(inside, asked, *database);
+    if (spans.empty())
+        throw UserError(never_over(options.picture.terrain, asked, *database, "is over it only where it has no heights"));
     return spans;
 }
 

@@ -14,9 +14,9 @@ namespace tedavis::host_sim {
 /// about a second apart: what is shorter may be missed. Voids inside the lattice count as inside.
 [[nodiscard]] TimeRanges spans_over(const std::vector<OutlinePlace>& places, const terrain::Lattice& lattice);
 
-/// Where the flight is over the ground, in the time that the options ask for; at least one. `first`: the log's first instant.
-/// Throws UserError, with what flight and database cover, where the flight is never over it in that time, and where there is no
-/// database.
+/// Where the flight is over the ground, in the time that the options ask for; at least one. Each begins and ends with known
+/// ground below; between, there may be voids. `first`: the log's first instant. Throws UserError, with what flight and database
+/// cover, where the flight is never over known ground in that time, and where there is no database.
 [[nodiscard]] TimeRanges terrain_spans(const ReplayOptions& options, const FlightOutline& outline, base::Time first,
                                        const terrain::TerrainDatabase* database);
 

@@ -49,6 +49,7 @@ nlohmann::ordered_json closest_json(const ClosestReport& report) {
                      {"left_out_s", report.left_out_s},
                      {"unknown_s", report.unknown_s},
                      {"by_height", ClosestJson::array()},
+                     {"assumes_heights", report.assumes_heights},
                      {"by_distance", ClosestJson::array()}};
     for (const StatedClosest& closest : report.by_height) json["by_height"].push_back(closest_one_json(closest));
     for (const StatedClosest& closest : report.by_distance) json["by_distance"].push_back(closest_one_json(closest));

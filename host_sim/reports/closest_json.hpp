@@ -17,7 +17,8 @@ struct FrameBeside {
     double time_s = 0;  ///< since the log's first frame
     policy::TerrainAhead alert = policy::TerrainAhead::none;
     std::string design;
-    std::string picture;  ///< path in the run's folder; empty where none is kept
+    std::string picture;    ///< path in the run's folder; empty where none is kept
+    std::string small_png;  ///< for the report; empty unless the frame was drawn for a closest point
 };
 
 struct StatedClosest {
@@ -28,10 +29,11 @@ struct StatedClosest {
 };
 
 struct ClosestReport {
-    bool is_searched = false;  ///< false: there is no terrain, or the run was interrupted
-    double sample_step_s = 0;  ///< between the samples of the track
-    double left_out_s = 0;     ///< of take-off and landing
-    double unknown_s = 0;      ///< without a position or without known ground
+    bool is_searched = false;      ///< false: there is no terrain, or the run was interrupted
+    bool assumes_heights = false;  ///< geometric heights of the log are pressure altitudes (`convert --assume-geometric`)
+    double sample_step_s = 0;      ///< between the samples of the track
+    double left_out_s = 0;         ///< of take-off and landing
+    double unknown_s = 0;          ///< without a position or without known ground
     std::vector<StatedClosest> by_height, by_distance;
     std::vector<TrackSample> track;  ///< for the profile
 };

@@ -23,6 +23,8 @@ public:
 
     /// Frames that show terrain.
     [[nodiscard]] std::uint64_t frames_with_terrain() const { return with_terrain_; }
+    /// Inside the database, but without a height of the ground below.
+    [[nodiscard]] std::uint64_t frames_over_void() const { return without_height_; }
     /// Upper bound of the terrain's error in all frames but those at a start.
     [[nodiscard]] double worst_error_px() const { return worst_error_px_; }
     /// The same for the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive, for

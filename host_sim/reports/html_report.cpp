@@ -74,11 +74,15 @@ std::string closest_to_terrain(const RunSummary& summary) {
 }
 
 std::string strip(const RunStory& story) {
+    constexpr std::size_t kPrinted = 8;  // evenly over the flight: one row
+    const std::size_t count = story.thumbnails().size();
     std::string figures;
-    for (const RunStory::Thumbnail& picture : story.thumbnails()) {
+    for (std::size_t n = 0; n < count; ++n) {
+        const RunStory::Thumbnail& picture = story.thumbnails()[n];
         const std::string caption =
             "frame " + std::to_string(picture.frame) + ", " + time_words(picture.time_s, story) + ", " + picture.phase;
-        figures += page_figure(caption, picture.png);
+        const bool is_printed = n == 0 || n * kPrinted / count != (n - 1) * kPrinted / count;
+        figures += page_figure(caption, picture.png, is_printed ? "printed" : "");
     }
     return figures.empty() ? figures : page_section("Frames", "<div class='strip'>" + figures + "</div>");
 }

@@ -21,9 +21,10 @@ constexpr const char* kRunPageStyle =
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem}"
     "th,td{text-align:left;padding:.2rem .6rem .2rem 0;border-bottom:1px solid #8884;vertical-align:top}"
     "td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}"
+    "td.whole{white-space:nowrap}"
     "@media(max-width:40rem){table{font-size:.75rem}th,td{padding-right:.35rem}}"
     ".key{display:inline-block;width:.8rem;height:.8rem;margin-right:.3rem;vertical-align:-.05rem}"
-    ".bad{color:#c22;font-weight:600}li,td,p{overflow-wrap:anywhere}"
+    ".bad{color:#c22;font-weight:600}li,p{overflow-wrap:anywhere}td{overflow-wrap:break-word}"
     ".map{max-height:40rem}.map-text{fill:#111!important}.map-halo{stroke:#fff;stroke-width:3px;fill:#fff!important}"
     ".mark line{stroke:#b3261e}.mark .place{fill:#b3261e}.mark .label{fill:#fff;stroke:#b3261e;stroke-width:1.5}"
     ".mark text{fill:#111!important;font-weight:600}"
@@ -31,7 +32,7 @@ constexpr const char* kRunPageStyle =
     "@media print{@page{size:A4;margin:12mm}body{max-width:none;padding:0;font-size:10px}details{display:none}"
     "section{break-inside:avoid}.wide{overflow:visible}h2{margin:.6rem 0 .2rem;font-size:12px}table{font-size:9px}"
     "th,td{padding:.05rem .5rem .05rem 0}.map{max-height:8cm}.charts{grid-template-columns:repeat(3,1fr)}"
-    ".strip{grid-template-columns:repeat(8,1fr);gap:.2rem}.strip figure:nth-child(n+9){display:none}figcaption{font-size:7px}}";
+    ".strip{grid-template-columns:repeat(8,1fr);gap:.2rem}.strip figure:not(.printed){display:none}figcaption{font-size:7px}}";
 
 }  // namespace
 
@@ -54,9 +55,9 @@ std::string text_cell(const std::string& text) { return "<td>" + escaped_html(te
 
 std::string number_cell(const std::string& html) { return "<td class='n'>" + html + "</td>"; }
 
-std::string page_figure(const std::string& caption, const std::string& png) {
-    return "<figure><img alt='" + escaped_html(caption) + "' src='data:image/png;base64," + base64(png) + "'><figcaption>" +
-           escaped_html(caption) + "</figcaption></figure>\n";
+std::string page_figure(const std::string& caption, const std::string& png, const std::string& kind) {
+    return "<figure" + (kind.empty() ? kind : " class='" + kind + "'") + "><img alt='" + escaped_html(caption) +
+           "' src='data:image/png;base64," + base64(png) + "'><figcaption>" + escaped_html(caption) + "</figcaption></figure>\n";
 }
 
 std::string folded_part(const std::string& title, const std::string& content) {

@@ -16,8 +16,8 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string text_cell(const std::string& text);
 /// A cell of a number, HTML, aligned to the right.
 [[nodiscard]] std::string number_cell(const std::string& html);
-/// A picture, given as the bytes of a PNG file, over its caption, a text.
-[[nodiscard]] std::string page_figure(const std::string& caption, const std::string& png);
+/// A picture, given as the bytes of a PNG file, over its caption, a text. `kind`: a class of the page's style.
+[[nodiscard]] std::string page_figure(const std::string& caption, const std::string& png, const std::string& kind = "");
 /// Folded away, and not printed; `title` and `content` are HTML.
 [[nodiscard]] std::string folded_part(const std::string& title, const std::string& content);
 

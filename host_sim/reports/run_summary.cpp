@@ -91,6 +91,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["ms_p99"] = summary.ms_p99;
     json["heap_allocations_after_start"] = summary.heap_allocations_after_start;
     json["terrain_frames"] = summary.terrain_frames;
+    json["frames_over_void"] = summary.frames_over_void;
     json["worst_error_px"] = summary.worst_error_px;
     json["worst_start_error_px"] = summary.worst_start_error_px;
     json["terrain_alerts"] = terrain_alerts_json(summary.terrain_alerts);

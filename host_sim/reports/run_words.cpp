@@ -54,16 +54,24 @@ std::string came_first(const Shares& first) {
     return "The picture put first: " + listed(first) + ".";
 }
 
+std::string over_void(const RunSummary& summary) {
+    if (summary.frames_over_void == 0) return "";
+    return "; in " + counted(summary.frames_over_void, "frame") + " the height of the ground below the aircraft was not known";
+}
+
 std::string terrain_shown(const RunSummary& summary) {
     if (summary.terrain_frames == 0) return "No frame showed terrain.";
     return "Terrain was shown in " + std::to_string(summary.terrain_frames) + " of " + counted(summary.frames, "frame") +
-           ", nowhere more than " + decimal(summary.worst_error_px, 2) + " pixels from the true surface.";
+           ", nowhere more than " + decimal(summary.worst_error_px, 2) + " pixels from the true surface" + over_void(summary) +
+           ".";
 }
 
 std::string alerts(const RunSummary& summary) {
     const TerrainAlertCounts& counts = summary.terrain_alerts;
     if (summary.terrain_frames == 0) return "Without terrain no terrain alert could be given.";
-    if (counts.count == 0) return "No terrain alert was given.";
+    if (counts.count == 0)
+        return summary.frames_over_void < summary.terrain_frames ? "No terrain alert was given."
+                                                                 : "Over unknown ground no terrain alert could be given.";
     return counted(counts.count, "terrain alert") + (counts.count == 1 ? " was" : " were") + " given, " +
            std::to_string(counts.warnings) + " with a warning; " + std::to_string(counts.false_count) +
            " were false, as the aircraft then kept clear of the ground.";

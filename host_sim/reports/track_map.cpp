@@ -194,11 +194,11 @@ std::string corners(const Map& map, MapTexts& texts) {
     const auto degrees = [](double value, const char* positive, const char* negative) {
         return decimal(std::abs(value), 3) + "\xC2\xB0 " + (value < 0 ? negative : positive);
     };
-    return texts.fixed(kWidth - 6, 14, degrees(map.extent.north_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"),
-                       "end") +
-           texts.fixed(6, 14, "N is up") +
+    return texts.fixed(
+               6, 14,
+               "north up, from " + degrees(map.extent.north_deg, "N", "S") + ", " + degrees(map.extent.west_deg, "E", "W")) +
            texts.fixed(kWidth - 6, map.height - 8,
-                       degrees(map.extent.south_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"), "end");
+                       "to " + degrees(map.extent.south_deg, "N", "S") + ", " + degrees(map.extent.east_deg, "E", "W"), "end");
 }
 
 std::string dot(const Map& map, MapTexts& texts, double latitude_deg, double longitude_deg, const std::string& fill,

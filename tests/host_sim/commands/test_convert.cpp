@@ -52,6 +52,12 @@ protected:
     test_support::TemporaryFolder place_;
 };
 
+TEST_F(ConvertCommand, SpeedsThatThePositionsContradictAreSpokenOf) {
+    constexpr const char* kSaid = "note: speed: of 40 of 40 fixes the recorded speed contradicts the recorded positions";
+    EXPECT_THAT(convert(csv("height_msl_m,ground_speed_mps,track_deg", "2000,90,0")).notes, HasSubstr(kSaid));
+    EXPECT_THAT(convert(csv("height_msl_m,ground_speed_mps,track_deg", "2000,50,0")).notes, Not(HasSubstr("contradicts")));
+}
+
 TEST_F(ConvertCommand, GnssHeightsAboveSeaLevelGoToTheEllipsoid) {
     const CommandRun run = convert(csv("height_msl_m", "2000"));
     EXPECT_EQ(run.code, 0);

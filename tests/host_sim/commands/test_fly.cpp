@@ -79,6 +79,19 @@ TEST_F(Fly, GoesFromARecordingToAReport) {
     EXPECT_EQ(summary_of(output_).at("terrain").get<std::string>().find(cache()), 0u);
 }
 
+TEST_F(Fly, TheReportShowsTheDisplayAtTheClosestPoints) {
+    EXPECT_EQ(fly().code, 0);
+    const auto summary = summary_of(output_);
+    const auto& closest = summary.at("closest").at("by_distance");
+    ASSERT_GE(closest.size(), 1u);
+    constexpr double kFrame_s = 1.0 / 20;
+    const double late_s = closest[0].at("frame_time_s").get<double>() - closest[0].at("time_s").get<double>();
+    EXPECT_GE(late_s, -1e-6);
+    EXPECT_LE(late_s, kFrame_s) << "the frame was drawn for it";
+    EXPECT_THAT(read_file(output_ + "/report.html"),
+                HasSubstr("alt='The display at " + closest[0].at("utc").get<std::string>().substr(11, 10) + " UTC: "));
+}
+
 TEST_F(Fly, TheSecondTimeTheTerrainIsThere) {
     EXPECT_THAT(fly().notes, HasSubstr("terrain was built"));
     const auto first = test_support::hashes_by_time(output_);

@@ -34,6 +34,20 @@ protected:
     test_support::TemporaryFolder folder_;
 };
 
+TEST_F(LogFactsOf, WhatConvertAssumedOfTheHeightsStandsBesideTheLog) {
+    const std::string log = folder_.write("x.log", sound());
+    EXPECT_FALSE(assumes_heights(log)) << "nothing beside it";
+    const auto beside = [&](const std::string& json) {
+        folder_.write("x.log.json", json);
+        return assumes_heights(log);
+    };
+    EXPECT_TRUE(beside(R"({"assume_geometric": true, "derived": {"height": "pressure altitude taken for a height"}})"));
+    EXPECT_FALSE(beside(R"({"assume_geometric": true, "derived": {"height": "GNSS height above the ellipsoid"}})"));
+    EXPECT_FALSE(beside(R"({"assume_geometric": false, "derived": {"height": "pressure altitude"}})"));
+    for (const char* const other : {"", "[1]", R"({"assume_geometric": "yes"})", R"({"assume_geometric": true, "derived": 3})"})
+        EXPECT_FALSE(beside(other)) << other;
+}
+
 TEST_F(LogFactsOf, ASoundLogHasNoFindings) {
     const LogFacts read = facts(sound() + "prose\n");
     EXPECT_EQ(read.counters.frames, 4u);

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host_sim/replay/display_session.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
+#include "tests/support/terrain/built_database.hpp"
+#include "tests/support/terrain/synthetic_raster.hpp"
 
 namespace tedavis::host_sim::test_terrain_span {
 namespace {
@@ -76,6 +79,17 @@ struct OverTerrain : ::testing::Test {
 TEST_F(OverTerrain, AreAllTimesThatTheFlightIsOverIt) {
     const FlightOutline flight = flown({9.5, 9.61, 9.7, 9.8, 9.7, 9.8, 9.75, 9.75, 9.8});
     EXPECT_EQ(seconds_of(terrain_spans(options, flight, kFirst, database)), (Spans{{1, 2}, {4, 4}, {6, 7}}));
+}
+
+TEST_F(OverTerrain, VoidsAtItsEndsAreNotOverIt) {
+    // Known from column 60 to 140 of 193: 9.65 .. 9.7167 E.
+    const test_support::BuiltDatabase partly(test_support::make_raster(
+        193, 193, [](std::uint32_t i, std::uint32_t) { return i >= 60 && i <= 140 ? 500.0f : std::nanf(""); }));
+    const FlightOutline across = flown({9.61, 9.64, 9.66, 9.7, 9.71, 9.73, 9.75});
+    EXPECT_EQ(seconds_of(terrain_spans(options, across, kFirst, &partly.database)), (Spans{{2, 4}}));
+    const FlightOutline beside = flown({9.61, 9.62, 9.74, 9.75});
+    expect_user_error([&] { (void)terrain_spans(options, beside, kFirst, &partly.database); },
+                      "the flight is over it only where it has no heights: it covers 46.940");
 }
 
 TEST_F(OverTerrain, StaysWithinWhatIsAskedFor) {

@@ -18,7 +18,7 @@ inline host_sim::ClosestReport closest_report() {
     const host_sim::StatedClosest closest{{sample, ground},
                                           83.2,
                                           "2023-11-14T14:23:05.2Z",
-                                          {42, 83.5, policy::TerrainAhead::caution, "cruise", "frames/000042.png"}};
+                                          {42, 83.5, policy::TerrainAhead::caution, "cruise", "frames/000042.png", {}}};
     host_sim::ClosestReport report;
     report.is_searched = true;
     report.sample_step_s = 0.5;

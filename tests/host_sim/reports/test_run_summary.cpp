@@ -55,6 +55,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                             "ms_p99",
                             "heap_allocations_after_start",
                             "terrain_frames",
+                            "frames_over_void",
                             "worst_error_px",
                             "worst_start_error_px",
                             "terrain_alerts",

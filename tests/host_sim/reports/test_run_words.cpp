@@ -68,6 +68,13 @@ TEST(RunWords, AlertsAreSaidWithTheFalseOnes) {
     EXPECT_THAT(run_sentences(s, story_of(true)), Contains("Without terrain no terrain alert could be given."));
     s.terrain_frames = 10;
     EXPECT_THAT(run_sentences(s, story_of(true)), Contains("No terrain alert was given."));
+    s.frames_over_void = 4;
+    EXPECT_THAT(run_sentences(s, story_of(true)), Contains("No terrain alert was given."));
+    EXPECT_THAT(run_sentences(s, story_of(true)),
+                Contains(HasSubstr("; in 4 frames the height of the ground below the aircraft was not known.")));
+    s.frames_over_void = 10;
+    EXPECT_THAT(run_sentences(s, story_of(true)), Contains("Over unknown ground no terrain alert could be given."));
+    s.frames_over_void = 0;
     s.terrain_alerts.count = 3;
     s.terrain_alerts.warnings = 1;
     s.terrain_alerts.false_count = 2;
