@@ -117,7 +117,7 @@ BenchNote BoardBench::picture_with(Overhead overhead, BenchPicture& picture) con
 }
 
 base::Error BoardBench::open(const BenchPicture& picture, std::unique_ptr<platform::DisplayHost>& host) {
-    platform::DisplayHostSettings of_host = board_host_settings(settings_);
+    platform::DisplayHostSettings of_host = off_screen_host_settings(settings_);
     of_host.display.design = picture.design;
     of_host.display.phases = nullptr;
     of_host.display.expects_scene = false;

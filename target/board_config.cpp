@@ -10,7 +10,8 @@ namespace tedavis::target {
 namespace {
 
 constexpr std::uint16_t kIdentificationRequest = 128;
-constexpr std::string_view kBackends[] = {"egl", "osmesa"};
+constexpr std::string_view kCardNumber = "/dev/dri/card";
+constexpr std::string_view kBackends[] = {"egl", "kms", "osmesa"};
 
 /// Reads one board file; the first fault of a file that it names is kept with that file's own place.
 class BoardFile {
@@ -33,6 +34,7 @@ public:
         if (base::ConfigSection made = root.section("programs"); made.present()) settings_.programs = path_at(made, "folder");
         read_can(root.section("can"));
         read_surface(root.section("surface"));
+        read_screen(root);
         root.section("display").choose("legend", flight::kLegendShowNames, settings_.legend);
         const bool touch = root.section("memory").boolean("touch", true);
         settings_.residency = touch ? platform::Residency::touched : platform::Residency::lazy;
@@ -138,6 +140,30 @@ private:
         settings_.height_px = size("height_px", settings_.device.height_px);
     }
 
+    void read_screen(base::ConfigSection& root) {
+        base::ConfigSection section = root.section("screen");
+        if (!section.present()) return;
+        if (settings_.surface.view() != "kms")
+            return root.fault("screen", "is for backend = \"kms\" of [surface]; set that, or remove this section");
+        platform::ScreenSettings& screen = settings_.screen;
+        take_text(section, "driver", screen.driver);
+        take_text(section, "path", screen.path);
+        take_text(section, "connector", screen.connector);
+        if (!screen.driver.empty() && !screen.path.empty())
+            section.fault("path", "the card is named by its driver as well; remove one of the two");
+        if (screen.path.view().substr(0, kCardNumber.size()) == kCardNumber)
+            section.fault("path",
+                          "the numbers of cards change from start to start; name the card by driver, or by /dev/dri/by-path");
+        if (!platform::parse_screen_mode(section.text("mode", "preferred"), screen.mode))
+            section.fault("mode", "is no mode; write \"1024x768@60\", \"1024x768\" or \"preferred\"");
+    }
+
+    template <std::size_t N>
+    static void take_text(base::ConfigSection& section, std::string_view key, base::FixedString<N>& text) {
+        text.append(section.text(key, ""));
+        if (text.cut()) section.fault(key, "the text is too long; use a shorter one");
+    }
+
     std::string_view path_;
     base::ConfigReader reader_;
     BoardSettings settings_;
@@ -163,6 +189,7 @@ void add_bus_filters(bus::SocketCanSettings& can, const bus::BusSettings& bus) {
         fits = fits && add_identifier_filters(can, static_cast<std::uint16_t>(bus.traffic.first_identifier + n));
     for (std::uint16_t n = 0; bus.guidance.is_carried() && n < bus::kGuidanceIdentifiers; ++n)
         fits = fits && add_identifier_filters(can, static_cast<std::uint16_t>(bus.guidance.first_identifier + n));
+    for (const bus::StatedMessage& message : bus.messages) fits = fits && add_identifier_filters(can, message.identifier);
     if (bus.display.legend_identifier != 0) fits = fits && add_identifier_filters(can, bus.display.legend_identifier);
     if (!fits) can.filters.clear();
 }

@@ -26,9 +26,15 @@
 ///     [switches]                 absent: no panel, the phase comes from bus and motion
 ///     config = "one_hot.toml"
 ///     [surface]
-///     backend = "egl"            or "osmesa", where it was built
-///     width_px = 1024            absent: the device file's
+///     backend = "egl"            off-screen; "kms": on a screen that the kernel drives, without a window system;
+///                                or "osmesa", where it was built
+///     width_px = 1024            absent: the device file's; with "kms" it must be the size of the screen's mode
 ///     height_px = 768
+///     [screen]                   only with "kms"
+///     driver = "virtio_gpu"      of the graphics card; absent: the first card with a connected screen
+///     path = "/dev/dri/by-path/platform-gpu-card"   in place of the driver
+///     connector = "HDMI-A-1"     absent: the first that is connected
+///     mode = "1024x768@60"       or "1024x768"; "preferred": what the screen itself prefers, also when absent
 ///     [display]
 ///     legend = "key"             or "none", "whole": where neither the panel nor the bus asks for another
 ///     [memory]
@@ -45,6 +51,7 @@
 #include "bus/canaerospace/bus_settings.hpp"
 #include "bus/socketcan/can_socket_port.hpp"
 #include "bus/switches/switch_config.hpp"
+#include "platform/egl_kms/screen_settings.hpp"
 #include "platform/reservation/memory_reservation.hpp"
 #include "render_core/base/error.hpp"
 #include "render_core/base/fixed_string.hpp"
@@ -76,6 +83,7 @@ struct BoardSettings {
     Path costs;     ///< the same
     Path programs;  ///< the same
     base::FixedString<15> surface;
+    platform::ScreenSettings screen;  ///< of the surface "kms"
     std::uint32_t width_px = 0, height_px = 0;
     flight::LegendShow legend = flight::LegendShow::key;
     platform::Residency residency = platform::Residency::touched;

@@ -1,5 +1,8 @@
 #include "target/board_display.hpp"
 
+#include <memory>
+
+#include "platform/egl_kms/egl_kms_surface.hpp"
 #include "target/file_text.hpp"
 
 namespace tedavis::target {
@@ -13,6 +16,11 @@ base::Error message_of(const platform::HostFault& fault, const BoardSettings& se
         case platform::HostPart::display: return base::make_error("device '", settings.device.name.view(), "': ", message);
         default: return fault.error;
     }
+}
+
+base::Result<std::unique_ptr<base::Surface>, base::Error> make_screen(const void* screen,
+                                                                      const platform::SurfaceSettings& settings) {
+    return platform::make_egl_kms_surface(settings, *static_cast<const platform::ScreenSettings*>(screen));
 }
 
 }  // namespace
@@ -30,11 +38,21 @@ platform::DisplayHostSettings board_host_settings(const BoardSettings& settings)
     of_host.display.height_px = settings.height_px;
     of_host.display.expects_scene = !settings.scene.empty();
     of_host.surface.backend = settings.surface.view();
+    if (is_on_screen(settings)) {
+        of_host.surface.make = &make_screen;
+        of_host.surface.self = &settings.screen;
+    }
     of_host.terrain.path = settings.terrain.c_str();
     of_host.terrain_fault = platform::TerrainFaultPolicy::run_without;
     of_host.arrival = terrain::ArrivalMode::live;
     of_host.programs = settings.programs.view();
     of_host.residency = settings.residency;
+    return of_host;
+}
+
+platform::DisplayHostSettings off_screen_host_settings(const BoardSettings& settings) {
+    platform::DisplayHostSettings of_host = board_host_settings(settings);
+    if (is_on_screen(settings)) of_host.surface = {};
     return of_host;
 }
 

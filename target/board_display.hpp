@@ -9,8 +9,14 @@
 
 namespace tedavis::target {
 
+/// Whether the board's surface is a screen, and not memory.
+[[nodiscard]] inline bool is_on_screen(const BoardSettings& settings) { return settings.surface.view() == "kms"; }
+
 /// What a host is started with as the board file asks for it. The board's settings must outlive it.
 [[nodiscard]] platform::DisplayHostSettings board_host_settings(const BoardSettings& settings);
+/// The same, drawn into headless EGL where the board's surface is a screen: several such hosts may be open at a time, and no
+/// frame waits for the screen.
+[[nodiscard]] platform::DisplayHostSettings off_screen_host_settings(const BoardSettings& settings);
 /// Starts a host with these settings, or changed ones. The error names the part of the board file.
 [[nodiscard]] platform::HostFault start_board_host(const BoardSettings& settings, const platform::DisplayHostSettings& of_host,
                                                    platform::DisplayHost& host);

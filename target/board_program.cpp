@@ -28,9 +28,15 @@ int run_display(const CommandLine& line, std::FILE* out) {
     ports.can = &can;
     ports.gpio = bus::make_gpiod_lines();
     ports.clocks = machine_clocks();
+    const EventLog log;
+    Snapshot snapshot(log);
+    ports.snapshot = &snapshot;
     const StopSignal stop;
     const auto application = std::make_unique<DisplayApplication>(settings.value(), std::move(ports));
     if (const base::Error error = application->start()) return refuse(error);
+    const base::Surface& surface = application->surface();
+    if (line.shot != nullptr)
+        if (const base::Error error = snapshot.start(line.shot, surface.width(), surface.height())) return refuse(error);
     print_start(*application, line.json, out);
     const RunReport report = application->run(line.frames, stop);
     print_end(report, line.json, out);

@@ -37,6 +37,8 @@ private:
     void refuse_what_does_not_fit() {
         const bool is_run = line_.request == Request::run, is_calibration = line_.request == Request::calibrate;
         if ((is_run || is_calibration) && line_.config == nullptr) return refuse({"--config: is missing; name the board file"});
+        if (!is_run && line_.shot != nullptr) return refuse({"--shot: belongs to a run; leave it out"});
+        if (line_.shot != nullptr && line_.shot[0] == '\0') return refuse({"--shot: is empty; name the picture to write"});
         if (!is_run && line_.frames != 0) return refuse({"--frames: belongs to a run; leave it out"});
         if (is_calibration && line_.output == nullptr) return refuse({"-o: is missing; name the file of costs to write"});
         if (is_calibration && line_.output[0] == '\0') return refuse({"-o: is empty; name the file of costs to write"});
@@ -55,6 +57,7 @@ private:
     void answer(Request request) {
         line_.request = request;
         line_.frames = 0;
+        line_.shot = nullptr;
         answered_ = true;
     }
 
@@ -73,6 +76,8 @@ private:
             take_rounds(argument);
         } else if (argument == "--config") {
             line_.config = value_of(argument);
+        } else if (argument == "--shot") {
+            line_.shot = value_of(argument);
         } else if (argument == "--frames") {
             take_frames(argument);
         } else {
@@ -116,7 +121,7 @@ base::Result<CommandLine, base::Error> parse_command_line(int count, const char*
 const char* command_line_help() noexcept {
     return "tedavis-display: the synthetic-vision display of a cockpit board. Advisory only.\n"
            "\n"
-           "  tedavis-display --config BOARD.toml [--frames N] [--json]   run until SIGINT or SIGTERM\n"
+           "  tedavis-display --config BOARD.toml [--frames N] [--shot P.png] [--json]   run until SIGINT or SIGTERM\n"
            "  tedavis-display --self-test [--config BOARD.toml] [--json]  what must hold on this machine, and of a board's "
            "set-up\n"
            "  tedavis-display --calibrate -o C.toml --config BOARD.toml [--rounds N] [--json]\n"
@@ -125,6 +130,7 @@ const char* command_line_help() noexcept {
            "\n"
            "  --config F   the board file; with --self-test, it is started on a trial, and every file that it names is read\n"
            "  --frames N   stop after N frames\n"
+           "  --shot P     writes the picture of the next frame after SIGUSR1 to P (.png), and that of the last of N frames\n"
            "  --calibrate  measures over the middle of the board's terrain, with its device, surface, size and designs, and its\n"
            "               spatial data if there are any, without bus and panel; stop a display that runs here before\n"
            "  -o F         the costs to write (.toml), which tedavis reads too; after a fault or Ctrl-C nothing is written\n"

@@ -15,6 +15,7 @@ struct CommandLine {
     const char* config = nullptr;  ///< board file; null only for requests that need none
     std::uint64_t frames = 0;      ///< 0: run until a signal
     bool json = false;
+    const char* shot = nullptr;    ///< of a run: the file of a picture; null: none
     const char* output = nullptr;  ///< of a calibration; not null there
     std::uint32_t rounds = 15;     ///< of a calibration, kMinRounds to kMaxRounds of platform::BenchFrames
 };

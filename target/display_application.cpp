@@ -10,7 +10,10 @@ namespace tedavis::target {
 DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts ports)
     : settings_(settings),
       ports_(std::move(ports)),
-      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log) {}
+      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log),
+      screen_events_(ports_.log) {
+    settings_.screen.report = &screen_;
+}
 
 DisplayApplication::~DisplayApplication() { scene_watch_.stop(); }
 
@@ -48,7 +51,19 @@ base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     const flight::FrameInput input = flight_.at(now, display().planner());
     display().plan(input);
     display().draw(host_.surface());
-    return host_.surface().present();
+    if (is_pictured_) ports_.snapshot->take(display().gl());
+    const base::SurfaceState state = host_.surface().present();
+    report_screen();
+    return state;
+}
+
+bool DisplayApplication::wants_picture(bool is_last) {
+    if (ports_.snapshot == nullptr || !ports_.snapshot->is_started()) return false;
+    return ports_.snapshot->take_request() || is_last;
+}
+
+void DisplayApplication::report_screen() {
+    if (!screen_.connector.empty()) screen_events_.report(screen_);
 }
 
 RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) {
@@ -58,12 +73,14 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     watchdog_.ready();
     while (!stop.requested() && (frames == 0 || report.frames < frames)) {
         const base::Time begun = clocks.live.monotonic();
+        is_pictured_ = wants_picture(report.frames + 1 == frames);
         if (draw_frame(begun) != base::SurfaceState::ready) {
             ports_.log.write({"the drawing surface was lost; start the program again"});
             report.end = RunEnd::surface_lost;
             break;
         }
-        display().memory().budget.record_measured((clocks.live.monotonic() - begun).to_seconds() * 1000);
+        const base::Duration took = clocks.live.monotonic() - begun - screen_.waited;
+        display().memory().budget.record_measured(took.to_seconds() * 1000);
         ++report.frames;
         watchdog_.alive();
         clocks.sleep_until(pacer.next(clocks.live.monotonic()));
@@ -71,6 +88,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     watchdog_.stopping();
     report.missed = pacer.missed();
     report.gl_calls_outside_device = display().gl().denied().total;
+    report.screen = screen_;
     report.bus = flight_.counters(clocks.live.monotonic());
     return report;
 }

@@ -15,6 +15,8 @@
 #include "target/event_log.hpp"
 #include "target/live_flight.hpp"
 #include "target/scene_watch.hpp"
+#include "target/screen_events.hpp"
+#include "target/snapshot.hpp"
 #include "target/stop_signal.hpp"
 #include "target/watchdog.hpp"
 
@@ -26,6 +28,7 @@ struct BoardPorts {
     std::unique_ptr<bus::GpioLines> gpio;  ///< null: built without a GPIO library
     BoardClocks clocks;
     EventLog log;
+    Snapshot* snapshot = nullptr;  ///< null, or not started: no picture is written
 };
 
 enum class RunEnd : std::uint8_t { stopped, surface_lost };
@@ -36,6 +39,7 @@ struct RunReport {
     std::uint64_t missed = 0;  ///< periods of the frame rate that passed without a frame
     std::uint64_t gl_calls_outside_device = 0;
     bus::BusCounters bus;
+    platform::ScreenReport screen;  ///< without a connector: the surface is no screen
 };
 
 class DisplayApplication {
@@ -57,8 +61,12 @@ public:
     [[nodiscard]] const base::Error& terrain_fault() const { return host_.terrain_fault(); }
     [[nodiscard]] const LiveFlight& flight() const { return flight_; }
     [[nodiscard]] const base::Surface& surface() const { return host_.surface(); }
+    /// Without a connector where the surface is no screen.
+    [[nodiscard]] const platform::ScreenReport& screen() const { return screen_; }
 
 private:
+    [[nodiscard]] bool wants_picture(bool is_last);
+    void report_screen();
     void start_scene();
     void take_new_scene();
 
@@ -66,8 +74,11 @@ private:
     BoardPorts ports_;
     LiveFlight flight_;
     Watchdog watchdog_;
+    platform::ScreenReport screen_;
+    ScreenEvents screen_events_;
     platform::DisplayHost host_;
-    SceneWatch scene_watch_;  ///< reads into the display's memory
+    bool is_pictured_ = false;  ///< the frame that is drawn next
+    SceneWatch scene_watch_;    ///< reads into the display's memory
 };
 
 }  // namespace tedavis::target

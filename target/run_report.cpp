@@ -10,6 +10,25 @@ namespace {
 const char* to_string(base::MemoryKind kind) { return kind == base::MemoryKind::cpu ? "cpu" : "gpu"; }
 const char* to_string(RunEnd end) { return end == RunEnd::stopped ? "stopped" : "surface_lost"; }
 
+const char* to_string(platform::FlipPacing pacing) { return pacing == platform::FlipPacing::vblank ? "vblank" : "timer"; }
+
+void add_screen(const platform::ScreenReport& screen, JsonLine& line) {
+    line.open_object("screen").text("driver", screen.driver.view()).text("connector", screen.connector.view());
+    line.text("mode", screen.mode.view()).number("flips", screen.flips).number("missed_flips", screen.missed_flips);
+    line.number("late_flips", screen.late_flips).number("hidden_frames", screen.hidden_frames);
+    line.number("unplugged", screen.unplugged).number("taken_away", screen.taken_away);
+    line.text("paced_by", to_string(screen.paced_by)).boolean("atomic", screen.is_atomic).close_object();
+}
+
+void print_screen(const platform::ScreenReport& screen, std::FILE* out) {
+    std::fprintf(out,
+                 "screen %s of %s, %s: %" PRIu64 " flips, %" PRIu64 " missed, %" PRIu64 " late, paced by %s; %" PRIu64
+                 " frames hidden, unplugged %" PRIu64 " times, taken away %" PRIu64 " times; %s mode setting\n",
+                 screen.connector.c_str(), screen.driver.c_str(), screen.mode.c_str(), screen.flips, screen.missed_flips,
+                 screen.late_flips, to_string(screen.paced_by), screen.hidden_frames, screen.unplugged, screen.taken_away,
+                 screen.is_atomic ? "atomic" : "legacy");
+}
+
 base::FixedString<447> gl_description(DisplayApplication& application) {
     base::FixedString<447> text(application.surface().backend_name());
     text.append(": ");
@@ -29,6 +48,12 @@ void print_start_json(DisplayApplication& application, std::FILE* out) {
     json.open_object().text("version", TEDAVIS_VERSION).text("board", settings.title.view());
     json.text("device", settings.device.name.view()).text("size", size_text(application.surface()).view());
     json.number("frame_rate_hz", settings.device.frame_rate_hz).text("gl", gl_description(application).view());
+    if (const platform::ScreenReport& screen = application.screen(); !screen.connector.empty())
+        json.open_object("screen")
+            .text("driver", screen.driver.view())
+            .text("connector", screen.connector.view())
+            .text("mode", screen.mode.view())
+            .close_object();
     json.text("can", settings.can.interface_name.view()).text("terrain", settings.terrain.view());
     json.text("terrain_fault", application.terrain_fault().message.view());
     json.text("scene", settings.scene.view());
@@ -68,6 +93,8 @@ void print_start(DisplayApplication& application, bool json, std::FILE* out) {
                                                                    : "FAILED",
                      settings.scene.empty() ? "none" : settings.scene.c_str(),
                      settings.has_switches ? settings.switches.title.c_str() : "none");
+        if (const platform::ScreenReport& screen = application.screen(); !screen.connector.empty())
+            std::fprintf(out, "screen %s of %s, %s\n", screen.connector.c_str(), screen.driver.c_str(), screen.mode.c_str());
         for (const base::BudgetLine& line : application.display().planner().budget().lines())
             std::fprintf(out, "  %-3s %-20s %10" PRIu64 " bytes  %-24s %s\n", to_string(line.kind), line.name.c_str(), line.bytes,
                          line.owner.c_str(), line.reason.c_str());
@@ -82,7 +109,9 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
         line.number("gl_calls_outside_device", report.gl_calls_outside_device).open_object("can");
         line.number("frames", report.bus.frames).number("decoded", report.bus.decoded).number("alien", report.bus.alien);
         line.number("errors", report.bus.errors).number("dropped", report.bus.dropped);
-        std::fputs(line.close_object().close_object().line().data(), out);
+        line.close_object();
+        if (!report.screen.connector.empty()) add_screen(report.screen, line);
+        std::fputs(line.close_object().line().data(), out);
     } else {
         std::fprintf(out,
                      "%s after %" PRIu64 " frames, %" PRIu64 " turns missed; CAN %" PRIu64 " frames, %" PRIu64
@@ -90,6 +119,7 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
                      " GL calls outside the device\n",
                      to_string(report.end), report.frames, report.missed, report.bus.frames, report.bus.decoded, report.bus.alien,
                      report.bus.errors, report.bus.dropped, report.gl_calls_outside_device);
+        if (!report.screen.connector.empty()) print_screen(report.screen, out);
     }
     std::fflush(out);
 }

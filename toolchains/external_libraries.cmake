@@ -13,6 +13,12 @@ if(TEDAVIS_OSMESA)
     target_compile_definitions(tedavis_platform PUBLIC TEDAVIS_HAVE_OSMESA=1)
   endif()
 endif()
+# Screens that the kernel drives, without a window system.
+pkg_check_modules(KMS IMPORTED_TARGET gbm libdrm)
+if(KMS_FOUND)
+  target_link_libraries(tedavis_platform PUBLIC PkgConfig::KMS)
+  target_compile_definitions(tedavis_platform PUBLIC TEDAVIS_HAVE_KMS=1)
+endif()
 if(TEDAVIS_HOST)
   # The window is the desk's; the cross-built board program never links it.
   pkg_check_modules(SDL2 IMPORTED_TARGET sdl2)

@@ -99,6 +99,16 @@ void read_display(ConfigSection section, const TakenIdentifiers& taken, DisplayR
     if (is_taken) section.fault(kKey, "this identifier has a meaning already; choose another");
 }
 
+/// What the sections of a bus file give an identifier to; empty: nothing.
+std::string_view meaning_of(std::uint16_t identifier, const void* context) {
+    const BusSettings& settings = *static_cast<const BusSettings*>(context);
+    if (identifier == settings.phase.status_identifier || identifier == settings.phase.request_identifier)
+        return "the phase of flight";
+    if (settings.traffic.has(identifier)) return "other aircraft";
+    if (settings.guidance.has(identifier)) return "what is selected ([guidance])";
+    return settings.display.has(identifier) ? "which legend is shown" : "";
+}
+
 void read_node(ConfigSection section, NodeSettings& node) {
     node.answer_identification = section.boolean("answer_identification", node.answer_identification);
     read_byte(section, "id", 1, 199, node.node);
@@ -193,6 +203,10 @@ base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, 
     settings.traffic.first_identifier = read_first_identifier(root.section("traffic"), kTrafficIdentifiers, "twelve", taken);
     settings.guidance.first_identifier = read_first_identifier(root.section("guidance"), kGuidanceIdentifiers, "eight", taken);
     read_display(root.section("display"), taken, settings.display);
+    settings.messages = read_stated_messages(root, meaning_of, &settings);
+    for (const StatedMessage& message : settings.messages)
+        if (message.states_period && message.signal != flight::Signal::count_)
+            settings.limits[static_cast<std::size_t>(message.signal)] = message.limits;
     read_node(root.section("node"), settings.node);
     read_own_ship(root.section("own_ship"), settings.own_ship);
     read_clock(root.section("clock"), settings.utc_timeout);

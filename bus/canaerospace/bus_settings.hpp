@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "bus/canaerospace/stated_messages.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/result.hpp"
 #include "render_core/base/stamped.hpp"
@@ -103,6 +104,7 @@ struct BusSettings {
     TrafficSettings traffic;
     GuidanceSettings guidance;
     DisplayRequestSettings display;
+    StatedMessages messages;
     NodeSettings node;
     OwnShipSettings own_ship;
     base::Duration utc_timeout = base::Duration::seconds(10);  ///< without message 1200 for this long, UTC is lost

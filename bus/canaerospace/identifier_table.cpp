@@ -241,6 +241,15 @@ const IdentifierEntry& entry_at(std::uint16_t place) noexcept {
     return place < kTableSize ? kTable[place] : kGuidance[place - kTableSize];
 }
 
+std::uint16_t place_of_signal(Signal signal) noexcept {
+    std::uint16_t found = kNotInTable;
+    for (std::uint16_t place = 0; place < place_count(); ++place) {
+        const IdentifierEntry& entry = entry_at(place);
+        if (entry.signal == signal && (found == kNotInTable || entry.rank < entry_at(found).rank)) found = place;
+    }
+    return found;
+}
+
 std::uint16_t place_count() noexcept { return static_cast<std::uint16_t>(kTableSize + kGuidanceIdentifiers); }
 
 SignalBinding bind(const IdentifierEntry& entry, const BusDialect& dialect) noexcept {

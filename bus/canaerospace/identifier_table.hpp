@@ -61,6 +61,8 @@ inline constexpr std::uint16_t kNotInTable = 0xFFFF;
 /// kNotInTable.
 inline constexpr std::uint16_t kMaxPlaces = 126;
 [[nodiscard]] std::uint16_t place_of(std::uint16_t identifier, const GuidanceSettings& guidance) noexcept;
+/// The place of the preferred identifier of a signal, or kNotInTable for signals that no identifier states.
+[[nodiscard]] std::uint16_t place_of_signal(flight::Signal signal) noexcept;
 /// Returns the row of a place; `place` must come from place_of().
 [[nodiscard]] const IdentifierEntry& entry_at(std::uint16_t place) noexcept;
 [[nodiscard]] std::uint16_t place_count() noexcept;

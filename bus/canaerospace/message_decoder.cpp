@@ -26,7 +26,8 @@ MessageDecoder::MessageDecoder(const BusSettings& settings)
       phase_(settings.phase),
       traffic_(settings.traffic),
       guidance_(settings.guidance),
-      display_(settings.display) {
+      display_(settings.display),
+      messages_(settings.messages) {
     for (std::uint16_t i = 0; i < place_count(); ++i) bindings_[i] = bind(entry_at(i), dialect_);
 }
 
@@ -34,26 +35,43 @@ DecodedMessage MessageDecoder::decode(const CanFrame& frame) {
     DecodedMessage message;
     const MessageId id = message_id(frame.id, frame.extended);
     if (frame.kind == FrameKind::data && frame.length >= kMessageHeaderBytes && id.valid &&
-        id.channel < dialect_.redundancy_channels) {
-        const std::uint16_t place = place_of(id.identifier, guidance_);
-        if (id.identifier == phase_.status_identifier || id.identifier == phase_.request_identifier) {
-            const bool request = id.identifier == phase_.request_identifier;
-            const auto phase_place = static_cast<std::uint16_t>(kPhasePlace + (request ? 1 : 0));
-            message = decode_known(frame, id, phase_place, type_bit(DataType::uchar8x4));
-        } else if (display_.has(id.identifier)) {
-            message = decode_known(frame, id, kLegendPlace, type_bit(DataType::uchar8) | type_bit(DataType::nodata));
-        } else if (place != kNotInTable) {
-            const IdentifierEntry& entry = entry_at(place);
-            if (!entry.glider_profile || dialect_.glider_identifiers) message = decode_known(frame, id, place, entry.types);
-        } else if (traffic_.has(id.identifier)) {
-            message = decode_traffic(frame, id);
-        } else if (is_identification_request(frame, id)) {
-            message.kind = MessageKind::identification_request;
-            message.header = read_header(frame);
-        }
-    }
+        id.channel < dialect_.redundancy_channels)
+        message = decode_named(frame, id);
     ++(message.kind == MessageKind::alien ? counts_.alien : counts_.decoded);
     return message;
+}
+
+/// By what the bus file and the standard give its identifier to.
+DecodedMessage MessageDecoder::decode_named(const CanFrame& frame, MessageId id) {
+    if (id.identifier == phase_.status_identifier || id.identifier == phase_.request_identifier) {
+        const bool request = id.identifier == phase_.request_identifier;
+        const auto phase_place = static_cast<std::uint16_t>(kPhasePlace + (request ? 1 : 0));
+        return decode_known(frame, id, phase_place, type_bit(DataType::uchar8x4));
+    }
+    if (display_.has(id.identifier))
+        return decode_known(frame, id, kLegendPlace, type_bit(DataType::uchar8) | type_bit(DataType::nodata));
+    if (const StatedMessage* const stated = find_message(messages_, id.identifier)) {
+        const std::uint16_t place = place_of_signal(stated->signal);
+        const std::uint32_t nothing = entry_at(place).types & type_bit(DataType::nodata);
+        return decode_known(frame, id, place, type_bit(stated->type) | nothing);
+    }
+    if (const std::uint16_t place = place_of(id.identifier, guidance_); place != kNotInTable)
+        return decode_entry(frame, id, place);
+    if (traffic_.has(id.identifier)) return decode_traffic(frame, id);
+    DecodedMessage message;
+    if (is_identification_request(frame, id)) {
+        message.kind = MessageKind::identification_request;
+        message.header = read_header(frame);
+    }
+    return message;
+}
+
+/// A signal that a [[message]] of the bus file states has no other identifier.
+DecodedMessage MessageDecoder::decode_entry(const CanFrame& frame, MessageId id, std::uint16_t place) {
+    const IdentifierEntry& entry = entry_at(place);
+    const bool is_known =
+        (!entry.glider_profile || dialect_.glider_identifiers) && !is_stated(messages_, bindings_[place].signal);
+    return is_known ? decode_known(frame, id, place, entry.types) : DecodedMessage();
 }
 
 DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id, std::uint16_t place, std::uint32_t types) {
@@ -68,6 +86,7 @@ DecodedMessage MessageDecoder::decode_known(const CanFrame& frame, MessageId id,
         return message;
     if (value.type == DataType::long32 && !dialect_.accept_long_position && (types & type_bit(DataType::double_high)) != 0)
         return message;
+    message.place = place;
     if (payload > type_layout(type).bytes) ++counts_.padded;
     Sender& sender = senders_[place][id.channel];
     if (!follows(sender, message.header, frame.time, message)) {
@@ -116,7 +135,10 @@ void MessageDecoder::finish_entry(const CanFrame& frame, const TypedValue& value
         return;
     }
     double number = number_of(value);
-    if (is_half(message.header.data_type)) {
+    if (const StatedMessage* const stated = find_message(messages_, message.identifier)) {
+        // In the unit of the table, so that sign, reference and range are those of the standard's identifier.
+        number = (number * stated->factor + stated->offset) / std::fabs(bindings_[place].factor);
+    } else if (is_half(message.header.data_type)) {
         if (!join_halves(sender, message.header, frame.time, static_cast<std::uint32_t>(value.parts[0]), number)) {
             message.kind = MessageKind::half;
             return;

@@ -42,6 +42,7 @@ struct DecodedMessage {
     MessageKind kind = MessageKind::alien;
     MessageHeader header;
     std::uint16_t identifier = 0;
+    std::uint16_t place = kNotInTable;  ///< of the identifier that states the value, in the table
     std::uint8_t channel = 0;
     bool restarted = false;         ///< first message of a sender after start, silence or restart
     bool numbered = true;           ///< false: the sender does not number its messages
@@ -98,6 +99,8 @@ private:
     static constexpr std::uint16_t kLegendPlace = kPhasePlace + 2;
     static constexpr std::size_t kMaxEntries = std::size_t{kPhasePlace} + 3;
 
+    DecodedMessage decode_named(const CanFrame& frame, MessageId id);
+    DecodedMessage decode_entry(const CanFrame& frame, MessageId id, std::uint16_t place);
     DecodedMessage decode_known(const CanFrame& frame, MessageId id, std::uint16_t place, std::uint32_t types);
     DecodedMessage decode_traffic(const CanFrame& frame, MessageId id);
     void finish_entry(const CanFrame& frame, const TypedValue& value, Sender& sender, std::uint16_t place,
@@ -117,6 +120,7 @@ private:
     TrafficSettings traffic_;
     GuidanceSettings guidance_;
     DisplayRequestSettings display_;
+    StatedMessages messages_;
     DecoderCounts counts_;
     std::array<SignalBinding, kMaxEntries> bindings_{};
     std::array<std::array<Sender, kMaxRedundancyChannels>, kMaxEntries> senders_{};

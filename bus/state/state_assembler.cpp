@@ -54,7 +54,7 @@ void StateAssembler::take(const CanFrame& frame) {
 }
 
 void StateAssembler::take_value(const DecodedMessage& message, base::Time received) {
-    SourceTimeFit& fit = fits_[place_of(message.identifier, settings_.guidance)][message.channel];
+    SourceTimeFit& fit = fits_[message.place][message.channel];
     if (message.restarted) fit.reset();
     const SourceTime source = message.numbered ? fit.add(message.header.message_code, received) : SourceTime{received, false};
     if (message.kind == MessageKind::signal) {

@@ -13,6 +13,11 @@ base::Error switch_line_error(const SwitchLine& line, std::string_view what) {
     return error;
 }
 
+std::string_view what_is_missing(const SwitchLine& line) {
+    return line.offset >= 0 ? "the chip has no line with this offset; see gpioinfo and correct 'offset'"
+                            : "the chip has no line of this name; see gpioinfo and correct 'name', or give its 'offset'";
+}
+
 #if !defined(TEDAVIS_HAVE_GPIOD)
 std::unique_ptr<GpioLines> make_gpiod_lines() { return nullptr; }
 #endif

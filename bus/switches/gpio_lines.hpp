@@ -16,6 +16,9 @@ namespace tedavis::bus {
 /// Returns the error "switch line 'chip.name': " followed by `what`.
 [[nodiscard]] base::Error switch_line_error(const SwitchLine& line, std::string_view what);
 
+/// What to say of a line that its chip does not have.
+[[nodiscard]] std::string_view what_is_missing(const SwitchLine& line);
+
 class GpioLines {
 public:
     virtual ~GpioLines() = default;

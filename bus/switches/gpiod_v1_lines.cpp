@@ -78,9 +78,10 @@ private:
             error = switch_line_error(line, "no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
             return false;
         }
-        gpiod_line* handle = gpiod_chip_find_line(chip, line.name.c_str());
+        gpiod_line* handle = line.offset >= 0 ? gpiod_chip_get_line(chip, static_cast<unsigned int>(line.offset))
+                                              : gpiod_chip_find_line(chip, line.name.c_str());
         if (handle == nullptr) {
-            error = switch_line_error(line, "the chip has no line of this name; see gpioinfo and correct 'name'");
+            error = switch_line_error(line, what_is_missing(line));
         } else if (gpiod_line_request_both_edges_events_flags(handle, kConsumer, request_flags(line)) != 0) {
             error = switch_line_error(line, "the kernel refuses the line (");
             error.message.append(std::strerror(errno));

@@ -147,14 +147,14 @@ private:
             error = switch_line_error(line, "no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
             return false;
         }
-        const int offset = gpiod_chip_get_line_offset_from_name(chip, line.name.c_str());
+        const int offset = line.offset >= 0 ? line.offset : gpiod_chip_get_line_offset_from_name(chip, line.name.c_str());
         gpiod_line_request* request = offset >= 0 ? request_line(chip, static_cast<unsigned int>(offset), line) : nullptr;
         if (request != nullptr) {
             taken_[count_++] = {chip, request, static_cast<unsigned int>(offset), 0};
             return true;
         }
         if (offset < 0) {
-            error = switch_line_error(line, "the chip has no line of this name; see gpioinfo and correct 'name'");
+            error = switch_line_error(line, what_is_missing(line));
         } else {
             error = switch_line_error(line, "the kernel refuses the line (");
             error.message.append(std::strerror(errno));

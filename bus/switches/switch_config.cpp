@@ -21,6 +21,8 @@ bool obeys(Code code, std::uint32_t high) {
     return false;
 }
 
+constexpr std::int64_t kMaxLineOffset = 65535;
+
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// Names become words of the switch log, so they must be one word.
@@ -35,9 +37,13 @@ void read_line(base::ConfigSection section, SwitchConfig& config) {
         if (!is_word(text)) section.fault(key, quoted(key) + " must be 1 to 63 characters without blanks or '#'");
         (key == "chip" ? line.chip : line.name) = text;
     }
+    if (section.has("offset")) line.offset = static_cast<std::int32_t>(section.integer("offset", 0, kMaxLineOffset));
     line.active_low = section.boolean("active_low", false);
     section.choose("pull", kPullNames, line.pull);
     const std::string full = std::string(line.chip.view()) + "." + std::string(line.name.view());
+    for (const SwitchLine& other : config.lines)
+        if (line.offset >= 0 && other.offset == line.offset && other.chip.view() == line.chip.view())
+            section.fault("offset", "another line of this chip has this offset; correct one");
     if (config.find_line(full) != config.lines.size())
         section.fault("name", "line " + quoted(full) + " is listed twice; remove one");
     if (!config.lines.try_push_back(line))

@@ -6,7 +6,8 @@
 ///     settle_ms = 200          impossible patterns are tolerated this long while a knob turns, 0..5000 (default 200)
 ///     [[line]]                 1..16 of them, in order
 ///     chip = "panel"           label of the GPIO chip, or its name (gpiochip0)
-///     name = "GROUND"          name of the line on that chip
+///     name = "GROUND"          name of the line on that chip; with `offset` a name of your own
+///     offset = 4               its number on that chip, where the chip gives its lines no names; absent: found by name
 ///     active_low = false       a closed switch pulls the line down
 ///     pull = "none"            bias asked of the kernel: none (leave as it is), off, up, down
 ///     [[pattern]]              1..32 of them
@@ -40,6 +41,7 @@ enum class LinePull : std::uint8_t { none, off, up, down };
 struct SwitchLine {
     base::FixedString<63> chip;
     base::FixedString<63> name;
+    std::int32_t offset = -1;  ///< number on the chip; negative: the line is found by its name
     bool active_low = false;
     LinePull pull = LinePull::none;
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bus/canaerospace/bus_settings.hpp"
+#include "bus/canaerospace/identifier_table.hpp"
 #include "bus/switches/switch_config.hpp"
 #include "host_sim/commands/check_log.hpp"
 #include "host_sim/commands/check_raster.hpp"
@@ -115,9 +116,20 @@ std::string check_costs(const std::string& path) {
     return "costs of the device " + std::string(read.value().subject.device.view());
 }
 
+/// " in place of GPS latitude", where the identifier has a meaning in the standard.
+std::string in_place_of(std::uint16_t identifier) {
+    const std::uint16_t index = bus::identifier_index(identifier);
+    return index == bus::kNotInTable ? "" : " in place of " + std::string(bus::identifier_table()[index].name);
+}
+
 std::string check_bus(const std::string& path) {
-    require(bus::load_bus_settings(read_file(path), path));
-    return "a bus";
+    const auto settings = bus::load_bus_settings(read_file(path), path);
+    require(settings);
+    std::string words = "a bus";
+    for (const bus::StatedMessage& message : settings.value().messages)
+        words += (words == "a bus" ? ", on which " : ", ") + std::to_string(message.identifier) + " states " +
+                 flight::to_string(message.signal) + in_place_of(message.identifier);
+    return words;
 }
 
 std::string check_switches(const std::string& path) {

@@ -34,7 +34,7 @@ EGLDisplay device_display(const char* extensions) {
     EGLint count = 0;
     if (query_devices(kMaxDevices, devices, &count) != EGL_TRUE) return EGL_NO_DISPLAY;
     for (EGLint i = 0; i < count; ++i) {
-        const EGLDisplay display = usable(get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+        EGLDisplay display = usable(get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
         if (display != EGL_NO_DISPLAY) return display;
     }
     return EGL_NO_DISPLAY;
@@ -54,9 +54,9 @@ bool has_egl_extension(const char* list, const char* name) noexcept {
 
 EGLDisplay find_headless_display() {
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    const EGLDisplay surfaceless = surfaceless_display(extensions);
+    EGLDisplay surfaceless = surfaceless_display(extensions);
     if (surfaceless != EGL_NO_DISPLAY) return surfaceless;
-    const EGLDisplay device = device_display(extensions);
+    EGLDisplay device = device_display(extensions);
     if (device != EGL_NO_DISPLAY) return device;
     return usable(eglGetDisplay(EGL_DEFAULT_DISPLAY));
 }
@@ -84,6 +84,22 @@ EGLConfig find_headless_config(EGLDisplay display, int es_version) {
     EGLint count = 0;
     if (eglChooseConfig(display, attributes, &config, 1, &count) != EGL_TRUE || count < 1) return nullptr;
     return config;
+}
+
+EGLContext create_es_context(EGLDisplay display, EGLConfig config, ContextLane lane) {
+    const EGLint version = lane == ContextLane::es3 ? 3 : 2;
+    const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION,
+                             version,
+                             EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT,
+                             EGL_TRUE,
+                             EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                             EGL_LOSE_CONTEXT_ON_RESET_EXT,
+                             EGL_NONE};
+    const EGLint plain[] = {EGL_CONTEXT_CLIENT_VERSION, version, EGL_NONE};
+    EGLContext context = EGL_NO_CONTEXT;
+    if (has_egl_extension(eglQueryString(display, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness"))
+        context = eglCreateContext(display, config, EGL_NO_CONTEXT, robust);
+    return context != EGL_NO_CONTEXT ? context : eglCreateContext(display, config, EGL_NO_CONTEXT, plain);
 }
 
 }  // namespace tedavis::platform

@@ -1,7 +1,9 @@
-/// Finds an EGL display that needs no window system.
+/// EGL without a window system: displays, configurations, contexts.
 #pragma once
 
 #include <EGL/egl.h>
+
+#include "platform/surface_settings.hpp"
 
 namespace tedavis::platform {
 
@@ -14,5 +16,9 @@ namespace tedavis::platform {
 
 /// Returns a configuration with RGBA8, 24-bit depth and pixel buffers for the ES version (2 or 3), or null.
 [[nodiscard]] EGLConfig find_headless_config(EGLDisplay display, int es_version);
+
+/// Returns a context of the lane, or EGL_NO_CONTEXT. Where the driver has EGL_EXT_create_context_robustness, it is lost on a GPU
+/// reset instead of drawing undefined content.
+[[nodiscard]] EGLContext create_es_context(EGLDisplay display, EGLConfig config, ContextLane lane);
 
 }  // namespace tedavis::platform

@@ -1,7 +1,6 @@
 #include "platform/egl_headless/egl_headless_surface.hpp"
 
 #include <EGL/egl.h>
-#include <EGL/eglext.h>
 
 #include <new>
 
@@ -38,7 +37,9 @@ public:
                                static_cast<EGLint>(settings_.height_px), EGL_NONE};
         surface_ = eglCreatePbufferSurface(display_, config_, size);
         if (surface_ == EGL_NO_SURFACE) return "EGL refuses a pixel buffer of this size; use a smaller --size";
-        if (!create_context()) return "EGL refuses a GL ES context of this lane; use a device of the other lane";
+        eglBindAPI(EGL_OPENGL_ES_API);
+        context_ = create_es_context(display_, config_, settings_.lane);
+        if (context_ == EGL_NO_CONTEXT) return "EGL refuses a GL ES context of this lane; use a device of the other lane";
         return nullptr;
     }
 
@@ -76,23 +77,6 @@ public:
     const char* backend_name() const override { return "egl"; }
 
 private:
-    [[nodiscard]] bool create_context() {
-        eglBindAPI(EGL_OPENGL_ES_API);
-        const EGLint version = settings_.lane == ContextLane::es3 ? 3 : 2;
-        const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION,
-                                 version,
-                                 EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT,
-                                 EGL_TRUE,
-                                 EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
-                                 EGL_LOSE_CONTEXT_ON_RESET_EXT,
-                                 EGL_NONE};
-        const EGLint plain[] = {EGL_CONTEXT_CLIENT_VERSION, version, EGL_NONE};
-        if (has_egl_extension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness"))
-            context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, robust);
-        if (context_ == EGL_NO_CONTEXT) context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, plain);
-        return context_ != EGL_NO_CONTEXT;
-    }
-
     SurfaceSettings settings_;
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLConfig config_ = nullptr;

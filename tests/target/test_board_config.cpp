@@ -71,6 +71,24 @@ TEST(BoardConfig, ReadsEverySetting) {
     EXPECT_EQ(settings.residency, platform::Residency::lazy);
 }
 
+TEST(BoardConfig, AScreenIsNamedByDriverConnectorAndMode) {
+    Board board;
+    const BoardSettings settings = board.settings(
+        "[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n[screen]\ndriver = 'virtio_gpu'\nconnector = 'HDMI-A-1'\nmode = "
+        "'1024x768@60'\n");
+    EXPECT_EQ(settings.surface.view(), "kms");
+    EXPECT_EQ(settings.screen.driver.view(), "virtio_gpu");
+    EXPECT_EQ(settings.screen.connector.view(), "HDMI-A-1");
+    EXPECT_EQ(settings.screen.mode.width_px, 1024u);
+    EXPECT_EQ(settings.screen.mode.refresh_mhz, 60000u);
+    const BoardSettings bare = board.settings("[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n");
+    EXPECT_TRUE(bare.screen.driver.empty() && bare.screen.path.empty() && bare.screen.connector.empty());
+    EXPECT_TRUE(bare.screen.mode.is_preferred());
+    const BoardSettings by_path = board.settings(
+        "[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n[screen]\npath = '/dev/dri/by-path/platform-gpu-card'\n");
+    EXPECT_EQ(by_path.screen.path.view(), "/dev/dri/by-path/platform-gpu-card");
+}
+
 TEST(BoardConfig, DefaultsAreThoseOfADisplay) {
     Board board;
     const BoardSettings settings = board.settings("[can]\ninterface = 'can0'\n");
@@ -102,18 +120,29 @@ TEST_P(BoardFault, IsNamedWithFileAndLine) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, BoardFault,
-    ::testing::Values(Fault{"[can]\ninterface = 7\n", 7, "interface"}, Fault{"[can]\ninterface = ''\n", 7, "1 to 15 bytes"},
-                      Fault{"[can]\ninterface = 'a_very_long_interface'\n", 7, "1 to 15 bytes"},
-                      Fault{"[can]\ninterface = 'can0'\nreopen_s = 0\n", 8, "reopen_s"},
-                      Fault{"[can]\ninterface = 'can0'\nreceive_buffer_bytes = 1\n", 8, "receive_buffer_bytes"},
-                      Fault{"[can]\ninterface = 'can0'\nbitrate = 1000000\n", 8, "bitrate"},
-                      Fault{"[can]\ninterface = 'can0'\n[surface]\nbackend = 'kms'\n", 9, "osmesa"},
-                      Fault{"[can]\ninterface = 'can0'\n[surface]\nwidth_px = 8\n", 9, "width_px"},
-                      Fault{"[can]\ninterface = 'can0'\n[surface]\nheight_px = nan\n", 9, "height_px"},
-                      Fault{"[can]\ninterface = 'can0'\n[terrain]\ndatabase = ''\n", 9, "write its path"},
-                      Fault{"[can]\ninterface = 'can0'\n[switches]\nconfig = 'none.toml'\n", 9, "none.toml"},
-                      Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 9, "touch"},
-                      Fault{"[can]\ninterface = 'can0'\n[can]\n", 8, ""}, Fault{"[can\n", 6, ""}));
+    ::testing::Values(
+        Fault{"[can]\ninterface = 7\n", 7, "interface"}, Fault{"[can]\ninterface = ''\n", 7, "1 to 15 bytes"},
+        Fault{"[can]\ninterface = 'a_very_long_interface'\n", 7, "1 to 15 bytes"},
+        Fault{"[can]\ninterface = 'can0'\nreopen_s = 0\n", 8, "reopen_s"},
+        Fault{"[can]\ninterface = 'can0'\nreceive_buffer_bytes = 1\n", 8, "receive_buffer_bytes"},
+        Fault{"[can]\ninterface = 'can0'\nbitrate = 1000000\n", 8, "bitrate"},
+        Fault{"[can]\ninterface = 'can0'\n[surface]\nbackend = 'drm'\n", 9, "kms, osmesa"},
+        Fault{"[can]\ninterface = 'can0'\n[screen]\nmode = 'preferred'\n", 8, "backend = \"kms\""},
+        Fault{"[surface]\nbackend = 'kms'\n[screen]\nmode = '1024'\n[can]\ninterface = 'can0'\n", 9, "1024x768@60"},
+        Fault{"[surface]\nbackend = 'kms'\n[screen]\npath = '/dev/dri/card1'\n[can]\ninterface = 'can0'\n", 9, "by-path"},
+        Fault{"[surface]\nbackend = 'kms'\n[screen]\ndriver = 'vc4'\npath = '/dev/dri/by-path/x'\n[can]\ninterface "
+              "= 'can0'\n",
+              10, "remove one"},
+        Fault{"[surface]\nbackend = 'kms'\n[screen]\ndriver = 'a_driver_with_much_too_long_a_name'\n[can]\ninterface "
+              "= 'can0'\n",
+              9, "too long"},
+        Fault{"[surface]\nbackend = 'kms'\n[screen]\ncard = 1\n[can]\ninterface = 'can0'\n", 9, "card"},
+        Fault{"[can]\ninterface = 'can0'\n[surface]\nwidth_px = 8\n", 9, "width_px"},
+        Fault{"[can]\ninterface = 'can0'\n[surface]\nheight_px = nan\n", 9, "height_px"},
+        Fault{"[can]\ninterface = 'can0'\n[terrain]\ndatabase = ''\n", 9, "write its path"},
+        Fault{"[can]\ninterface = 'can0'\n[switches]\nconfig = 'none.toml'\n", 9, "none.toml"},
+        Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 9, "touch"}, Fault{"[can]\ninterface = 'can0'\n[can]\n", 8, ""},
+        Fault{"[can\n", 6, ""}));
 
 TEST(BoardConfig, ACanSectionIsNeeded) {
     Board board;
@@ -247,6 +276,16 @@ TEST(BusFilters, PassWhatTheDecoderKnowsAndNothingElse) {
     EXPECT_TRUE(passes(1840) && passes(1851) && passes(1830));
     EXPECT_FALSE(passes(1839) || passes(1852));
     bus.traffic = {};
+
+    bus::StatedMessage message;
+    message.identifier = 1899;
+    ASSERT_TRUE(bus.messages.try_push_back(message));
+    bus::SocketCanSettings with_message;
+    add_bus_filters(with_message, bus);
+    EXPECT_TRUE(std::any_of(with_message.filters.begin(), with_message.filters.end(), [](const bus::CanFilter& filter) {
+        return (1899 & filter.mask) == (filter.identifier & filter.mask);
+    })) << "a message that the bus file states";
+    bus.messages = {};
 
     bus.display.legend_identifier = 1852;
     bus::SocketCanSettings with_legend;

@@ -91,9 +91,27 @@ TEST(BoardDisplay, AnImpossibleDeviceIsRefused) {
     platform::DisplayHost board;
     EXPECT_THAT(start(settings, board), HasSubstr("the budget line 'lod_scratch' is too small"));
     settings = board_settings();
-    settings.surface = base::FixedString<15>("kms");
+    settings.surface = base::FixedString<15>("glut");
     platform::DisplayHost other;
-    EXPECT_THAT(start(settings, other), HasSubstr("[surface]: the surface 'kms' is not known"));
+    EXPECT_THAT(start(settings, other), HasSubstr("[surface]: the surface 'glut' is not known"));
+}
+
+TEST(BoardDisplay, AScreenIsMadeOfTheBoardsSettingsAndBenchesDrawBesideIt) {
+    BoardSettings settings = board_settings();
+    EXPECT_EQ(board_host_settings(settings).surface.make, nullptr) << "control: off-screen";
+    EXPECT_FALSE(is_on_screen(settings));
+    settings.surface = base::FixedString<15>("kms");
+    settings.screen.path = "/dev/null";
+    EXPECT_TRUE(is_on_screen(settings));
+    const platform::SurfaceSource source = board_host_settings(settings).surface;
+    ASSERT_NE(source.make, nullptr);
+    EXPECT_EQ(source.self, &settings.screen);
+    EXPECT_FALSE(source.make(source.self, {640, 480, platform::ContextLane::es2}).ok()) << "no card is named so";
+    const platform::SurfaceSource beside = off_screen_host_settings(settings).surface;
+    EXPECT_EQ(beside.make, nullptr);
+    EXPECT_EQ(beside.backend, "egl");
+    settings.surface = base::FixedString<15>("osmesa");
+    EXPECT_EQ(off_screen_host_settings(settings).surface.backend, "osmesa");
 }
 
 }  // namespace

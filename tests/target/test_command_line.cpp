@@ -25,6 +25,11 @@ TEST(CommandLine, ReadsARun) {
     EXPECT_EQ(line.value().frames, 250u);
     EXPECT_TRUE(line.value().json);
     EXPECT_EQ(parse({"--config", "b"}).value().frames, 0u) << "no limit";
+    EXPECT_STREQ(parse({"--config", "b", "--shot", "p.png"}).value().shot, "p.png");
+    EXPECT_EQ(parse({"--config", "b"}).value().shot, nullptr);
+    EXPECT_EQ(refusal({"--self-test", "--shot", "p.png"}), "--shot: belongs to a run; leave it out; see tedavis-display --help");
+    EXPECT_EQ(refusal({"--config", "b", "--shot", ""}),
+              "--shot: is empty; name the picture to write; see tedavis-display --help");
 }
 
 TEST(CommandLine, SelfTestNeedsNoFile) {
@@ -72,7 +77,7 @@ TEST(CommandLine, WrongUsageIsOneSentence) {
 TEST(CommandLine, TheHelpNamesEveryOption) {
     const std::string help = command_line_help();
     for (const char* option :
-         {"--config", "--self-test", "--frames", "--calibrate", "-o", "--rounds", "--json", "--help", "--version"})
+         {"--config", "--self-test", "--frames", "--shot", "--calibrate", "-o", "--rounds", "--json", "--help", "--version"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
 }
 

@@ -69,6 +69,35 @@ TEST(RunReport, TheEndHoldsTheCounts) {
                 HasSubstr("surface_lost after 7 frames, 2 turns missed; CAN 5 frames, 0 decoded, 3 foreign"));
 }
 
+TEST(RunReport, TheEndOfAScreenHasItsCounts) {
+    RunReport report;
+    report.screen.driver = "virtio_gpu";
+    report.screen.connector = "Virtual-1";
+    report.screen.mode = platform::mode_text(1024, 768, 60000);
+    report.screen.flips = 9;
+    report.screen.missed_flips = 8;
+    report.screen.late_flips = 7;
+    report.screen.hidden_frames = 6;
+    report.screen.unplugged = 5;
+    report.screen.taken_away = 4;
+    report.screen.paced_by = platform::FlipPacing::vblank;
+    const auto json = nlohmann::json::parse(printed([&](std::FILE* out) { print_end(report, true, out); }));
+    EXPECT_EQ(json.at("screen"), (nlohmann::json{{"driver", "virtio_gpu"},
+                                                 {"connector", "Virtual-1"},
+                                                 {"mode", "1024x768@60"},
+                                                 {"flips", 9},
+                                                 {"missed_flips", 8},
+                                                 {"late_flips", 7},
+                                                 {"hidden_frames", 6},
+                                                 {"unplugged", 5},
+                                                 {"taken_away", 4},
+                                                 {"paced_by", "vblank"},
+                                                 {"atomic", false}}));
+    EXPECT_THAT(printed([&](std::FILE* out) { print_end(report, false, out); }),
+                HasSubstr("\nscreen Virtual-1 of virtio_gpu, 1024x768@60: 9 flips, 8 missed, 7 late, paced by vblank; 6 frames "
+                          "hidden, unplugged 5 times, taken away 4 times; legacy mode setting\n"));
+}
+
 TEST(RunReport, TheVersionIsTheProjects) {
     const auto json = nlohmann::json::parse(printed([](std::FILE* out) { print_version(true, out); }));
     EXPECT_EQ(printed([](std::FILE* out) { print_version(false, out); }),

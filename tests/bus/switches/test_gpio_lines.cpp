@@ -14,6 +14,13 @@ TEST(GpioLines, errors_name_the_line_as_the_log_does) {
               "switch line 'p.B': is broken; mend it");
 }
 
+TEST(GpioLines, a_missing_line_is_looked_for_by_what_the_file_says) {
+    SwitchLine line = three_lines().lines[1];
+    EXPECT_NE(what_is_missing(line).find("no line of this name"), std::string_view::npos);
+    line.offset = 0;
+    EXPECT_NE(what_is_missing(line).find("no line with this offset"), std::string_view::npos);
+}
+
 TEST(GpioLines, libgpiod_is_there_exactly_when_it_was_built_in) {
 #if defined(TEDAVIS_HAVE_GPIOD)
     ASSERT_NE(make_gpiod_lines(), nullptr);

@@ -68,6 +68,9 @@ gpiod_line* gpiod_chip_find_line(gpiod_chip* chip, const char* name) {
     const auto found = chip->lines.find(name);
     return found != chip->lines.end() ? &found->second : nullptr;
 }
+gpiod_line* gpiod_chip_get_line(gpiod_chip* chip, unsigned int offset) {
+    return offset < chip->lines.size() ? &std::next(chip->lines.begin(), offset)->second : nullptr;
+}
 int gpiod_line_request_both_edges_events_flags(gpiod_line* line, const char*, int flags) {
     if (line->busy) {
         errno = EBUSY;
@@ -120,6 +123,19 @@ TEST_F(GpiodV1Lines, lines_are_found_by_label_and_by_name_of_the_chip) {
     EXPECT_EQ(chip.open, 1) << "a new request gives the old lines back";
 }
 
+TEST_F(GpiodV1Lines, a_line_without_a_name_is_found_by_its_offset) {
+    const auto with_offset = [](int offset) {
+        return config_from("[[line]]\nchip='p'\nname='OWN'\noffset=" + std::to_string(offset) +
+                           "\npull='up'\n[[pattern]]\nphase='ground'\nhigh=[]\n");
+    };
+    ASSERT_TRUE(lines->request(with_offset(1), error)) << error.message.view();
+    EXPECT_EQ(chip.lines["B"].flags, GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP);
+    EXPECT_EQ(chip.lines["A"].flags, -1) << "not asked for";
+    EXPECT_FALSE(lines->request(with_offset(3), error));
+    EXPECT_EQ(error.message.view(),
+              "switch line 'p.OWN': the chip has no line with this offset; see gpioinfo and correct 'offset'");
+}
+
 TEST_F(GpiodV1Lines, bias_and_polarity_are_asked_of_the_kernel) {
     const SwitchConfig config = config_from(
         "[[line]]\nchip='p'\nname='A'\nactive_low=true\npull='up'\n[[line]]\nchip='p'\nname='B'\npull='down'\n"
@@ -139,7 +155,9 @@ TEST_F(GpiodV1Lines, what_cannot_be_had_is_said_and_nothing_is_kept) {
     chip.label = "p";
     chip.lines.erase("C");
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.message.view(), "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name'");
+    EXPECT_EQ(error.message.view(),
+              "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name', or give its "
+              "'offset'");
     EXPECT_EQ(chip.open, 0);
     chip.lines["B"].busy = true;
     EXPECT_FALSE(lines->request(three_lines(), error));

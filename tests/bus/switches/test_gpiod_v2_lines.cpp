@@ -195,6 +195,14 @@ TEST_F(GpiodV2Lines, lines_are_found_by_label_and_by_name_of_the_chip) {
     EXPECT_FALSE(line("C").taken) << "a new request gives the old lines back";
 }
 
+TEST_F(GpiodV2Lines, a_line_without_a_name_is_found_by_its_offset) {
+    const SwitchConfig by_offset =
+        config_from("[[line]]\nchip='p'\nname='OWN'\noffset=9\n[[pattern]]\nphase='ground'\nhigh=[]\n");
+    EXPECT_TRUE(lines->request(by_offset, error)) << error.message.view();
+    EXPECT_TRUE(line("B").taken);
+    EXPECT_FALSE(line("A").taken);
+}
+
 TEST_F(GpiodV2Lines, inputs_report_both_edges_on_the_monotonic_clock_with_bias_and_polarity) {
     const SwitchConfig config = config_from(
         "[[line]]\nchip='p'\nname='A'\nactive_low=true\npull='up'\n[[line]]\nchip='p'\nname='B'\npull='down'\n"
@@ -219,7 +227,9 @@ TEST_F(GpiodV2Lines, what_cannot_be_had_is_said_and_nothing_is_kept) {
     chip.label = "p";
     chip.offsets.erase("C");
     EXPECT_FALSE(lines->request(three_lines(), error));
-    EXPECT_EQ(error.message.view(), "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name'");
+    EXPECT_EQ(error.message.view(),
+              "switch line 'p.C': the chip has no line of this name; see gpioinfo and correct 'name', or give its "
+              "'offset'");
     EXPECT_FALSE(line("A").taken);
     line("B").busy = true;
     EXPECT_FALSE(lines->request(three_lines(), error));

@@ -65,6 +65,17 @@ TEST(SwitchConfig, defaults_are_30_and_200_ms) {
     EXPECT_EQ(config.settle, base::Duration::milliseconds(200));
 }
 
+TEST(SwitchConfig, a_line_may_be_known_by_its_offset) {
+    const std::string by_offset = "[[line]]\nchip='p'\nname='A'\noffset=4\n";
+    const SwitchConfig config = config_from(by_offset + "[[line]]\nchip='p'\nname='B'\n" + kPattern);
+    EXPECT_EQ(config.lines[0].offset, 4);
+    EXPECT_LT(config.lines[1].offset, 0) << "by its name";
+    EXPECT_EQ(config.find_line("p.A"), 0u) << "a switch log names it all the same";
+    EXPECT_EQ(message_of(by_offset + "[[line]]\nchip='p'\nname='B'\noffset=4\n" + kPattern),
+              "t.toml:8: another line of this chip has this offset; correct one");
+    EXPECT_EQ(message_of("[[line]]\nchip='p'\nname='A'\noffset=-1\n" + kPattern).find("t.toml:4: 'offset'"), 0u);
+}
+
 TEST(SwitchConfig, faults_are_one_sentence_with_the_line) {
     EXPECT_EQ(message_of(kLine + "[[pattern]]\nphase='climbing'\nhigh=['A']\n"),
               "t.toml:5: 'climbing' is no flight phase; write for instance \"takeoff.first_climb\"");

@@ -120,8 +120,8 @@ TEST_F(BoardChecksTest, BudgetsAreThoseThatTheStartBuilds) {
     settings_.device.budget.find(effects::kTerrainIndex)->bytes = 8;
     EXPECT_THAT(fault(), StartsWith("board_display: ")) << "a database that is sound, and too large for the device";
     settings_ = board_settings();
-    settings_.surface = base::FixedString<15>("kms");
-    EXPECT_EQ(fault(), "board_surface: [surface]: the surface 'kms' is not known; use egl or osmesa");
+    settings_.surface = base::FixedString<15>("glut");
+    EXPECT_EQ(fault(), "board_surface: [surface]: the surface 'glut' is not known; use egl or osmesa");
 }
 
 TEST_F(BoardChecksTest, ProgramsMustBeThere) {

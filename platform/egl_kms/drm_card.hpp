@@ -1,0 +1,75 @@
+/// One connector of a graphics card in one mode, through the kernel's DRM: atomic commits where the card takes them, else the
+/// older calls.
+///
+/// The program is the card's master from open() on. At the end the console is shown again as it was before.
+///
+/// Thread  one. Memory  libdrm's, and one buffer of the card. Failure  one sentence at open(), states afterwards.
+#pragma once
+
+#if defined(TEDAVIS_HAVE_KMS)
+
+#include <xf86drmMode.h>
+
+#include "platform/egl_kms/atomic_output.hpp"
+#include "platform/egl_kms/drm_port.hpp"
+#include "platform/egl_kms/screen_choice.hpp"
+#include "platform/egl_kms/terminal_switch.hpp"
+#include "render_core/base/error.hpp"
+
+namespace tedavis::platform {
+
+class DrmCard final : public DrmPort {
+public:
+    DrmCard() = default;
+    ~DrmCard() override;
+    DrmCard(const DrmCard&) = delete;
+    DrmCard& operator=(const DrmCard&) = delete;
+
+    /// May be called once. Nothing on the screen changes yet.
+    [[nodiscard]] base::Error open(const ScreenCard& card, const ScreenChoice& choice);
+    /// Sets the mode and shows black.
+    [[nodiscard]] base::Error show_black();
+    /// Shows what was shown before open().
+    void restore();
+
+    [[nodiscard]] int descriptor() const { return card_; }
+    /// How a buffer of XRGB8888 may lie in memory; empty: the driver decides.
+    [[nodiscard]] const FormatModifiers& modifiers() const { return modifiers_; }
+
+    bool become_master() override;
+    void drop_master() override;
+    bool add_framebuffer(const ScanoutBuffer& buffer, std::uint32_t& id) override;
+    void remove_framebuffer(std::uint32_t id) override;
+    DrmStatus set_mode(std::uint32_t framebuffer) override;
+    DrmStatus queue_flip(std::uint32_t framebuffer) override;
+    bool wait_flip(base::Duration limit, FlipEvent& event) override;
+    void turn_off() override;
+    bool is_connected() override;
+    bool is_atomic() const override { return is_atomic_; }
+    TerminalRequest take_terminal_request() override { return terminal_.take_request(); }
+    void answer_terminal(TerminalRequest request) override { terminal_.answer(request); }
+    base::Time now() override;
+
+private:
+    [[nodiscard]] bool find_mode(const ScreenChoice& choice);
+    [[nodiscard]] bool make_black();
+    [[nodiscard]] bool set_mode_without_atomic(std::uint32_t framebuffer);
+    [[nodiscard]] bool queue_flip_without_atomic(std::uint32_t framebuffer);
+    [[nodiscard]] bool read_events(FlipEvent& event);
+
+    base::FixedString<300> name_;
+    int card_ = -1;
+    std::uint32_t connector_ = 0, crtc_ = 0;
+    drmModeModeInfo mode_{};
+    drmModeCrtc* before_ = nullptr;
+    std::uint32_t black_handle_ = 0, black_ = 0;
+    AtomicOutput atomic_;
+    FormatModifiers modifiers_;
+    bool is_atomic_ = false;
+    std::uint32_t cookie_ = 0;  // of the flip that was queued last: events of older ones are not its
+    TerminalSwitch terminal_;
+};
+
+}  // namespace tedavis::platform
+
+#endif

@@ -1,0 +1,46 @@
+/// Which screen a board asks for, and how the display on it fares: plain values.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "platform/egl_kms/screen_mode.hpp"
+#include "render_core/base/fixed_string.hpp"
+#include "render_core/base/time.hpp"
+
+namespace tedavis::platform {
+
+enum class FlipPacing : std::uint8_t {
+    timer,  ///< flips come at once: only the program's own timer paces the frames
+    vblank  ///< flips come with the screen's vertical blanking
+};
+
+/// What the screen has done since the start.
+struct ScreenReport {
+    base::FixedString<31> driver, connector;
+    ModeText mode;
+    std::uint64_t flips = 0;          ///< frames that the screen confirmed
+    std::uint64_t missed_flips = 0;   ///< frames whose flip was refused or did not come in time
+    std::uint64_t late_flips = 0;     ///< flips that came later than the next vertical blanking
+    std::uint64_t hidden_frames = 0;  ///< frames drawn while the screen was unplugged or another program had it
+    std::uint64_t unplugged = 0;      ///< how often
+    std::uint64_t taken_away = 0;     ///< how often another program or console got the screen
+    base::Duration waited;            ///< of the last frame, for the screen: no work of ours
+    FlipPacing paced_by = FlipPacing::timer;
+    bool is_atomic = false;
+    bool is_plugged = true;
+    bool is_master = true;
+};
+static_assert(std::is_trivially_copyable_v<ScreenReport>);
+
+/// The section [screen] of a board file. Empty texts stand for the first one that serves.
+struct ScreenSettings {
+    base::FixedString<31> driver;     ///< of the card, such as "virtio_gpu"
+    base::FixedString<255> path;      ///< of the card, in place of its driver's name
+    base::FixedString<31> connector;  ///< such as "HDMI-A-1"
+    ScreenModeWish mode;
+    ScreenReport* report = nullptr;  ///< where the surface reports; null: nowhere; must outlive the surface
+};
+static_assert(std::is_trivially_copyable_v<ScreenSettings>);
+
+}  // namespace tedavis::platform

@@ -1,0 +1,37 @@
+/// Learns from the console when somebody switches to another virtual terminal (Alt+F2) and back, so that the screen can be given
+/// up and taken again. Without a virtual terminal as the controlling one, as in a service, there is nothing to learn.
+///
+/// Signals  SIGUSR1 and SIGUSR2 while it is active. Thread  one; only one object may be active at a time. Memory  none.
+#pragma once
+
+#include <signal.h>
+
+#include "platform/egl_kms/drm_port.hpp"
+
+namespace tedavis::platform {
+
+class TerminalSwitch {
+public:
+    TerminalSwitch() = default;
+    ~TerminalSwitch() { stop(); }
+    TerminalSwitch(const TerminalSwitch&) = delete;
+    TerminalSwitch& operator=(const TerminalSwitch&) = delete;
+
+    /// Asks the console to be told. False where `path` is no virtual terminal; nothing has changed then.
+    bool start(const char* path = "/dev/tty");
+    /// The console switches by itself again.
+    void stop();
+    [[nodiscard]] bool is_active() const { return terminal_ >= 0; }
+
+    /// The newest request since the last call.
+    [[nodiscard]] TerminalRequest take_request();
+    /// Without an answer the console does not switch.
+    void answer(TerminalRequest request);
+
+private:
+    int terminal_ = -1;
+    struct sigaction previous_release_ {};
+    struct sigaction previous_acquire_ {};
+};
+
+}  // namespace tedavis::platform

@@ -1,0 +1,17 @@
+#include "target/screen_events.hpp"
+
+namespace tedavis::target {
+
+void ScreenEvents::report(const platform::ScreenReport& screen) {
+    if (screen.is_plugged != was_plugged_)
+        log_.write({"screen ", screen.connector.view(),
+                    screen.is_plugged ? ": is connected again" : ": is not connected any more; it is used again when it is"});
+    if (screen.is_master != was_master_)
+        log_.write(
+            {"screen ", screen.connector.view(),
+             screen.is_master ? ": is ours again" : ": another program or terminal has it; it is used again when it is free"});
+    was_plugged_ = screen.is_plugged;
+    was_master_ = screen.is_master;
+}
+
+}  // namespace tedavis::target

@@ -1,0 +1,35 @@
+#include "target/screen_events.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/target/fake_board.hpp"
+
+namespace tedavis::target::test_screen_events {
+namespace {
+
+TEST(ScreenEvents, EachChangeIsOneLine) {
+    LogLines lines;
+    const EventLog log = lines.log();
+    ScreenEvents events(log);
+    platform::ScreenReport screen;
+    screen.connector = "DSI-1";
+    const auto frames = [&] {
+        for (int n = 0; n < 3; ++n) events.report(screen);
+    };
+    frames();
+    EXPECT_EQ(lines.lines(), 0u);
+    screen.is_plugged = false;
+    frames();
+    screen.is_master = false;
+    frames();
+    screen.is_plugged = screen.is_master = true;
+    frames();
+    EXPECT_EQ(lines.str(),
+              "tedavis-display: screen DSI-1: is not connected any more; it is used again when it is\n"
+              "tedavis-display: screen DSI-1: another program or terminal has it; it is used again when it is free\n"
+              "tedavis-display: screen DSI-1: is connected again\n"
+              "tedavis-display: screen DSI-1: is ours again\n");
+}
+
+}  // namespace
+}  // namespace tedavis::target::test_screen_events
