@@ -80,7 +80,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
             break;
         }
         const base::Duration took = clocks.live.monotonic() - begun - screen_.waited;
-        display().memory().budget.record_measured(took.to_seconds() * 1000);
+        if (!is_pictured_) display().memory().budget.record_measured(took.to_seconds() * 1000);
         ++report.frames;
         watchdog_.alive();
         clocks.sleep_until(pacer.next(clocks.live.monotonic()));

@@ -10,6 +10,11 @@ void ScreenEvents::report(const platform::ScreenReport& screen) {
         log_.write(
             {"screen ", screen.connector.view(),
              screen.is_master ? ": is ours again" : ": another program or terminal has it; it is used again when it is free"});
+    if (screen.is_stuck != was_stuck_)
+        log_.write(
+            {"screen ", screen.connector.view(),
+             screen.is_stuck ? ": confirms no frame and shows an old picture; its mode is set anew" : ": confirms frames again"});
+    was_stuck_ = screen.is_stuck;
     was_plugged_ = screen.is_plugged;
     was_master_ = screen.is_master;
 }

@@ -18,7 +18,7 @@ public:
 
 private:
     const EventLog& log_;
-    bool was_plugged_ = true, was_master_ = true;
+    bool was_plugged_ = true, was_master_ = true, was_stuck_ = false;
 };
 
 }  // namespace tedavis::target

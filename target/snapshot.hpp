@@ -28,7 +28,8 @@ public:
     [[nodiscard]] bool is_started() const { return path_ != nullptr; }
     /// True once after each SIGUSR1.
     [[nodiscard]] bool take_request();
-    /// Reads the bound framebuffer, which is as large as start() was told, and writes the file.
+    /// Reads the bound framebuffer, which is as large as start() was told, and writes the file: this frame takes longer, and its
+    /// time is not that of the display.
     void take(gl::Gl& gl);
 
 private:

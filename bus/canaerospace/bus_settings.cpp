@@ -204,13 +204,13 @@ base::Result<BusSettings, base::Error> load_bus_settings(std::string_view text, 
     settings.guidance.first_identifier = read_first_identifier(root.section("guidance"), kGuidanceIdentifiers, "eight", taken);
     read_display(root.section("display"), taken, settings.display);
     settings.messages = read_stated_messages(root, meaning_of, &settings);
-    for (const StatedMessage& message : settings.messages)
-        if (message.states_period && message.signal != flight::Signal::count_)
-            settings.limits[static_cast<std::size_t>(message.signal)] = message.limits;
     read_node(root.section("node"), settings.node);
     read_own_ship(root.section("own_ship"), settings.own_ship);
     read_clock(root.section("clock"), settings.utc_timeout);
     read_freshness(root.section("freshness"), settings);
+    for (const StatedMessage& message : settings.messages)
+        if (message.states_period && message.signal != flight::Signal::count_)
+            settings.limits[static_cast<std::size_t>(message.signal)] = message.limits;
     if (!reader.finish()) return base::fail(reader.error());
     return settings;
 }

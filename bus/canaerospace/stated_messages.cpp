@@ -14,7 +14,8 @@ using flight::Signal;
 
 constexpr std::int64_t kFirstIdentifier = 200, kLastIdentifier = 1999;  // neither emergency events nor node services
 constexpr double kMaxFactor = 1e9;
-constexpr double kMaxPeriod_s = 3600;
+constexpr double kMinPeriod_s = 0.001, kMaxPeriod_s = 60;
+constexpr double kShortestStale_s = 0.3;  // as the standard's quickest signals: a display of 10 Hz must not flicker
 
 struct StatedUnit {
     std::string_view name;
@@ -91,12 +92,12 @@ Signal read_signal(ConfigSection& table) {
     return Signal::count_;
 }
 
-/// As the standard's signals: ten periods, but at least three and at most a second where that is more; lost after thrice that.
+/// Ten periods, at most a second, but at least three periods and 0.3 s; lost after three times as long.
 void read_period(ConfigSection& table, StatedMessage& message) {
     message.states_period = table.has("period_s");
     if (!message.states_period) return;
-    const double period_s = table.number("period_s", 0.001, kMaxPeriod_s);
-    const double stale_s = std::max(3 * period_s, std::min(10 * period_s, 1.0));
+    const double period_s = table.number("period_s", kMinPeriod_s, kMaxPeriod_s);
+    const double stale_s = std::max({3 * period_s, std::min(10 * period_s, 1.0), kShortestStale_s});
     message.limits = {base::Duration::from_seconds(stale_s), base::Duration::from_seconds(3 * stale_s)};
 }
 

@@ -126,11 +126,14 @@ void SocketCanSource::count_kernel_drops(std::uint32_t total) {
     kernel_drops_ = total;
 }
 
+/// A frame that seems to have waited longer than can be believed is as old as can be: after a halt of the program the socket is
+/// full of frames that are not current, and none of them may pass for a new one.
 base::Time SocketCanSource::monotonic_time(Stamp stamp) const {
     const base::Time now = clocks_.monotonic();
     if (!stamp.present) return now;
     const base::Duration age = clocks_.wall() - stamp.wall;
-    return age < base::Duration{} || age > kOldestBelievable ? now : now - age;
+    if (age < base::Duration{}) return now;
+    return now - (age > kOldestBelievable ? kOldestBelievable : age);
 }
 
 void SocketCanSource::record_error_frame(const CanFrame& frame) {

@@ -1,9 +1,10 @@
 /// Frames from a live bus.
 ///
-/// Reading never blocks. Kernel stamps are wall-clock time and are converted once, at reading, to the monotonic clock; a stamp
-/// that the conversion puts into the future or more than two seconds into the past (the clock was set) is replaced by the time
-/// of reading. Frames that the kernel drops are counted by its own counter. Bus-off and link-down are reported by health(); a
-/// socket that fails is closed and opened again, at most once in `reopen_interval`.
+/// Reading never blocks. Kernel stamps are wall-clock time and are converted once, at reading, to the monotonic clock. A stamp
+/// that the conversion puts into the future (the clock was set back) is replaced by the time of reading; one that it puts more
+/// than two seconds into the past (the program was halted, or the clock was set forward) by two seconds before it. Frames that
+/// the kernel drops are counted by its own counter. Bus-off and link-down are reported by health(); a socket that fails is closed
+/// and opened again, at most once in `reopen_interval`.
 ///
 /// Thread  one. Memory  fixed. Failure  health() and last_fault().
 #pragma once

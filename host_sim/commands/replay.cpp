@@ -121,6 +121,7 @@ std::vector<base::Time> add_closest(const ReplayOptions& options, FlightPlayer& 
     ClearanceMeter meter(*database);
     std::vector<base::Time> frames =
         closest_instants(player, meter, {times.parts().front().from, times.parts().back().to}, kClosestShown);
+    require_uninterrupted(options.output);
     for (base::Time& instant : frames) instant = times.frame_at_or_after(instant);
     times.add(frames);
     return frames;

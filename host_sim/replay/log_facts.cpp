@@ -111,7 +111,9 @@ LogFacts facts_of(const bus::CandumpLogSource& source, const bus::StateAssembler
 }
 
 bool assumes_heights(const std::string& log) {
-    const std::string companion = log + ".json";
+    const std::string packed = ".gz";
+    const bool is_packed = log.size() > packed.size() && log.compare(log.size() - packed.size(), packed.size(), packed) == 0;
+    const std::string companion = log.substr(0, log.size() - (is_packed ? packed.size() : 0)) + ".json";
     if (!std::filesystem::is_regular_file(companion)) return false;
     const auto said = nlohmann::json::parse(read_file(companion), nullptr, false);
     const nlohmann::json::json_pointer assumed("/assume_geometric"), height("/derived/height");

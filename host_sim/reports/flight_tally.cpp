@@ -25,11 +25,14 @@ void FlightTally::add(const display::FrameRecord& record, double height_above_te
     const double time_s = (record.time - origin_).to_seconds();
     ++frames_;
     add_place(record, time_s);
+    const std::uint64_t with_terrain_before = with_terrain_;
     add_error(record, time_s);
     add_stale(record);
     alerts_.add(record);
     const bool is_over_ground = record.own_ship.state == base::SignalState::valid && was_inside_;
-    without_height_ += is_over_ground && std::isnan(height_above_terrain_m) ? 1 : 0;
+    const bool is_void = is_over_ground && std::isnan(height_above_terrain_m);
+    without_height_ += is_void ? 1 : 0;
+    terrain_over_void_ += is_void && with_terrain_ > with_terrain_before ? 1 : 0;
     if (!has_flag(record, "terrain.above_own_ship")) return;
     if (below_++ == 0) first_below_s_ = time_s;
     if (height_above_terrain_m < 0) deepest_m_ = std::max(deepest_m_, -height_above_terrain_m);

@@ -23,8 +23,8 @@ public:
 
     /// Frames that show terrain.
     [[nodiscard]] std::uint64_t frames_with_terrain() const { return with_terrain_; }
-    /// Inside the database, but without a height of the ground below.
-    [[nodiscard]] std::uint64_t frames_over_void() const { return without_height_; }
+    /// Of these, without a height of the ground below.
+    [[nodiscard]] std::uint64_t frames_over_void() const { return terrain_over_void_; }
     /// Upper bound of the terrain's error in all frames but those at a start.
     [[nodiscard]] double worst_error_px() const { return worst_error_px_; }
     /// The same for the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive, for
@@ -61,8 +61,8 @@ private:
 
     base::Time origin_;
     std::map<std::string, StaleLayer> stale_;  ///< by the layer's name
-    std::uint64_t frames_ = 0, with_terrain_ = 0, without_height_ = 0, without_position_ = 0, outside_ = 0, below_ = 0,
-                  coarse_starts_ = 0;
+    std::uint64_t frames_ = 0, with_terrain_ = 0, without_height_ = 0, terrain_over_void_ = 0, without_position_ = 0,
+                  outside_ = 0, below_ = 0, coarse_starts_ = 0;
     std::uint64_t spans_in_all_ = 0;
     std::vector<Span> spans_;  ///< the first of them
     bool was_inside_ = false, is_starting_ = true;

@@ -29,7 +29,7 @@ struct RunSummary {
     double ms_p99 = 0;
     std::uint64_t heap_allocations_after_start = 0;
     std::uint64_t terrain_frames = 0;                     ///< that show terrain
-    std::uint64_t frames_over_void = 0;                   ///< inside the database, but the ground below has no height
+    std::uint64_t frames_over_void = 0;                   ///< of these, without a height of the ground below
     double worst_error_px = 0, worst_start_error_px = 0;  ///< FlightTally
     TerrainAlertCounts terrain_alerts;
     ClosestReport closest;

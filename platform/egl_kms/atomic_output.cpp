@@ -42,9 +42,11 @@ bool find_ids(int card, std::uint32_t object, std::uint32_t type, const WantedPr
 
 }  // namespace
 
-AtomicOutput::~AtomicOutput() {
+void AtomicOutput::close() {
     if (request_ != nullptr) drmModeAtomicFree(request_);
     if (mode_blob_ != 0) drmModeDestroyPropertyBlob(card_, mode_blob_);
+    request_ = nullptr;
+    mode_blob_ = 0;
 }
 
 bool AtomicOutput::open(int card, std::uint32_t connector, std::uint32_t crtc, std::uint32_t crtc_index,

@@ -18,7 +18,9 @@ using FormatModifiers = base::FixedVector<std::uint64_t, 64>;
 class AtomicOutput {
 public:
     AtomicOutput() = default;
-    ~AtomicOutput();
+    ~AtomicOutput() { close(); }
+    /// To be called before the card is closed.
+    void close();
     AtomicOutput(const AtomicOutput&) = delete;
     AtomicOutput& operator=(const AtomicOutput&) = delete;
 

@@ -37,6 +37,7 @@ DrmCard::~DrmCard() {
     if (black_handle_ != 0) drmModeDestroyDumbBuffer(card_, black_handle_);
     if (before_ != nullptr) drmModeFreeCrtc(before_);
     terminal_.stop();
+    atomic_.close();
     if (card_ >= 0) ::close(card_);
 }
 
@@ -148,17 +149,22 @@ bool DrmCard::set_mode_without_atomic(std::uint32_t framebuffer) {
 /// Some drivers refuse commits of what the older call does.
 DrmStatus DrmCard::queue_flip(std::uint32_t framebuffer) {
     const base::DriverScope driver;
-    ++cookie_;
-    if (is_atomic_ && atomic_.flip(framebuffer, cookie_)) return DrmStatus::done;
+    // The event of a flip that is queued already keeps its number where the next one is refused.
+    const std::uint32_t next = cookie_ + 1;
+    if (is_atomic_ && atomic_.flip(framebuffer, next)) {
+        cookie_ = next;
+        return DrmStatus::done;
+    }
     if (is_atomic_ && status_by_errno(errno) != DrmStatus::failed) return status_by_errno(errno);
-    if (!queue_flip_without_atomic(framebuffer)) return status_by_errno(errno);
+    if (!queue_flip_without_atomic(framebuffer, next)) return status_by_errno(errno);
+    cookie_ = next;
     is_atomic_ = false;
     return DrmStatus::done;
 }
 
-bool DrmCard::queue_flip_without_atomic(std::uint32_t framebuffer) {
+bool DrmCard::queue_flip_without_atomic(std::uint32_t framebuffer, std::uint32_t cookie) {
     return drmModePageFlip(card_, crtc_, framebuffer, DRM_MODE_PAGE_FLIP_EVENT,
-                           reinterpret_cast<void*>(std::uintptr_t{cookie_})) == 0;
+                           reinterpret_cast<void*>(std::uintptr_t{cookie})) == 0;
 }
 
 bool DrmCard::wait_flip(base::Duration limit, FlipEvent& event) {

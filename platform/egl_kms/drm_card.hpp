@@ -47,14 +47,14 @@ public:
     bool is_connected() override;
     bool is_atomic() const override { return is_atomic_; }
     TerminalRequest take_terminal_request() override { return terminal_.take_request(); }
-    void answer_terminal(TerminalRequest request) override { terminal_.answer(request); }
+    bool answer_terminal(TerminalRequest request) override { return terminal_.answer(request); }
     base::Time now() override;
 
 private:
     [[nodiscard]] bool find_mode(const ScreenChoice& choice);
     [[nodiscard]] bool make_black();
     [[nodiscard]] bool set_mode_without_atomic(std::uint32_t framebuffer);
-    [[nodiscard]] bool queue_flip_without_atomic(std::uint32_t framebuffer);
+    [[nodiscard]] bool queue_flip_without_atomic(std::uint32_t framebuffer, std::uint32_t cookie);
     [[nodiscard]] bool read_events(FlipEvent& event);
 
     base::FixedString<300> name_;

@@ -68,8 +68,8 @@ public:
     [[nodiscard]] virtual bool is_atomic() const = 0;
     /// Since the last call; none where the program owns no terminal.
     [[nodiscard]] virtual TerminalRequest take_terminal_request() = 0;
-    /// Tells the console that it is done.
-    virtual void answer_terminal(TerminalRequest request) = 0;
+    /// Tells the console that it is done; false where the console had not asked.
+    [[nodiscard]] virtual bool answer_terminal(TerminalRequest request) = 0;
     /// Of the monotonic clock.
     [[nodiscard]] virtual base::Time now() = 0;
 };

@@ -120,9 +120,10 @@ public:
     const char* backend_name() const override { return "kms"; }
 
 private:
+    /// Waits for the GPU: its work is the frame's, not a wait for the screen.
     [[nodiscard]] bool swap() {
         const base::DriverScope driver;
-        return eglSwapBuffers(display_, surface_) == EGL_TRUE;
+        return eglSwapBuffers(display_, surface_) == EGL_TRUE && eglWaitClient() == EGL_TRUE;
     }
 
     [[nodiscard]] base::Error open_screen() {

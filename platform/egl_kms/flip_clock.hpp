@@ -25,8 +25,7 @@ public:
     explicit FlipClock(std::uint32_t refresh_mhz);
 
     void queued(base::Time now) { queued_at_ = now; }
-    /// The flip that was queued last is done. Returns true where it came later than the first vertical blanking after it was
-    /// queued, by half a period.
+    /// The flip that was queued last is done. Returns true where it came more than one and a half periods after that.
     [[nodiscard]] bool flipped(const FlipEvent& event);
 
     [[nodiscard]] FlipPacing paced_by() const { return paced_by_; }

@@ -9,20 +9,36 @@ Scanout::Scanout(DrmPort& drm, BufferQueue& buffers, ScreenReport& report, std::
 
 bool Scanout::show() {
     const base::Time now = drm_.now();
+    if (!has_begun_) confirm(now);
+    has_begun_ = true;
     serve_terminal();
     check_screen(now);
     collect({});
+    judge_standstill(now);
     report_.waited = {};
     ScanoutBuffer front;
     if (!buffers_.lock_front(front)) return false;
     show(front, now);
     report_.paced_by = clock_.paced_by();
     report_.is_atomic = drm_.is_atomic();
-    return true;
+    return drm_.now() - confirmed_at_ < kGiveUpAfter;
+}
+
+void Scanout::confirm(base::Time now) {
+    confirmed_at_ = now;
+    report_.is_stuck = false;
+}
+
+/// Once for each standstill the mode is set anew.
+void Scanout::judge_standstill(base::Time now) {
+    if (report_.is_stuck || now - confirmed_at_ < kStuckAfter) return;
+    report_.is_stuck = true;
+    needs_mode_ = true;
 }
 
 void Scanout::show(const ScanoutBuffer& front, base::Time now) {
     if (!is_visible()) {
+        confirm(now);
         buffers_.release(front.token);
         ++report_.hidden_frames;
         return;
@@ -38,12 +54,12 @@ void Scanout::show(const ScanoutBuffer& front, base::Time now) {
 void Scanout::serve_terminal() {
     const TerminalRequest request = drm_.take_terminal_request();
     if (request == TerminalRequest::release) {
-        if (report_.is_master) lose_master();
-        is_released_ = true;
         drm_.drop_master();
-        drm_.answer_terminal(request);
+        is_released_ = drm_.answer_terminal(request);
+        if (!is_released_ && drm_.become_master()) return;  // the console did not ask
+        if (report_.is_master) lose_master();
     } else if (request == TerminalRequest::acquire) {
-        drm_.answer_terminal(request);
+        (void)drm_.answer_terminal(request);
         is_released_ = false;
         report_.is_master = report_.is_master || drm_.become_master();
         has_failed_ = false;
@@ -80,6 +96,7 @@ void Scanout::collect(base::Duration limit) {
     FlipEvent event;
     if (pending_ == nullptr || !drm_.wait_flip(limit, event)) return;
     ++report_.flips;
+    confirm(drm_.now());
     if (clock_.flipped(event)) ++report_.late_flips;
     if (shown_ != nullptr) buffers_.release(shown_);
     shown_ = pending_;
@@ -99,6 +116,7 @@ void Scanout::set_mode(const ScanoutBuffer& front, std::uint32_t framebuffer, ba
     pending_ = nullptr;
     shown_ = front.token;
     needs_mode_ = false;
+    if (!report_.is_stuck) confirm(drm_.now());  // a standstill ends with a flip
     ++report_.flips;
 }
 
@@ -107,7 +125,8 @@ void Scanout::flip(const ScanoutBuffer& front, std::uint32_t framebuffer, base::
     if (status == DrmStatus::not_master) lose_master();
     if (status == DrmStatus::failed) needs_mode_ = true;
     if (status != DrmStatus::done) return miss(front);
-    if (pending_ != nullptr) {  // its event was lost
+    if (pending_ != nullptr) {  // its event was lost, but the card took the next one
+        confirm(now);
         if (shown_ != nullptr) buffers_.release(shown_);
         shown_ = pending_;
     }

@@ -1,11 +1,14 @@
 /// Brings finished frames to a screen: sets the mode, queues flips, waits for them within bounds, keeps account of the buffers,
 /// and goes on where the screen is unplugged, another program takes it, or a flip does not come.
 ///
-/// A frame that cannot be shown is dropped and counted, and never waited for longer than kFlipLimit: the display goes on
-/// planning and drawing. When the screen is there again, the next frame sets the mode anew.
+/// A frame that cannot be shown is dropped and counted, and its flip is not waited for longer than kFlipLimit: the display goes
+/// on planning and drawing. (Setting a mode may take longer.) When the screen is there again, the next frame sets the mode anew.
+///
+/// A screen that is plugged and ours and confirms nothing shows an old picture. After kStuckAfter the report says so, and the
+/// mode is set anew; after kGiveUpAfter show() fails, so that the program is started again.
 ///
 /// Thread   one. Memory  inside: two buffers at most are held at a time, framebuffers of four are known.
-/// Failure  show() returns false only where the driver gives no buffer; all else is counted in the report.
+/// Failure  show() returns false where the driver gives no buffer and where the screen is given up; all else is in the report.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +24,8 @@ namespace tedavis::platform {
 inline constexpr base::Duration kFlipLimit = base::Duration::milliseconds(100);
 /// How often, at most, the connector is looked at, and what failed is tried again.
 inline constexpr base::Duration kScreenCheckInterval = base::Duration::seconds(1);
+inline constexpr base::Duration kStuckAfter = base::Duration::seconds(3);
+inline constexpr base::Duration kGiveUpAfter = base::Duration::seconds(8);
 
 class Scanout {
 public:
@@ -53,6 +58,8 @@ private:
     void set_mode(const ScanoutBuffer& front, std::uint32_t framebuffer, base::Time now);
     void flip(const ScanoutBuffer& front, std::uint32_t framebuffer, base::Time now);
     void miss(const ScanoutBuffer& front);
+    void confirm(base::Time now);
+    void judge_standstill(base::Time now);
     [[nodiscard]] bool is_visible() const { return report_.is_plugged && report_.is_master; }
     /// 0 where the card refuses the buffer.
     [[nodiscard]] std::uint32_t framebuffer_of(const ScanoutBuffer& buffer);
@@ -66,9 +73,10 @@ private:
     void* shown_ = nullptr;    // the screen reads it
     void* pending_ = nullptr;  // its flip is queued
     base::Time queued_at_;     // of the flip that is pending
+    base::Time confirmed_at_;  // the last frame of which the screen said so, or the last one that could not be seen
     base::Time checked_at_;
     base::Time failed_at_;  // last try to set the mode
-    bool has_checked_ = false, has_failed_ = false;
+    bool has_begun_ = false, has_checked_ = false, has_failed_ = false;
     bool needs_mode_ = true;
     bool is_released_ = false;  // another terminal has the screen, and the console will say when it is ours again
 };

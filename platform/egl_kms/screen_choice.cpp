@@ -76,15 +76,19 @@ bool drives_screen(const ScreenCard& card) {
     return std::any_of(card.connectors.begin(), card.connectors.end(), [](const auto& c) { return c.is_connected; });
 }
 
-bool has_connector(const ScreenCard& card, std::string_view name) {
-    return std::any_of(card.connectors.begin(), card.connectors.end(), [name](const auto& c) { return c.name.view() == name; });
+const ScreenConnector* find_connector(const ScreenCard& card, std::string_view name) {
+    for (const ScreenConnector& connector : card.connectors)
+        if (connector.name.view() == name) return &connector;
+    return nullptr;
 }
 
 /// How well a card serves; 0: it does not. Cards of one driver differ by what is connected to them.
 int rank_of(const ScreenCard& card, const ScreenSettings& settings) {
     if (card.access != CardAccess::open) return 0;
     if (settings.path.empty() && !settings.driver.empty() && card.driver != settings.driver) return 0;
-    if (!settings.connector.empty() && has_connector(card, settings.connector.view())) return 3;
+    if (!settings.connector.empty())
+        if (const ScreenConnector* const named = find_connector(card, settings.connector.view()))
+            return named->is_connected ? 4 : 3;
     return drives_screen(card) ? 2 : 1;
 }
 

@@ -21,7 +21,7 @@ struct ScreenReport {
     ModeText mode;
     std::uint64_t flips = 0;          ///< frames that the screen confirmed
     std::uint64_t missed_flips = 0;   ///< frames whose flip was refused or did not come in time
-    std::uint64_t late_flips = 0;     ///< flips that came later than the next vertical blanking
+    std::uint64_t late_flips = 0;     ///< flips that came more than one and a half periods after they were queued
     std::uint64_t hidden_frames = 0;  ///< frames drawn while the screen was unplugged or another program had it
     std::uint64_t unplugged = 0;      ///< how often
     std::uint64_t taken_away = 0;     ///< how often another program or console got the screen
@@ -30,6 +30,7 @@ struct ScreenReport {
     bool is_atomic = false;
     bool is_plugged = true;
     bool is_master = true;
+    bool is_stuck = false;  ///< the screen has confirmed no frame for kStuckAfter: it shows an old picture
 };
 static_assert(std::is_trivially_copyable_v<ScreenReport>);
 

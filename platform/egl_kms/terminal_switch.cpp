@@ -5,13 +5,16 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <atomic>
+
 namespace tedavis::platform {
 namespace {
 
-volatile sig_atomic_t newest_request = 0;
+std::atomic<TerminalRequest> newest_request = TerminalRequest::none;
+static_assert(std::atomic<TerminalRequest>::is_always_lock_free, "signal handlers write it");
 
-void on_release(int) { newest_request = static_cast<int>(TerminalRequest::release); }
-void on_acquire(int) { newest_request = static_cast<int>(TerminalRequest::acquire); }
+void on_release(int) { newest_request = TerminalRequest::release; }
+void on_acquire(int) { newest_request = TerminalRequest::acquire; }
 
 void handle_signal(int signal, void (*handler)(int), struct sigaction& previous) {
     struct sigaction action {};
@@ -31,13 +34,13 @@ bool TerminalSwitch::start(const char* path) {
         ::close(terminal);
         return false;
     }
-    newest_request = 0;
-    handle_signal(SIGUSR1, &on_release, previous_release_);
-    handle_signal(SIGUSR2, &on_acquire, previous_acquire_);
+    newest_request = TerminalRequest::none;
+    handle_signal(release_signal(), &on_release, previous_release_);
+    handle_signal(acquire_signal(), &on_acquire, previous_acquire_);
     terminal_ = terminal;
     mode.mode = VT_PROCESS;
-    mode.relsig = SIGUSR1;
-    mode.acqsig = SIGUSR2;
+    mode.relsig = static_cast<short>(release_signal());
+    mode.acqsig = static_cast<short>(acquire_signal());
     if (::ioctl(terminal, VT_SETMODE, &mode) == 0) return true;
     stop();
     return false;
@@ -50,18 +53,14 @@ void TerminalSwitch::stop() {
     ::ioctl(terminal_, VT_SETMODE, &mode);
     ::close(terminal_);
     terminal_ = -1;
-    sigaction(SIGUSR1, &previous_release_, nullptr);
-    sigaction(SIGUSR2, &previous_acquire_, nullptr);
+    sigaction(release_signal(), &previous_release_, nullptr);
+    sigaction(acquire_signal(), &previous_acquire_, nullptr);
 }
 
-TerminalRequest TerminalSwitch::take_request() {
-    const auto request = static_cast<TerminalRequest>(newest_request);
-    newest_request = 0;
-    return request;
-}
+TerminalRequest TerminalSwitch::take_request() { return newest_request.exchange(TerminalRequest::none); }
 
-void TerminalSwitch::answer(TerminalRequest request) {
-    if (terminal_ >= 0) ::ioctl(terminal_, VT_RELDISP, request == TerminalRequest::acquire ? VT_ACKACQ : 1);
+bool TerminalSwitch::answer(TerminalRequest request) {
+    return terminal_ >= 0 && ::ioctl(terminal_, VT_RELDISP, request == TerminalRequest::acquire ? VT_ACKACQ : 1) == 0;
 }
 
 }  // namespace tedavis::platform

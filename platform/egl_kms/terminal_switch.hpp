@@ -1,7 +1,8 @@
 /// Learns from the console when somebody switches to another virtual terminal (Alt+F2) and back, so that the screen can be given
-/// up and taken again. Without a virtual terminal as the controlling one, as in a service, there is nothing to learn.
+/// up and taken again. Without a virtual terminal as the controlling one there is nothing to learn.
 ///
-/// Signals  SIGUSR1 and SIGUSR2 while it is active. Thread  one; only one object may be active at a time. Memory  none.
+/// Signals  release_signal() and acquire_signal() while it is active: real-time signals, since target/snapshot has SIGUSR1.
+/// Thread  one; only one object may be active at a time. Memory  none.
 #pragma once
 
 #include <signal.h>
@@ -25,8 +26,11 @@ public:
 
     /// The newest request since the last call.
     [[nodiscard]] TerminalRequest take_request();
-    /// Without an answer the console does not switch.
-    void answer(TerminalRequest request);
+    /// Without an answer the console does not switch. False where it had not asked.
+    [[nodiscard]] bool answer(TerminalRequest request);
+
+    [[nodiscard]] static int release_signal() { return SIGRTMIN; }
+    [[nodiscard]] static int acquire_signal() { return SIGRTMIN + 1; }
 
 private:
     int terminal_ = -1;

@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <ctime>
 #include <vector>
 
 #include "bus/canaerospace/identification_service.hpp"
@@ -15,7 +16,13 @@ namespace {
 
 std::int64_t monotonic_ns = 0;
 base::Time fake_monotonic() { return {monotonic_ns}; }
-base::Time fake_wall() { return {1'700'000'000'000'000'000 + monotonic_ns}; }
+/// That of the kernel's stamps, and `wall_ahead_ns` later.
+std::int64_t wall_ahead_ns = 0;
+base::Time fake_wall() {
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    return {now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec + wall_ahead_ns};
+}
 constexpr LiveClocks kClocks{fake_monotonic, fake_wall};
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -30,6 +37,8 @@ public:
         if (refuse) return {-1, base::FixedString<191>("CAN interface 'can0': there is no such interface")};
         int ends[2] = {-1, -1};
         EXPECT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK, 0, ends), 0);
+        const int yes = 1;
+        if (stamps) EXPECT_EQ(setsockopt(ends[0], SOL_SOCKET, SO_TIMESTAMPNS, &yes, sizeof yes), 0);
         hang_up();
         far_ = ends[1];
         return {ends[0], {}};
@@ -44,6 +53,7 @@ public:
     }
     [[nodiscard]] int far_end() const { return far_; }
     bool refuse = false;
+    bool stamps = false;  ///< the kernel's, of the instant of sending
     int attempts = 0;
 
 private:
@@ -64,7 +74,10 @@ can_frame classic(std::uint32_t id, std::uint8_t length = 8) {
 }
 
 struct SocketCanSourceTest : testing::Test {
-    void SetUp() override { monotonic_ns = 100'000 * kMs; }
+    void SetUp() override {
+        monotonic_ns = 100'000 * kMs;
+        wall_ahead_ns = 0;
+    }
     std::size_t read() { return source.read(fake_monotonic(), frames); }
     PairPort port;
     SocketCanSource source{port, settings(), kClocks};
@@ -143,6 +156,30 @@ TEST_F(SocketCanSourceTest, FramesLaterThanAskedForWait) {
     EXPECT_EQ(source.read(before, frames), 0u);
     EXPECT_EQ(read(), 1u);
     EXPECT_EQ(source.statistics().frames, 1u);
+}
+
+TEST_F(SocketCanSourceTest, AFrameIsAsOldAsItsStamp) {
+    port.stamps = true;
+    (void)read();
+    port.deliver(classic(0x137));
+    wall_ahead_ns = 700 * kMs;
+    ASSERT_EQ(read(), 1u);
+    const double age_s = (fake_monotonic() - frames[0].time).to_seconds();
+    EXPECT_GE(age_s, 0.7);
+    EXPECT_LT(age_s, 1.7) << "and the time of the test itself";
+}
+
+TEST_F(SocketCanSourceTest, WhatWaitedThroughAHaltIsReadAtOnceAndIsOld) {
+    port.stamps = true;
+    (void)read();
+    for (int n = 0; n < 6; ++n) port.deliver(classic(0x137));
+    wall_ahead_ns = 10'000 * kMs;
+    ASSERT_EQ(source.read({monotonic_ns - 1}, frames), 6u) << "a full socket must not be emptied one frame a reading";
+    for (std::size_t n = 0; n < 6; ++n) EXPECT_NEAR((fake_monotonic() - frames[n].time).to_seconds(), 2, 1e-9) << n;
+    port.deliver(classic(0x137));
+    wall_ahead_ns = -10'000 * kMs;
+    ASSERT_EQ(read(), 1u);
+    EXPECT_EQ(frames[0].time, fake_monotonic()) << "a stamp from the future: the clock was set back";
 }
 
 TEST_F(SocketCanSourceTest, SendsTheIdentificationAnswer) {

@@ -42,6 +42,7 @@ TEST_F(LogFactsOf, WhatConvertAssumedOfTheHeightsStandsBesideTheLog) {
         return assumes_heights(log);
     };
     EXPECT_TRUE(beside(R"({"assume_geometric": true, "derived": {"height": "pressure altitude taken for a height"}})"));
+    EXPECT_TRUE(assumes_heights(log + ".gz")) << "packed since";
     EXPECT_FALSE(beside(R"({"assume_geometric": true, "derived": {"height": "GNSS height above the ellipsoid"}})"));
     EXPECT_FALSE(beside(R"({"assume_geometric": false, "derived": {"height": "pressure altitude"}})"));
     for (const char* const other : {"", "[1]", R"({"assume_geometric": "yes"})", R"({"assume_geometric": true, "derived": 3})"})

@@ -115,8 +115,9 @@ public:
         asked = TerminalRequest::none;
         return request;
     }
-    void answer_terminal(TerminalRequest request) override {
+    bool answer_terminal(TerminalRequest request) override {
         answers += request == TerminalRequest::release ? (is_master ? "!" : "r") : "a";
+        return !refuses_answers;
     }
     [[nodiscard]] base::Time now() override { return clock; }
 
@@ -129,6 +130,7 @@ public:
     int broken_rules = 0, added = 0, mode_sets = 0, looks_at_connector = 0, tries_to_become_master = 0;
     bool is_master = true, others_have_it = false, is_plugged = true, is_lit = false, has_vblank = true;
     bool refuses_framebuffers = false, refuses_modes = false, refuses_flips = false, flips_hang = false, loses_events = false;
+    bool refuses_answers = false;  ///< the console had not asked
 };
 
 }  // namespace tedavis::platform

@@ -84,6 +84,53 @@ TEST_F(ScanoutTest, AFlipThatNeverComesIsCountedAndTheDisplayGoesOn) {
     EXPECT_EQ(report.late_flips, 1u);
 }
 
+TEST_F(ScanoutTest, AScreenThatStandsStillIsSaidAndGivenUp) {
+    frames(10);
+    drm.flips_hang = true;
+    drm.refuses_modes = true;
+    const base::Time begun = drm.clock;
+    bool is_shown = true;
+    double stuck_s = 0, given_up_s = 0;
+    for (int n = 0; n < 2000 && is_shown; ++n) {
+        ASSERT_TRUE(buffers.swap());
+        is_shown = scanout.show();
+        drm.clock.ns += FakeDrm::kPeriod_ns;
+        const double passed_s = (drm.clock - begun).to_seconds();
+        if (report.is_stuck && stuck_s == 0) stuck_s = passed_s;
+        given_up_s = passed_s;
+    }
+    EXPECT_FALSE(is_shown);
+    EXPECT_NEAR(stuck_s, kStuckAfter.to_seconds(), 0.3);
+    EXPECT_NEAR(given_up_s, kGiveUpAfter.to_seconds(), 0.3);
+}
+
+TEST_F(ScanoutTest, AStandstillMayEndByAModeThatIsSetAnew) {
+    frames(10);
+    drm.flips_hang = true;
+    const int before = drm.mode_sets;
+    for (int n = 0; n < 400 && drm.mode_sets == before; ++n) {
+        ASSERT_TRUE(buffers.swap());
+        ASSERT_TRUE(scanout.show());
+        drm.clock.ns += FakeDrm::kPeriod_ns;
+    }
+    EXPECT_TRUE(report.is_stuck) << "until a flip is confirmed";
+    drm.flips_hang = false;
+    frames(30);
+    EXPECT_EQ(drm.mode_sets, before + 1);
+    EXPECT_FALSE(report.is_stuck);
+}
+
+TEST_F(ScanoutTest, AHiddenScreenDoesNotStandStill) {
+    frames(10);
+    drm.is_plugged = false;
+    for (int n = 0; n < 900; ++n) {
+        ASSERT_TRUE(buffers.swap());
+        ASSERT_TRUE(scanout.show()) << n;
+        drm.clock.ns += FakeDrm::kPeriod_ns;
+    }
+    EXPECT_FALSE(report.is_stuck);
+}
+
 TEST_F(ScanoutTest, AFlipWhoseEventIsLostIsGivenUpAfterASecond) {
     frames(10);
     drm.loses_events = true;
@@ -129,6 +176,17 @@ TEST_F(ScanoutTest, AnotherTerminalGetsTheScreenAndGivesItBack) {
     EXPECT_EQ(drm.answers, "ra");
     EXPECT_TRUE(report.is_master);
     EXPECT_EQ(drm.mode_sets, 2);
+    EXPECT_EQ(report.flips, 20u);
+}
+
+TEST_F(ScanoutTest, AReleaseThatTheConsoleDidNotAskForChangesNothing) {
+    frames(10);
+    drm.refuses_answers = true;
+    drm.asked = TerminalRequest::release;
+    frames(10);
+    EXPECT_EQ(drm.answers, "r");
+    EXPECT_EQ(report.hidden_frames, 0u);
+    EXPECT_EQ(report.taken_away, 0u);
     EXPECT_EQ(report.flips, 20u);
 }
 

@@ -19,11 +19,19 @@ TEST(TerminalSwitch, WithoutAVirtualTerminalSignalsStayTheProgramsOwn) {
         raise(SIGUSR1);
         EXPECT_EQ(own_handler_calls, 1);
         EXPECT_EQ(terminal.take_request(), TerminalRequest::none);
-        terminal.answer(TerminalRequest::release);
+        EXPECT_FALSE(terminal.answer(TerminalRequest::release));
         terminal.stop();
     }
     sigaction(SIGUSR1, &before, &after);
     EXPECT_EQ(after.sa_handler, own.sa_handler);
+}
+
+TEST(TerminalSwitch, ItsSignalsAreNoOthers) {
+    for (const int taken : {SIGINT, SIGTERM, SIGUSR1}) {
+        EXPECT_NE(TerminalSwitch::release_signal(), taken);
+        EXPECT_NE(TerminalSwitch::acquire_signal(), taken);
+    }
+    EXPECT_NE(TerminalSwitch::release_signal(), TerminalSwitch::acquire_signal());
 }
 
 }  // namespace
