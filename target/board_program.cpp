@@ -6,6 +6,9 @@
 #include "target/calibrate_board.hpp"
 #include "target/command_line.hpp"
 #include "target/display_application.hpp"
+#include "target/probe/machine_offer.hpp"
+#include "target/probe/probe_board.hpp"
+#include "target/process_age.hpp"
 #include "target/run_report.hpp"
 #include "target/self_test.hpp"
 #include "target/self_test/board_checks.hpp"
@@ -20,24 +23,47 @@ int refuse(const base::Error& error) {
     return kWrongInput;
 }
 
+/// Of a program that decodes wrongly no picture may be shown. False where a check does not hold.
+bool test_start(const BoardClocks& clocks, StartTest& test) {
+    const base::Time begun = clocks.live.monotonic();
+    SelfTestReport report;
+    run_start_test(embedded_inputs(), report);
+    test = {report.checks().size(), clocks.live.monotonic() - begun};
+    if (report.holds()) return true;
+    for (const SelfCheck& check : report.checks())
+        if (!check.holds) {
+            EventLog().write({"the self-test of the start fails (", check.name.view(), ": ", check.finding.view(),
+                              "); install the program again, and test this machine with --self-test"});
+            break;
+        }
+    return false;
+}
+
 int run_display(const CommandLine& line, std::FILE* out) {
     const auto settings = load_board_settings(line.config);
     if (!settings.ok()) return refuse(settings.error());
+    StartTest test;
+    if (!test_start(machine_clocks(), test)) return kFailed;
     bus::RawCanSocket can;
     BoardPorts ports;
     ports.can = &can;
     ports.gpio = bus::make_gpiod_lines();
     ports.clocks = machine_clocks();
+    ports.process_age = &process_age;
     const EventLog log;
     Snapshot snapshot(log);
     ports.snapshot = &snapshot;
+    ports.explain_panel = &explain_panel;
     const StopSignal stop;
     const auto application = std::make_unique<DisplayApplication>(settings.value(), std::move(ports));
-    if (const base::Error error = application->start()) return refuse(error);
+    if (const base::Error error = application->start()) {
+        const int code = refuse(error);
+        return application->screen().may_come ? kFailed : code;  // a service manager tries again after kFailed only
+    }
     const base::Surface& surface = application->surface();
     if (line.shot != nullptr)
         if (const base::Error error = snapshot.start(line.shot, surface.width(), surface.height())) return refuse(error);
-    print_start(*application, line.json, out);
+    print_start(*application, line.json, out, test);
     const RunReport report = application->run(line.frames, stop);
     print_end(report, line.json, out);
     return report.end == RunEnd::stopped ? kDone : kFailed;
@@ -54,6 +80,22 @@ int test_machine(const CommandLine& line, std::FILE* out) {
     }
     run_self_test(embedded_inputs(), report);
     print_self_test(report, line.json, out);
+    return report.holds() ? kDone : kFailed;
+}
+
+int probe(const CommandLine& line, std::FILE* out) {
+    SelfTestReport report;
+    const ProbePorts ports = machine_probe_ports();
+    if (line.config == nullptr) {
+        list_offer(ports, report);
+        print_offer(report, line.json, out);
+        return kDone;
+    }
+    const auto settings = load_board_settings(line.config);
+    if (!settings.ok()) return refuse(settings.error());
+    report.add("board_file", true, settings.value().title.view());
+    probe_board(settings.value(), ports, report);
+    print_checks(report, "probe", line.json, out);
     return report.holds() ? kDone : kFailed;
 }
 
@@ -77,6 +119,7 @@ int run_board_program(int count, const char* const* arguments, std::FILE* out) {
         case Request::help: std::fputs(command_line_help(), out); return kDone;
         case Request::version: print_version(line.value().json, out); return kDone;
         case Request::self_test: return test_machine(line.value(), out);
+        case Request::probe: return probe(line.value(), out);
         case Request::calibrate: return calibrate(line.value(), out);
         case Request::run: break;
     }

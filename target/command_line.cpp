@@ -68,6 +68,8 @@ private:
             line_.json = true;
         } else if (argument == "--self-test") {
             line_.request = Request::self_test;
+        } else if (argument == "--probe") {
+            line_.request = Request::probe;
         } else if (argument == "--calibrate") {
             line_.request = Request::calibrate;
         } else if (argument == "-o") {
@@ -124,6 +126,8 @@ const char* command_line_help() noexcept {
            "  tedavis-display --config BOARD.toml [--frames N] [--shot P.png] [--json]   run until SIGINT or SIGTERM\n"
            "  tedavis-display --self-test [--config BOARD.toml] [--json]  what must hold on this machine, and of a board's "
            "set-up\n"
+           "  tedavis-display --probe [--config BOARD.toml] [--json]      what this machine offers, or why a board does not work "
+           "here\n"
            "  tedavis-display --calibrate -o C.toml --config BOARD.toml [--rounds N] [--json]\n"
            "                               measures here what the board's display costs, for [costs] in the board file\n"
            "  tedavis-display --help | --version\n"
@@ -131,13 +135,16 @@ const char* command_line_help() noexcept {
            "  --config F   the board file; with --self-test, it is started on a trial, and every file that it names is read\n"
            "  --frames N   stop after N frames\n"
            "  --shot P     writes the picture of the next frame after SIGUSR1 to P (.png), and that of the last of N frames\n"
+           "  --probe      with --config: looks at screen, GL, bus, switches and files of the board, fast, and says in one\n"
+           "               sentence each what is wrong and what to do; without it: lists cards, screens, modes, GL, CAN\n"
+           "               interfaces and GPIO lines of this machine\n"
            "  --calibrate  measures over the middle of the board's terrain, with its device, surface, size and designs, and its\n"
            "               spatial data if there are any, without bus and panel; stop a display that runs here before\n"
            "  -o F         the costs to write (.toml), which tedavis reads too; after a fault or Ctrl-C nothing is written\n"
            "  --rounds N   frames with and without each effect, 3 to 1000 (15); a third as many of each quality level\n"
            "  --json       results as JSON lines on stdout\n"
            "\n"
-           "Exit codes: 0 done, 1 a check did not hold or a run lost its display, 2 wrong usage or input, "
+           "Exit codes: 0 done, 1 a check did not hold, or a run lost its display or lacks its screen, 2 wrong usage or input, "
            "130 a calibration was stopped.\n";
 }
 

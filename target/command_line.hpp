@@ -8,7 +8,7 @@
 
 namespace tedavis::target {
 
-enum class Request : std::uint8_t { run, self_test, calibrate, help, version };
+enum class Request : std::uint8_t { run, self_test, probe, calibrate, help, version };
 
 struct CommandLine {
     Request request = Request::run;

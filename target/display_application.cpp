@@ -10,7 +10,8 @@ namespace tedavis::target {
 DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts ports)
     : settings_(settings),
       ports_(std::move(ports)),
-      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log),
+      flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log, ports_.explain_panel),
+      phase_events_(ports_.log),
       screen_events_(ports_.log) {
     settings_.screen.report = &screen_;
 }
@@ -54,7 +55,18 @@ base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     if (is_pictured_) ports_.snapshot->take(display().gl());
     const base::SurfaceState state = host_.surface().present();
     report_screen();
+    if (!has_first_picture_ && state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master)
+        note_first_picture(input);
+    if (state == base::SurfaceState::ready) phase_events_.report(input.phase, ++drawn_, ports_.clocks.live.monotonic());
     return state;
+}
+
+/// A picture is correct once it shows where the aircraft is, over terrain that has all arrived.
+void DisplayApplication::note_first_picture(const flight::FrameInput& input) {
+    if (ports_.process_age == nullptr || input.state.own_ship.state != base::SignalState::valid) return;
+    if (display().record().terrain.pending > 0) return;
+    has_first_picture_ = true;
+    first_picture_ = ports_.process_age();
 }
 
 bool DisplayApplication::wants_picture(bool is_last) {
@@ -89,6 +101,8 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     report.missed = pacer.missed();
     report.gl_calls_outside_device = display().gl().denied().total;
     report.screen = screen_;
+    report.has_first_picture = has_first_picture_;
+    report.first_picture = first_picture_;
     report.bus = flight_.counters(clocks.live.monotonic());
     return report;
 }

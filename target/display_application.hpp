@@ -14,6 +14,7 @@
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
 #include "target/live_flight.hpp"
+#include "target/phase_events.hpp"
 #include "target/scene_watch.hpp"
 #include "target/screen_events.hpp"
 #include "target/snapshot.hpp"
@@ -27,8 +28,10 @@ struct BoardPorts {
     bus::CanSocketPort* can = nullptr;
     std::unique_ptr<bus::GpioLines> gpio;  ///< null: built without a GPIO library
     BoardClocks clocks;
+    base::Duration (*process_age)() = nullptr;  ///< see process_age.hpp; null: not known
     EventLog log;
-    Snapshot* snapshot = nullptr;  ///< null, or not started: no picture is written
+    Snapshot* snapshot = nullptr;            ///< null, or not started: no picture is written
+    PanelExplainer explain_panel = nullptr;  ///< see LiveFlight
 };
 
 enum class RunEnd : std::uint8_t { stopped, surface_lost };
@@ -38,6 +41,8 @@ struct RunReport {
     std::uint64_t frames = 0;
     std::uint64_t missed = 0;  ///< periods of the frame rate that passed without a frame
     std::uint64_t gl_calls_outside_device = 0;
+    bool has_first_picture = false;
+    base::Duration first_picture;  ///< from the start of the process until the first correct picture was shown
     bus::BusCounters bus;
     platform::ScreenReport screen;  ///< without a connector: the surface is no screen
 };
@@ -67,16 +72,21 @@ public:
 private:
     [[nodiscard]] bool wants_picture(bool is_last);
     void report_screen();
+    void note_first_picture(const flight::FrameInput& input);
     void start_scene();
     void take_new_scene();
 
     BoardSettings settings_;
     BoardPorts ports_;
     LiveFlight flight_;
+    PhaseEvents phase_events_;
+    std::uint64_t drawn_ = 0;
     Watchdog watchdog_;
     platform::ScreenReport screen_;
     ScreenEvents screen_events_;
     platform::DisplayHost host_;
+    bool has_first_picture_ = false;
+    base::Duration first_picture_;
     bool is_pictured_ = false;  ///< the frame that is drawn next
     SceneWatch scene_watch_;    ///< reads into the display's memory
 };

@@ -31,7 +31,7 @@ private:
     void begin(std::string_view key);
     void quote(std::string_view value);
 
-    base::FixedString<16383> text_;
+    base::FixedString<65535> text_;
     bool first_ = true;  // no comma precedes the next element
 };
 

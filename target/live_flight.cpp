@@ -24,9 +24,11 @@ std::string_view description(bus::SourceHealth health, bool opened_again) {
 }  // namespace
 
 LiveFlight::LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, std::unique_ptr<bus::GpioLines> gpio,
-                       bus::LiveClocks clocks, const EventLog& log)
+                       bus::LiveClocks clocks, const EventLog& log, PanelExplainer explain)
     : log_(log),
-      interface_name_(settings.can.interface_name),
+      port_(can),
+      can_settings_(settings.can),
+      explain_panel_(explain),
       node_(settings.bus.node),
       can_(can, settings.can, clocks),
       has_switches_(settings.has_switches),
@@ -42,7 +44,8 @@ void LiveFlight::start(base::Time now) {
     const auto opened = panel_.open(switch_config_, now, base::Duration{});
     if (opened.ok()) return;
     panel_lost_ = true;
-    log_.write({opened.error().message.view()});
+    const base::Error why = explain_panel_ != nullptr ? explain_panel_(switch_config_) : base::Error();
+    log_.write({(why ? why : opened.error()).message.view()});
 }
 
 void LiveFlight::receive(base::Span<const bus::CanFrame> frames) {
@@ -67,10 +70,18 @@ void LiveFlight::report_bus(base::Time now) {
     bus_reported_ = true;
     bus_reported_at_ = now;
     reported_health_ = health;
-    if (health == bus::SourceHealth::failed)
-        log_.write({can_.last_fault()});
-    else
-        log_.write({"CAN interface '", interface_name_.view(), "': ", description(health, can_.statistics().reopened > 0)});
+    write_bus_fault(health);
+}
+
+/// The system knows more of a silent interface than its socket says.
+void LiveFlight::write_bus_fault(bus::SourceHealth health) {
+    const bool is_failed = health == bus::SourceHealth::failed;
+    const bool is_silent = is_failed || health == bus::SourceHealth::link_down || health == bus::SourceHealth::bus_off;
+    if (const auto why = is_silent ? port_.explain(can_settings_) : bus::SocketFaultText(); !why.empty())
+        return log_.write({why.view()});
+    if (is_failed) return log_.write({can_.last_fault()});
+    log_.write(
+        {"CAN interface '", can_settings_.interface_name.view(), "': ", description(health, can_.statistics().reopened > 0)});
 }
 
 void LiveFlight::report_switches() {

@@ -17,12 +17,16 @@
 
 namespace tedavis::target {
 
+/// Says in one sentence why the lines of a panel cannot be read; empty where it sees no fault. Start-up only.
+using PanelExplainer = base::Error (*)(const bus::SwitchConfig& panel);
+
 class LiveFlight final : private bus::FrameListener {
 public:
     /// `can`, `clocks` and `log` must outlive the object. `gpio` may be null; a panel that the board file names then counts as
-    /// missing.
+    /// missing. `explain` says why a panel cannot be opened, better than the library that opens it; null, or an empty answer:
+    /// what that one says.
     LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, std::unique_ptr<bus::GpioLines> gpio,
-               bus::LiveClocks clocks, const EventLog& log);
+               bus::LiveClocks clocks, const EventLog& log, PanelExplainer explain = nullptr);
 
     /// Opens the panel; `now` is the first step of the grid.
     void start(base::Time now);
@@ -37,10 +41,13 @@ public:
 private:
     void receive(base::Span<const bus::CanFrame> frames) override;
     void report_bus(base::Time now);
+    void write_bus_fault(bus::SourceHealth health);
     void report_switches();
 
     const EventLog& log_;
-    base::FixedString<15> interface_name_;
+    bus::CanSocketPort& port_;
+    bus::SocketCanSettings can_settings_;
+    PanelExplainer explain_panel_;
     bus::NodeSettings node_;
     bus::SocketCanSource can_;
     bool has_switches_;

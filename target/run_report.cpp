@@ -1,6 +1,7 @@
 #include "target/run_report.hpp"
 
 #include <cinttypes>
+#include <cmath>
 
 #include "target/json_line.hpp"
 
@@ -42,7 +43,7 @@ base::FixedString<31> size_text(const base::Surface& surface) {
     return text;
 }
 
-void print_start_json(DisplayApplication& application, std::FILE* out) {
+void print_start_json(DisplayApplication& application, const StartTest& test, std::FILE* out) {
     const BoardSettings& settings = application.settings();
     JsonLine json;
     json.open_object().text("version", TEDAVIS_VERSION).text("board", settings.title.view());
@@ -57,7 +58,14 @@ void print_start_json(DisplayApplication& application, std::FILE* out) {
     json.text("can", settings.can.interface_name.view()).text("terrain", settings.terrain.view());
     json.text("terrain_fault", application.terrain_fault().message.view());
     json.text("scene", settings.scene.view());
-    json.text("switches", settings.has_switches ? settings.switches.title.view() : "").open_list("budget");
+    json.text("switches", settings.has_switches ? settings.switches.title.view() : "");
+    if (test.checks > 0)
+        json.open_object("self_test")
+            .boolean("holds", true)
+            .number("checks", std::uint64_t{test.checks})
+            .number("ms", test.took.to_seconds() * 1000)
+            .close_object();
+    json.open_list("budget");
     for (const base::BudgetLine& line : application.display().planner().budget().lines())
         json.open_object()
             .text("name", line.name.view())
@@ -79,9 +87,9 @@ void print_version(bool json, std::FILE* out) {
         std::fputs("tedavis-display " TEDAVIS_VERSION "\n", out);
 }
 
-void print_start(DisplayApplication& application, bool json, std::FILE* out) {
+void print_start(DisplayApplication& application, bool json, std::FILE* out, const StartTest& test) {
     if (json) {
-        print_start_json(application, out);
+        print_start_json(application, test, out);
     } else {
         const BoardSettings& settings = application.settings();
         std::fprintf(out, "tedavis-display %s: %s; device %s, %s, %g frames/s\n%s\nCAN %s; terrain %s; scene %s; switches %s\n",
@@ -93,6 +101,9 @@ void print_start(DisplayApplication& application, bool json, std::FILE* out) {
                                                                    : "FAILED",
                      settings.scene.empty() ? "none" : settings.scene.c_str(),
                      settings.has_switches ? settings.switches.title.c_str() : "none");
+        if (test.checks > 0)
+            std::fprintf(out, "self-test of the start: passed, %zu checks in %.1f ms\n", test.checks,
+                         test.took.to_seconds() * 1000);
         if (const platform::ScreenReport& screen = application.screen(); !screen.connector.empty())
             std::fprintf(out, "screen %s of %s, %s\n", screen.connector.c_str(), screen.driver.c_str(), screen.mode.c_str());
         for (const base::BudgetLine& line : application.display().planner().budget().lines())
@@ -106,7 +117,9 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
     if (json) {
         JsonLine line;
         line.open_object().text("end", to_string(report.end)).number("frames", report.frames).number("missed", report.missed);
-        line.number("gl_calls_outside_device", report.gl_calls_outside_device).open_object("can");
+        line.number("gl_calls_outside_device", report.gl_calls_outside_device);
+        line.number("first_picture_s", report.has_first_picture ? report.first_picture.to_seconds() : std::nan(""));
+        line.open_object("can");
         line.number("frames", report.bus.frames).number("decoded", report.bus.decoded).number("alien", report.bus.alien);
         line.number("errors", report.bus.errors).number("dropped", report.bus.dropped);
         line.close_object();
@@ -119,6 +132,8 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
                      " GL calls outside the device\n",
                      to_string(report.end), report.frames, report.missed, report.bus.frames, report.bus.decoded, report.bus.alien,
                      report.bus.errors, report.bus.dropped, report.gl_calls_outside_device);
+        if (report.has_first_picture)
+            std::fprintf(out, "first correct picture %.2f s after the start of the process\n", report.first_picture.to_seconds());
         if (!report.screen.connector.empty()) print_screen(report.screen, out);
     }
     std::fflush(out);

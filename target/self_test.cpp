@@ -127,9 +127,15 @@ private:
     platform::DisplayHost host_;
 };
 
-void print_json(const SelfTestReport& report, std::FILE* out) {
+/// The flight of the start test is over no terrain.
+class NoTerrain final : public flight::TerrainHeights {
+public:
+    base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate&, base::Time) override { return {}; }
+};
+
+void print_json(const SelfTestReport& report, const char* title, std::FILE* out) {
     JsonLine json;
-    json.open_object().boolean("self_test", report.holds()).text("version", TEDAVIS_VERSION).open_list("checks");
+    json.open_object().boolean(title, report.holds()).text("version", TEDAVIS_VERSION).open_list("checks");
     for (const SelfCheck& check : report.checks())
         json.open_object()
             .text("name", check.name.view())
@@ -153,11 +159,23 @@ SelfTestInputs embedded_inputs() noexcept {
 
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) { SelfTest(inputs, report).run(); }
 
+void run_start_test(const SelfTestInputs& inputs, SelfTestReport& report) {
+    const auto settings = bus::load_bus_settings(inputs.bus, "canaerospace.toml");
+    if (!settings.ok()) return report.add("canaerospace.toml", false, settings.error().message.view());
+    NoTerrain terrain;
+    check_known_flight(play_known_flight(inputs.log, settings.value(), terrain), report, false);
+}
+
 void print_self_test(const SelfTestReport& report, bool json, std::FILE* out) {
-    if (json) return print_json(report, out);
+    if (json) return print_json(report, "self_test", out);
+    print_checks(report, "self-test", false, out);
+}
+
+void print_checks(const SelfTestReport& report, const char* title, bool json, std::FILE* out) {
+    if (json) return print_json(report, title, out);
     for (const SelfCheck& check : report.checks())
         std::fprintf(out, "%-7s %-24s %s\n", check.holds ? "ok" : "FAILED", check.name.c_str(), check.finding.c_str());
-    std::fprintf(out, "self-test: %s\n", report.holds() ? "passed" : "FAILED");
+    std::fprintf(out, "%s: %s\n", title, report.holds() ? "passed" : "FAILED");
 }
 
 }  // namespace tedavis::target

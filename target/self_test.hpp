@@ -35,8 +35,15 @@ struct SelfTestInputs {
 /// Adds its checks to `report`; stops at a failure that makes the remaining checks impossible.
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report);
 
+/// The part of the self-test that is run at every start: decodes the known bus log and compares the state with the known values.
+/// Draws nothing and needs no surface.
+void run_start_test(const SelfTestInputs& inputs, SelfTestReport& report);
+
 /// Prints one line per check and a summary line, or one line of JSON {"self_test", "version", "checks": [{"name", "holds",
 /// "finding"}]}.
 void print_self_test(const SelfTestReport& report, bool json, std::FILE* out);
+
+/// The same for other checks: `title` "probe" is the first key of the JSON line as well.
+void print_checks(const SelfTestReport& report, const char* title, bool json, std::FILE* out);
 
 }  // namespace tedavis::target

@@ -28,9 +28,11 @@ struct SocketCanSettings {
 /// 29-bit ones whose low 16 bits equal it. Returns false when they do not fit.
 [[nodiscard]] bool add_identifier_filters(SocketCanSettings& settings, std::uint16_t identifier);
 
+using SocketFaultText = base::FixedString<511>;
+
 struct OpenedSocket {
-    int descriptor = -1;            ///< non-blocking; -1 when it could not be opened
-    base::FixedString<191> reason;  ///< where it could not be opened: what is wrong and what to do
+    int descriptor = -1;     ///< non-blocking; -1 when it could not be opened
+    SocketFaultText reason;  ///< where it could not be opened: what is wrong and what to do
 };
 
 class CanSocketPort {
@@ -38,6 +40,9 @@ public:
     virtual ~CanSocketPort() = default;
     /// Opens the socket; never blocks. The caller owns and closes the descriptor.
     [[nodiscard]] virtual OpenedSocket open(const SocketCanSettings& settings) = 0;
+    /// One sentence why nothing comes from the interface, and what to do; empty where the system shows no fault. Asks
+    /// the system, so it belongs to a message, not to every attempt. Never allocates.
+    [[nodiscard]] virtual SocketFaultText explain(const SocketCanSettings& /*settings*/) { return {}; }
 };
 
 }  // namespace tedavis::bus

@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "bus/socketcan/interface_check.hpp"
+
 namespace tedavis::bus {
 namespace {
 
@@ -74,7 +76,8 @@ OpenedSocket RawCanSocket::open(const SocketCanSettings& settings) {
     const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW);
     if (descriptor < 0) {
         const bool absent = errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT;
-        return failure(settings, absent ? "this kernel has no CAN; load the modules can and can_raw" : "no socket can be opened");
+        return failure(settings, absent ? "this kernel has no CAN; load the modules can and can_raw (modprobe can_raw)"
+                                        : "no socket can be opened");
     }
     const unsigned index = if_nametoindex(settings.interface_name.c_str());
     const char* fault =
@@ -83,6 +86,12 @@ OpenedSocket RawCanSocket::open(const SocketCanSettings& settings) {
     if (fault == nullptr) return {descriptor, {}};
     close(descriptor);
     return failure(settings, fault);
+}
+
+SocketFaultText RawCanSocket::explain(const SocketCanSettings& settings) {
+    InterfaceList list;
+    list_interfaces(list);
+    return interface_fault(list, settings.interface_name.view()).message.view();
 }
 
 }  // namespace tedavis::bus

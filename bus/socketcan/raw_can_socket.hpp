@@ -10,6 +10,7 @@ namespace tedavis::bus {
 class RawCanSocket final : public CanSocketPort {
 public:
     [[nodiscard]] OpenedSocket open(const SocketCanSettings& settings) override;
+    [[nodiscard]] SocketFaultText explain(const SocketCanSettings& settings) override;
 };
 
 }  // namespace tedavis::bus

@@ -152,7 +152,7 @@ void SocketCanSource::record_failure(int error) {
     }
     close_socket();
     health_ = SourceHealth::failed;
-    fault_ = base::FixedString<191>("CAN interface '");
+    fault_ = SocketFaultText("CAN interface '");
     fault_.append(settings_.interface_name.view());
     fault_.append("' went away; it is opened again when it is back");
 }

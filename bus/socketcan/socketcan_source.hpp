@@ -62,7 +62,7 @@ private:
     int descriptor_ = -1;
     SourceHealth health_ = SourceHealth::idle;
     SourceStatistics statistics_;
-    base::FixedString<191> fault_;
+    SocketFaultText fault_;
     base::Time last_attempt_;
     bool attempted_ = false;
     bool opened_before_ = false;

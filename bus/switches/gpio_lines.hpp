@@ -18,8 +18,6 @@ namespace tedavis::bus {
 
 /// What to say of a line that its chip does not have.
 [[nodiscard]] std::string_view what_is_missing(const SwitchLine& line);
-/// What to say where no chip is called as the file says: one that may not be opened has no name for us.
-[[nodiscard]] std::string_view what_hides_the_chip();
 
 class GpioLines {
 public:

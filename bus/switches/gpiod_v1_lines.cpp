@@ -75,7 +75,7 @@ private:
         gpiod_chip* chip = gpiod_chip_open_by_label(line.chip.c_str());
         if (chip == nullptr) chip = gpiod_chip_open_lookup(line.chip.c_str());
         if (chip == nullptr) {
-            error = switch_line_error(line, what_hides_the_chip());
+            error = switch_line_error(line, "no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
             return false;
         }
         gpiod_line* handle = line.offset >= 0 ? gpiod_chip_get_line(chip, static_cast<unsigned int>(line.offset))

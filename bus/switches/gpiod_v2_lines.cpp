@@ -144,7 +144,7 @@ private:
     bool take(const SwitchLine& line, base::Error& error) {
         gpiod_chip* chip = open_chip(line.chip.c_str());
         if (chip == nullptr) {
-            error = switch_line_error(line, what_hides_the_chip());
+            error = switch_line_error(line, "no GPIO chip has this label or name; see gpiodetect and correct 'chip'");
             return false;
         }
         const int offset = line.offset >= 0 ? line.offset : gpiod_chip_get_line_offset_from_name(chip, line.name.c_str());

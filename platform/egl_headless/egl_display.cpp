@@ -40,6 +40,33 @@ EGLDisplay device_display(const char* extensions) {
     return EGL_NO_DISPLAY;
 }
 
+constexpr EGLint kDepthBits = 24;
+
+EGLConfig headless_config_with_depth(EGLDisplay display, int es_version, EGLint depth_bits) {
+    const EGLint renderable = es_version >= 3 ? EGL_OPENGL_ES3_BIT_KHR : EGL_OPENGL_ES2_BIT;
+    const EGLint attributes[] = {EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_RENDERABLE_TYPE,
+                                 renderable,
+                                 EGL_RED_SIZE,
+                                 8,
+                                 EGL_GREEN_SIZE,
+                                 8,
+                                 EGL_BLUE_SIZE,
+                                 8,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_DEPTH_SIZE,
+                                 depth_bits,
+                                 EGL_SAMPLE_BUFFERS,
+                                 0,
+                                 EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display, attributes, &config, 1, &count) != EGL_TRUE || count < 1) return nullptr;
+    return config;
+}
+
 }  // namespace
 
 bool has_egl_extension(const char* list, const char* name) noexcept {
@@ -62,28 +89,17 @@ EGLDisplay find_headless_display() {
 }
 
 EGLConfig find_headless_config(EGLDisplay display, int es_version) {
-    const EGLint renderable = es_version >= 3 ? EGL_OPENGL_ES3_BIT_KHR : EGL_OPENGL_ES2_BIT;
-    const EGLint attributes[] = {EGL_SURFACE_TYPE,
-                                 EGL_PBUFFER_BIT,
-                                 EGL_RENDERABLE_TYPE,
-                                 renderable,
-                                 EGL_RED_SIZE,
-                                 8,
-                                 EGL_GREEN_SIZE,
-                                 8,
-                                 EGL_BLUE_SIZE,
-                                 8,
-                                 EGL_ALPHA_SIZE,
-                                 8,
-                                 EGL_DEPTH_SIZE,
-                                 24,
-                                 EGL_SAMPLE_BUFFERS,
-                                 0,
-                                 EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    if (eglChooseConfig(display, attributes, &config, 1, &count) != EGL_TRUE || count < 1) return nullptr;
-    return config;
+    return headless_config_with_depth(display, es_version, kDepthBits);
+}
+
+const char* missing_headless_config(EGLDisplay display, ContextLane lane) {
+    const int version = lane == ContextLane::es3 ? 3 : 2;
+    if (headless_config_with_depth(display, version, 0) != nullptr)
+        return "EGL has no RGBA8 configuration with 24-bit depth for this lane; use another GL ES driver, or a device of the "
+               "other "
+               "lane";
+    return version == 3 ? "EGL has no GL ES 3 on this machine; use a device of the lane es2, or install another GL ES driver"
+                        : "EGL has no GL ES 2 on this machine; use a device of the lane es3, or install another GL ES driver";
 }
 
 EGLContext create_es_context(EGLDisplay display, EGLConfig config, ContextLane lane) {

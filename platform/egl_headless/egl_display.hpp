@@ -17,6 +17,9 @@ namespace tedavis::platform {
 /// Returns a configuration with RGBA8, 24-bit depth and pixel buffers for the ES version (2 or 3), or null.
 [[nodiscard]] EGLConfig find_headless_config(EGLDisplay display, int es_version);
 
+/// Returns the sentence about a display that has no such configuration for the lane.
+[[nodiscard]] const char* missing_headless_config(EGLDisplay display, ContextLane lane);
+
 /// Returns a context of the lane, or EGL_NO_CONTEXT. Where the driver has EGL_EXT_create_context_robustness, it is lost on a GPU
 /// reset instead of drawing undefined content.
 [[nodiscard]] EGLContext create_es_context(EGLDisplay display, EGLConfig config, ContextLane lane);

@@ -31,8 +31,7 @@ public:
             return "EGL finds no display that works without a window system; install a GL ES driver (libegl-mesa0) or use --gl "
                    "osmesa";
         config_ = find_headless_config(display_, settings_.lane == ContextLane::es3 ? 3 : 2);
-        if (config_ == nullptr)
-            return "EGL has no RGBA8 configuration with 24-bit depth for this lane; use a device of the other lane";
+        if (config_ == nullptr) return missing_headless_config(display_, settings_.lane);
         const EGLint size[] = {EGL_WIDTH, static_cast<EGLint>(settings_.width_px), EGL_HEIGHT,
                                static_cast<EGLint>(settings_.height_px), EGL_NONE};
         surface_ = eglCreatePbufferSurface(display_, config_, size);

@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "platform/clock/monotonic_clock.hpp"
+#include "platform/egl_kms/card_holder.hpp"
 #include "render_core/base/driver_scope.hpp"
 
 namespace tedavis::platform {
@@ -43,18 +44,13 @@ DrmCard::~DrmCard() {
 
 base::Error DrmCard::open(const ScreenCard& card, const ScreenChoice& choice) {
     const base::DriverScope driver;
-    name_ = card.path.view();
-    name_.append(" (");
-    name_.append(card.driver.view());
-    name_.append(")");
+    name_ = card_text(card);
     card_ = ::open(card.path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card_ < 0) return base::make_error(name_.view(), ": cannot be opened any more (", std::strerror(errno), "); start again");
     connector_ = card.connectors[choice.connector].id;
     crtc_ = choice.crtc_id;
-    if (!become_master())
-        return base::make_error(name_.view(),
-                                ": another program has the screen (a desktop, or another tedavis-display); end it first, for "
-                                "example with `systemctl stop display-manager`");
+    is_held_ = !become_master();
+    if (is_held_) return held_card_error(name_.view(), find_card_holders(card.path.c_str()).view());
     if (!find_mode(choice)) return base::make_error(name_.view(), ": the screen has changed during the start; start again");
     before_ = drmModeGetCrtc(card_, crtc_);
     is_atomic_ = atomic_.open(card_, connector_, crtc_, choice.crtc_index, mode_);

@@ -32,6 +32,8 @@ public:
     /// Shows what was shown before open().
     void restore();
 
+    /// Whether open() failed since another program has the screen.
+    [[nodiscard]] bool is_held() const { return is_held_; }
     [[nodiscard]] int descriptor() const { return card_; }
     /// How a buffer of XRGB8888 may lie in memory; empty: the driver decides.
     [[nodiscard]] const FormatModifiers& modifiers() const { return modifiers_; }
@@ -58,6 +60,7 @@ private:
     [[nodiscard]] bool read_events(FlipEvent& event);
 
     base::FixedString<300> name_;
+    bool is_held_ = false;
     int card_ = -1;
     std::uint32_t connector_ = 0, crtc_ = 0;
     drmModeModeInfo mode_{};

@@ -4,6 +4,8 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <grp.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <xf86drm.h>
 #include <xf86drmMode.h>
@@ -15,6 +17,7 @@
 #include <cstring>
 
 #include "render_core/base/driver_scope.hpp"
+#include "render_core/base/error.hpp"
 
 namespace tedavis::platform {
 namespace {
@@ -87,11 +90,19 @@ void read_screens(int card, ScreenCard& into) {
     if (resources != nullptr) drmModeFreeResources(resources);
 }
 
+base::FixedString<31> group_of(const char* path) {
+    struct stat file {};
+    if (::stat(path, &file) != 0) return {};
+    const group* const owner = ::getgrgid(file.st_gid);
+    return owner != nullptr ? base::FixedString<31>(owner->gr_name) : base::FixedString<31>(base::digits(file.st_gid).view());
+}
+
 void read_card(const char* path, ScreenCard& into) {
     into.path = path;
     const int card = ::open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card < 0) {
         into.access = access_by_errno(errno);
+        if (into.access == CardAccess::no_permission) into.group = group_of(path);
         return;
     }
     if (drmVersion* const version = drmGetVersion(card)) {
@@ -141,6 +152,18 @@ void list_screens(std::string_view path, ScreenInventory& inventory, const char*
         static_cast<void>(inventory.cards.try_push_back(card));
     }
 }
+
+bool can_list_screens() { return true; }
+
+}  // namespace tedavis::platform
+
+#else
+
+namespace tedavis::platform {
+
+bool can_list_screens() { return false; }
+
+void list_screens(std::string_view, ScreenInventory& inventory, const char*) { inventory.cards.clear(); }
 
 }  // namespace tedavis::platform
 

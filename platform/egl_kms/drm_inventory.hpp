@@ -9,6 +9,9 @@
 
 namespace tedavis::platform {
 
+/// False where libdrm was missing at the build: every list is empty then.
+[[nodiscard]] bool can_list_screens();
+
 /// With a `path` the list holds this card alone, else every card of `folder`, in the order of their numbers. Each screen is asked
 /// for its modes anew, which may take a tenth of a second a screen.
 void list_screens(std::string_view path, ScreenInventory& inventory, const char* folder = "/dev/dri");

@@ -131,15 +131,18 @@ private:
         if (inventory == nullptr) return base::make_error("no memory for a list of screens; free some");
         list_screens(screen_.path.view(), *inventory);
         const auto choice = choose_screen(*inventory, screen_, settings_.width_px, settings_.height_px);
-        if (!choice.ok()) return choice.error();
+        report_ = {};
+        if (!choice.ok()) report_.may_come = choice.error().may_come;
+        if (!choice.ok()) return choice.error().error;
         const ScreenCard& card = inventory->cards[choice.value().card];
         const ScreenMode& mode = choice.value().mode;
-        report_ = {};
         report_.driver = card.driver;
         report_.connector = card.connectors[choice.value().connector].name;
         report_.mode = mode_text(mode.width_px, mode.height_px, mode.refresh_mhz);
         scanout_.emplace(card_, buffers_, report_, mode.refresh_mhz);
-        return card_.open(card, choice.value());
+        base::Error error = card_.open(card, choice.value());
+        report_.may_come = card_.is_held();
+        return error;
     }
 
     /// Null when all is there, else what is missing.

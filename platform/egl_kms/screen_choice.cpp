@@ -26,50 +26,12 @@ ListText drivers_text(const ScreenInventory& inventory) {
     return list;
 }
 
-ListText connectors_text(const ScreenCard& card) {
-    ListText list;
-    for (const ScreenConnector& connector : card.connectors) {
-        base::FixedString<63> text(connector.name.view());
-        text.append(connector.is_connected ? " (connected)" : " (not connected)");
-        append_to_list(list, text.view());
-    }
-    if (list.empty()) list.append("none");
-    return list;
-}
-
 ModeText text_of(const ScreenMode& mode) { return mode_text(mode.width_px, mode.height_px, mode.refresh_mhz); }
 
-ListText modes_text(const ScreenConnector& connector) {
-    ListText list;
-    for (const ScreenMode& mode : connector.modes)
-        if (!mode.is_interlaced) append_to_list(list, text_of(mode).view());
-    if (list.empty()) list.append("none");
-    return list;
-}
-
-base::FixedString<300> name_of(const ScreenCard& card) {
-    base::FixedString<300> name(card.path.view());
-    if (!card.driver.empty()) {
-        name.append(" (");
-        name.append(card.driver.view());
-        name.append(")");
-    }
-    return name;
-}
-
-base::Error access_error(const ScreenCard& card) {
-    switch (card.access) {
-        case CardAccess::missing:
-            return base::make_error(card.path.view(),
-                                    ": there is no such card; correct path of [screen] (ls /dev/dri/by-path), or load the "
-                                    "card's driver");
-        case CardAccess::no_permission:
-            return base::make_error(card.path.view(),
-                                    ": may not be opened; add the user to the group video (usermod -aG video USER)");
-        case CardAccess::no_screens:
-            return base::make_error(name_of(card).view(), ": drives no screens (no KMS); name another card in [screen]");
-        default: return base::make_error(name_of(card).view(), ": cannot be opened; the kernel's log says why (dmesg)");
-    }
+base::Error permission_error(const ScreenCard& card) {
+    const std::string_view group = card.group.empty() ? std::string_view("video") : card.group.view();
+    return base::make_error(card.path.view(), ": may not be opened; it belongs to the group ", group,
+                            ": add the user (usermod -aG ", group, " USER) and start again");
 }
 
 bool drives_screen(const ScreenCard& card) {
@@ -92,22 +54,25 @@ int rank_of(const ScreenCard& card, const ScreenSettings& settings) {
     return drives_screen(card) ? 2 : 1;
 }
 
-base::Error no_card_error(const ScreenInventory& inventory, const ScreenSettings& settings) {
+/// A card that may not be opened is not mended by waiting; one whose driver is not loaded yet may come.
+ScreenFault no_card_fault(const ScreenInventory& inventory, const ScreenSettings& settings) {
     if (inventory.cards.empty())
-        return base::make_error(
-            "this machine has no graphics card that the kernel drives (nothing in /dev/dri); load the card's driver, or draw "
-            "off-screen with backend = \"egl\"");
+        return {
+            base::make_error("this machine has no graphics card that the kernel drives (nothing in /dev/dri); load the card's "
+                             "driver, or draw off-screen with backend = \"egl\""),
+            true};
     const bool is_by_driver = settings.path.empty() && !settings.driver.empty();
     for (const ScreenCard& card : inventory.cards)
         if (card.access == CardAccess::no_permission || (is_by_driver && card.driver == settings.driver))
-            return access_error(card);
+            return {card_error(card), false};
     if (is_by_driver)
-        return base::make_error("no card has the driver '", settings.driver.view(),
-                                "'; drivers here: ", drivers_text(inventory).view(), "; correct driver of [screen]");
-    return access_error(inventory.cards[0]);
+        return {base::make_error("no card has the driver '", settings.driver.view(),
+                                 "'; drivers here: ", drivers_text(inventory).view(), "; correct driver of [screen], or load it"),
+                true};
+    return {card_error(inventory.cards[0]), inventory.cards[0].access == CardAccess::missing};
 }
 
-base::Result<std::size_t, base::Error> choose_card(const ScreenInventory& inventory, const ScreenSettings& settings) {
+base::Result<std::size_t, ScreenFault> choose_card(const ScreenInventory& inventory, const ScreenSettings& settings) {
     std::size_t best = 0;
     int best_rank = 0;
     for (std::size_t n = 0; n < inventory.cards.size(); ++n) {
@@ -115,25 +80,25 @@ base::Result<std::size_t, base::Error> choose_card(const ScreenInventory& invent
         if (rank > best_rank) best = n;
         best_rank = std::max(rank, best_rank);
     }
-    if (best_rank == 0) return base::fail(no_card_error(inventory, settings));
+    if (best_rank == 0) return base::fail(no_card_fault(inventory, settings));
     return best;
 }
 
-base::Result<std::size_t, base::Error> choose_connector(const ScreenCard& card, const ScreenSettings& settings) {
+base::Result<std::size_t, ScreenFault> choose_connector(const ScreenCard& card, const ScreenSettings& settings) {
+    const auto fault = [&card](bool may_come, std::initializer_list<std::string_view> what, std::string_view remedy) {
+        base::Error error = base::make_error(card_text(card).view(), ": ");
+        error.message.append(base::make_error(what).message.view());
+        error.message.append(base::make_error("; connectors here: ", connectors_text(card).view(), "; ", remedy).message.view());
+        return base::fail(ScreenFault{error, may_come});
+    };
     for (std::size_t n = 0; n < card.connectors.size(); ++n) {
         const ScreenConnector& connector = card.connectors[n];
         if (settings.connector.empty() ? !connector.is_connected : connector.name != settings.connector) continue;
         if (connector.is_connected) return n;
-        return base::fail(base::make_error(name_of(card).view(), ": no screen is connected to ", connector.name.view(),
-                                           "; connect and switch it on; connectors here: ", connectors_text(card).view()));
+        return fault(true, {"no screen is connected to ", connector.name.view()}, "connect it and switch it on");
     }
-    if (settings.connector.empty())
-        return base::fail(base::make_error(name_of(card).view(),
-                                           ": no screen is connected; connect and switch on one; connectors "
-                                           "here: ",
-                                           connectors_text(card).view()));
-    return base::fail(base::make_error(name_of(card).view(), ": has no connector '", settings.connector.view(),
-                                       "'; connectors here: ", connectors_text(card).view(), "; correct connector of [screen]"));
+    if (settings.connector.empty()) return fault(true, {"no screen is connected"}, "connect one and switch it on");
+    return fault(false, {"has no connector '", settings.connector.view(), "'"}, "correct connector of [screen]");
 }
 
 std::uint32_t distance(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : b - a; }
@@ -205,7 +170,49 @@ bool choose_crtc(const ScreenCard& card, const ScreenConnector& connector, Scree
 
 }  // namespace
 
-base::Result<ScreenChoice, base::Error> choose_screen(const ScreenInventory& inventory, const ScreenSettings& settings,
+base::FixedString<300> card_text(const ScreenCard& card) {
+    base::FixedString<300> name(card.path.view());
+    if (!card.driver.empty()) {
+        name.append(" (");
+        name.append(card.driver.view());
+        name.append(")");
+    }
+    return name;
+}
+
+base::FixedString<511> connectors_text(const ScreenCard& card) {
+    ListText list;
+    for (const ScreenConnector& connector : card.connectors) {
+        base::FixedString<63> text(connector.name.view());
+        text.append(connector.is_connected ? " (connected)" : " (not connected)");
+        append_to_list(list, text.view());
+    }
+    if (list.empty()) list.append("none");
+    return list;
+}
+
+base::FixedString<511> modes_text(const ScreenConnector& connector) {
+    ListText list;
+    for (const ScreenMode& mode : connector.modes)
+        if (!mode.is_interlaced) append_to_list(list, text_of(mode).view());
+    if (list.empty()) list.append("none");
+    return list;
+}
+
+base::Error card_error(const ScreenCard& card) {
+    switch (card.access) {
+        case CardAccess::missing:
+            return base::make_error(card.path.view(),
+                                    ": there is no such card; correct path of [screen] (ls /dev/dri/by-path), or load the "
+                                    "card's driver");
+        case CardAccess::no_permission: return permission_error(card);
+        case CardAccess::no_screens:
+            return base::make_error(card_text(card).view(), ": drives no screens (no KMS); name another card in [screen]");
+        default: return base::make_error(card_text(card).view(), ": cannot be opened; the kernel's log says why (dmesg)");
+    }
+}
+
+base::Result<ScreenChoice, ScreenFault> choose_screen(const ScreenInventory& inventory, const ScreenSettings& settings,
                                                       std::uint32_t width_px, std::uint32_t height_px) {
     ScreenChoice choice;
     const auto card = choose_card(inventory, settings);
@@ -217,11 +224,12 @@ base::Result<ScreenChoice, base::Error> choose_screen(const ScreenInventory& inv
     choice.connector = connector.value();
     const ScreenConnector& wire = chosen.connectors[choice.connector];
     const auto mode = choose_mode(wire, settings.mode, width_px, height_px);
-    if (!mode.ok()) return base::fail(mode.error());
+    if (!mode.ok()) return base::fail(ScreenFault{mode.error(), false});
     choice.mode = mode.value();
     if (choose_crtc(chosen, wire, choice)) return choice;
-    return base::fail(base::make_error(name_of(chosen).view(), ": has no CRTC for the connector ", wire.name.view(),
-                                       "; name another connector in [screen]"));
+    return base::fail(ScreenFault{base::make_error(card_text(chosen).view(), ": has no CRTC for the connector ", wire.name.view(),
+                                                   "; name another connector in [screen]"),
+                                  false});
 }
 
 }  // namespace tedavis::platform

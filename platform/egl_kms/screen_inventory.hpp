@@ -37,6 +37,7 @@ enum class CardAccess : std::uint8_t {
 struct ScreenCard {
     base::FixedString<255> path;
     base::FixedString<31> driver;  ///< empty where the card could not be opened
+    base::FixedString<31> group;   ///< that the file belongs to, where this user may not open it; empty: not known
     CardAccess access = CardAccess::failed;
     base::FixedVector<std::uint32_t, 16> crtcs;
     base::FixedVector<ScreenConnector, 12> connectors;

@@ -31,6 +31,7 @@ struct ScreenReport {
     bool is_plugged = true;
     bool is_master = true;
     bool is_stuck = false;  ///< the screen has confirmed no frame for kStuckAfter: it shows an old picture
+    bool may_come = false;  ///< the surface could not be made since the screen is missing or taken: trying again may succeed
 };
 static_assert(std::is_trivially_copyable_v<ScreenReport>);
 

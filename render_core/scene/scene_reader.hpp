@@ -14,9 +14,10 @@ public:
 
     /// Reads the header and all layers. Returns the error `none` if both are complete.
     [[nodiscard]] SdbFailure read(SceneHeader& header, base::Span<const Layer>& layers);
+    /// Reads the header alone, and verifies it and the size of the file.
+    [[nodiscard]] SdbFailure read_header(SceneHeader& header);
 
 private:
-    [[nodiscard]] SdbFailure read_header(SceneHeader& header);
     [[nodiscard]] SdbFailure read_tables(const SceneHeader& header);
     [[nodiscard]] SdbFailure read_layer(const LayerEntry& entry, Layer& layer);
     [[nodiscard]] SdbFailure read_attributes(const LayerEntry& entry, Layer& layer);

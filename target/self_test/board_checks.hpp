@@ -7,6 +7,8 @@
 ///     board_surface   as the board file requests it          board_display   the device's budgets with design and terrain
 ///     board_costs     are this board's                       board_programs  the folder is there
 ///
+/// With BoardReading::headers the databases are opened as the start opens them, and no more of them is read: that is fast.
+///
 /// Files that the board file does not name have no check, nor has what needs a surface or a display where that failed.
 ///
 /// Thread  one; makes and releases a surface. Memory  the device's reservation and one page of terrain.
@@ -17,6 +19,13 @@
 
 namespace tedavis::target {
 
-void check_board(const BoardSettings& settings, SelfTestReport& report);
+enum class BoardReading : std::uint8_t { every_byte, headers };
+
+struct BoardCheckSettings {
+    BoardReading reading = BoardReading::every_byte;
+    bool is_off_screen = false;  ///< draws off-screen where the board's surface is a screen
+};
+
+void check_board(const BoardSettings& settings, SelfTestReport& report, const BoardCheckSettings& how = {});
 
 }  // namespace tedavis::target

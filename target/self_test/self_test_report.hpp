@@ -31,7 +31,7 @@ public:
     [[nodiscard]] const SelfCheck* find(std::string_view name) const;
 
 private:
-    base::FixedVector<SelfCheck, 64> checks_;
+    base::FixedVector<SelfCheck, 128> checks_;
 };
 
 }  // namespace tedavis::target

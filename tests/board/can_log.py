@@ -1,17 +1,21 @@
-"""Candump logs for the guest: one that shows a standing aircraft in each flight phase, and a player that sends it at its own pace."""
+"""Candump logs for the guest: one shows a standing aircraft in each flight phase; a player sends it at its own pace."""
 import collections
+import itertools
 import re
 import threading
 import time
 
 SECOND_US = 1_000_000
 PHASE_IDENTIFIER = 1830
+# Between two messages of an identifier; a position stands still after 0.25 s. The whole log keeps an emulated processor busy.
+PERIOD_US = 100_000
 # Rates and speeds: without them the picture of an aircraft stands.
 MOVING_IDENTIFIERS = {303, 304, 305, 314, 327, 1039}
 # Codes of message 1830; the panel of configs/switches/one_hot.toml has no line for some of them.
 PHASE_CODES = {
-    "ground": 10, "takeoff.start": 21, "takeoff.first_climb": 22, "takeoff.second_climb": 23, "cruise": 30, "approach.descent": 41,
-    "approach.initial": 42, "approach.final": 43, "approach.landing": 44, "go_around.abort": 51, "go_around.replanning": 52,
+    "ground": 10, "takeoff.start": 21, "takeoff.first_climb": 22, "takeoff.second_climb": 23, "cruise": 30, 
+    "approach.descent": 41, "approach.initial": 42, "approach.final": 43, "approach.landing": 44,
+    "go_around.abort": 51, "go_around.replanning": 52,
 }
 
 Frame = collections.namedtuple("Frame", "time_us identifier data")
@@ -36,12 +40,14 @@ def write_log(frames, path):
 
 
 def standing_second(frames):
-    """The last second of a log, with every message at its last value, and at rest."""
+    """The last second of a log, each message ten times at most, with its last value, and at rest."""
     newest = {(frame.identifier, frame.data[1]): frame.data for frame in frames}  # the halves of a number have types of their own
-    second = []
+    second, due_us = [], {}
     for frame in frames:
-        if frame.time_us <= frames[-1].time_us - SECOND_US:
+        kind = frame.identifier, frame.data[1]
+        if frame.time_us <= frames[-1].time_us - SECOND_US or frame.time_us < due_us.get(kind, 0):
             continue
+        due_us[kind] = frame.time_us + PERIOD_US * 9 // 10  # the senders' own periods are no fractions of this one
         value = newest[frame.identifier, frame.data[1]][4:]
         if frame.identifier in MOVING_IDENTIFIERS:
             value = bytes(len(value))
@@ -81,9 +87,12 @@ class MessageCodes:
 class LogPlayer(threading.Thread):
     """Sends a log at its own pace up to a time; from there on its last second again and again, so that no value becomes stale.
 
+    What is due within a tenth of a second is sent together: every write wakes the emulator, which costs more than the frames do.
+
+    send      takes a list of frames
     sent      frames that were sent
     late      times that this machine fell behind by more than a quarter of a second; the pace then goes on from there
-    began     for each code of a phase, when its first message was sent (time.monotonic)
+    began     for each code of a phase, when its first message since play_to() was sent (time.monotonic)
     error     what ended the thread, or None
     """
 
@@ -98,6 +107,7 @@ class LogPlayer(threading.Thread):
         self._origin_s = 0.0
 
     def play_to(self, time_us):
+        self.began = {}
         self._until_us = time_us
 
     def stop(self):
@@ -115,12 +125,19 @@ class LogPlayer(threading.Thread):
         at = 0
         self._origin_s = time.monotonic() - self._frames[0].time_us / SECOND_US
         while not self._stopped.is_set():
-            begin = at
-            while at < len(self._frames) and self._frames[at].time_us <= self._until_us and not self._stopped.is_set():
-                self._send_in_time(self._frames[at])
-                at += 1
-            if at == begin:
+            batch = self._batch(at, self._until_us)
+            if batch:
+                self._send_in_time(batch)
+                at += len(batch)
+            else:
                 self._repeat_second(at)
+
+    def _batch(self, begin, until_us):
+        """The frames from one on that are due within its tenth of a second."""
+        if begin == len(self._frames):
+            return []
+        until_us = min(until_us, self._frames[begin].time_us + PERIOD_US - 1)
+        return list(itertools.takewhile(lambda frame: frame.time_us <= until_us, self._frames[begin:begin + 1000]))
 
     def _repeat_second(self, end):
         if end == 0:
@@ -128,19 +145,23 @@ class LogPlayer(threading.Thread):
             return
         last_us = self._frames[end - 1].time_us
         self._origin_s += 1
-        for frame in self._frames[:end]:
-            if frame.time_us > last_us - SECOND_US and not self._stopped.is_set():
-                self._send_in_time(frame)
+        at = end
+        while at > 0 and self._frames[at - 1].time_us > last_us - SECOND_US:
+            at -= 1
+        while at < end and not self._stopped.is_set():
+            batch = self._batch(at, last_us)
+            self._send_in_time(batch)
+            at += len(batch)
 
-    def _send_in_time(self, frame):
-        wait_s = self._origin_s + frame.time_us / SECOND_US - time.monotonic()
+    def _send_in_time(self, batch):
+        wait_s = self._origin_s + batch[-1].time_us / SECOND_US - time.monotonic()
         if wait_s > 0:
             self._stopped.wait(wait_s)
         elif wait_s < -0.25:
             self.late += 1
             self._origin_s -= wait_s
-        numbered = self._codes.number(frame)
-        if frame.identifier == PHASE_IDENTIFIER:
-            self.began.setdefault(frame.data[4], time.monotonic())
-        self._send(numbered.identifier, numbered.data)
-        self.sent += 1
+        for frame in batch:
+            if frame.identifier == PHASE_IDENTIFIER:
+                self.began.setdefault(frame.data[4], time.monotonic())
+        self._send([self._codes.number(frame) for frame in batch])
+        self.sent += len(batch)

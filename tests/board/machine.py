@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Boots an emulated machine with a real Linux kernel and drives it: commands, CAN frames, GPIO lines, pictures of its screen.
 
-The machine is what tests/board/fetch_guest and make_initramfs made. All traffic goes over unix sockets and 9p shares; it has no network.
-Every wait has a limit, and no emulator outlives this program. Standard library only.
+The machine is what tests/board/fetch_guest and make_initramfs made. All traffic goes over unix sockets and 9p shares; it has no
+network. Every wait has a limit, and no emulator outlives this program. Standard library only.
 
     machine.py --arch x86_64 [--vkms] [--size 640x480] [--share NAME=FOLDER[:rw]] [--screenshot OUT.ppm] [--limit S] COMMAND...
 
@@ -31,9 +31,11 @@ EMULATORS = {
     "aarch64": ["qemu-system-aarch64", "-M", "virt,gic-version=3", "-cpu", "cortex-a57"],
     "x86_64": ["qemu-system-x86_64", "-M", "q35", "-cpu", "Nehalem", "-vga", "none"],
 }
+# Page-table isolation empties the emulator's cache of pages at every system call; with random addresses it translates code
+# anew for every process.
 KERNEL_LINES = {
-    "aarch64": "console=ttyAMA0 quiet panic=-1",
-    "x86_64": "console=ttyS0 quiet panic=-1 mitigations=off random.trust_cpu=on tsc=reliable",
+    "aarch64": "console=ttyAMA0 quiet panic=-1 mitigations=off kpti=off nokaslr norandmaps",
+    "x86_64": "console=ttyS0 quiet panic=-1 norandmaps mitigations=off random.trust_cpu=on tsc=reliable",
 }
 BOOT_LIMIT_S = 90
 PR_SET_PDEATHSIG = 1
@@ -189,6 +191,21 @@ class Machine:
 
     # Files. The guest reads its shares fast in large pieces only, not page by page as a program that starts does.
 
+    def uptime_offset_s(self):
+        """What time.monotonic() is ahead of the guest's monotonic clock, and its tolerance: half the time that asking took."""
+        asked = []
+        for _ in range(5):
+            begin = time.monotonic()
+            uptime = float(self.must("cut -d' ' -f1 /proc/uptime"))
+            end = time.monotonic()
+            asked.append(((end - begin) / 2, (begin + end) / 2 - uptime))
+        return min(asked)[1], min(asked)[0]
+
+    def processor_s(self):
+        """Seconds of this machine's processors that the emulator has used."""
+        words = pathlib.Path(f"/proc/{self._process.pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+        return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
     def load(self, path, name):
         """Copies a file of this machine, below the build folder or elsewhere, into the guest's memory, executable."""
         shutil.copy(path, self.work / "loaded")
@@ -197,7 +214,8 @@ class Machine:
     def load_drivers(self):
         """Reads Mesa's libraries into the guest's page cache, and takes the shaders that earlier runs compiled (keep_shaders)."""
         folder = f"/usr/lib/{self.arch}-linux-gnu"
-        self.must(f"for f in {folder}/libLLVM-*.so.1 {folder}/dri/swrast_dri.so; do dd bs=512k if=$f of=/dev/null 2>/dev/null; done")
+        libraries = f"{folder}/libLLVM-*.so.1 {folder}/dri/swrast_dri.so"
+        self.must(f"for f in {libraries}; do dd bs=512k if=$f of=/dev/null 2>/dev/null; done")
         if self._shaders().exists():
             shutil.copy(self._shaders(), self.work / "shaders.tar")
             self.run("tar xf /work/shaders.tar -C /tmp")
@@ -220,10 +238,10 @@ class Machine:
         self.must("slcand -o -s8 /dev/hvc1 slcan0")
         self.must("for i in $(seq 50); do ip link set slcan0 up 2>/dev/null && break; sleep 0.1; done; ip link show slcan0", 20)
 
-    def send_can(self, identifier, data, extended=False):
-        """Sends one frame to the guest."""
-        head = f"T{identifier:08X}" if extended else f"t{identifier:03X}"
-        self._can.write(f"{head}{len(data)}{data.hex().upper()}\r".encode())
+    def send_can(self, frames):
+        """Sends frames (11-bit identifier, data) to the guest with one write."""
+        lines = (f"t{frame.identifier:03X}{len(frame.data)}{frame.data.hex().upper()}\r" for frame in frames)
+        self._can.write("".join(lines).encode())
 
     # GPIO: gpio-sim of the guest's kernel
 
@@ -311,7 +329,8 @@ class Machine:
         command += ["-serial", f"file:{self.work / 'console.log'}", "-qmp", f"unix:{self._sockets}/qmp,server=on,wait=off"]
         command += ["-device", "virtio-serial-pci"]
         for name in ("shell", "can"):
-            command += ["-chardev", f"socket,id={name},path={self._sockets}/{name},server=on,wait=off", "-device", f"virtconsole,chardev={name}"]
+            command += ["-chardev", f"socket,id={name},path={self._sockets}/{name},server=on,wait=off"]
+            command += ["-device", f"virtconsole,chardev={name}"]
         command += ["-device", f"virtio-gpu-pci,xres={self.size[0]},yres={self.size[1]}"]
         root = "/" if self.arch == "x86_64" else str(TOP / "build" / "sysroots" / self.arch)
         for name, folder in {"root": root, **self.shares}.items():

@@ -1,4 +1,5 @@
 """Pictures of the guest's screen and of the desk: read as bytes (RGB) and compared."""
+import functools
 import pathlib
 import re
 import struct
@@ -67,6 +68,7 @@ def _paeth(left, above, corner):
     return above if by_above <= by_corner else corner
 
 
+@functools.lru_cache(maxsize=8)  # a screen is looked at more often than it changes
 def share_within(one, other, tolerance):
     """The share of the pixels of which no channel differs by more than the tolerance."""
     if one == other:

@@ -44,7 +44,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"stb/"}, {"toolchains/"}},
         {{"csetjmp", "execinfo.h"}, {"host_sim/"}},
         {{"gtest/", "gmock/", "benchmark/", "GeographicLib/", "opencv2/", "embree3/"}, {"tests/"}},
-        {{"linux/", "sys/", "net/", "unistd.h", "fcntl.h", "poll.h", "time.h", "signal.h", "errno.h"},
+        {{"linux/", "sys/", "net/", "unistd.h", "fcntl.h", "poll.h", "time.h", "signal.h", "errno.h", "grp.h"},
          {"bus/socketcan/", "bus/switches/gpiod_", "platform/", "target/", "host_sim/"}},
         {{"dlfcn.h", "pthread.h", "sched.h", "semaphore.h", "dirent.h"}, {"platform/", "target/", "host_sim/"}},
         {{"chrono", "thread", "mutex", "shared_mutex", "condition_variable", "future"}, {"platform/", "target/", "host_sim/"}},

@@ -43,13 +43,14 @@ public:
     ~PairPort() override { hang_up(); }
     [[nodiscard]] bus::OpenedSocket open(const bus::SocketCanSettings&) override {
         ++attempts;
-        if (missing) return {-1, base::FixedString<191>("CAN interface 'can9': there is no such interface")};
+        if (missing) return {-1, bus::SocketFaultText("CAN interface 'can9': there is no such interface")};
         int ends[2] = {-1, -1};
         if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK, 0, ends) != 0) return {};
         hang_up();
         far_ = ends[1];
         return {ends[0], {}};
     }
+    [[nodiscard]] bus::SocketFaultText explain(const bus::SocketCanSettings&) override { return explanation; }
     [[nodiscard]] bool deliver(const bus::CanFrame& frame) const {
         std::array<unsigned char, bus::kKernelFdFrameBytes> record{};
         const std::size_t size = bus::frame_to_kernel(frame, record);
@@ -73,6 +74,7 @@ public:
         far_ = -1;
     }
     bool missing = false;
+    bus::SocketFaultText explanation;  ///< what the system knows of the interface
     int attempts = 0;
 
 private:

@@ -175,6 +175,52 @@ TEST(BoardProgram, RunsWithoutItsBus) {
     EXPECT_EQ(nlohmann::json::parse(ran.out.substr(line + 1)).at("frames"), 3);
 }
 
+TEST(BoardProgram, TheProbeListsWhatIsHereOrSaysWhyABoardDoesNotWork) {
+    const Ran offer = run({"--probe"});
+    EXPECT_EQ(offer.code, 0) << offer.out;
+    EXPECT_THAT(offer.out, HasSubstr("gl               es2, off-screen: "));
+    EXPECT_EQ(nlohmann::json::parse(run({"--probe", "--json"}).out).at("probe"), true);
+    const Ran board = run({"--probe", "--config", kBoard.c_str()});
+    EXPECT_EQ(board.code, 1) << "there is no can9";
+    EXPECT_THAT(board.out, HasSubstr("FAILED  can                      CAN interface 'can9': "));
+    EXPECT_THAT(board.out, HasSubstr("ok      board_display            640 x 480, "));
+    EXPECT_THAT(board.out, HasSubstr("probe: FAILED\n"));
+    EXPECT_EQ(run({"--probe", "--config", "/nowhere.toml"}).code, 2);
+}
+
+/// The start says of the bus what the probe says.
+TEST(BoardProgram, TheProbeSaysWhatTheStartSays) {
+    const Ran started = run({"--config", kBoard.c_str(), "--frames", "1"});
+    const std::string begin = "CAN interface 'can9': ";
+    const std::size_t at = started.err.find(begin);
+    ASSERT_NE(at, std::string::npos) << started.err;
+    EXPECT_THAT(run({"--probe", "--config", kBoard.c_str()}).out,
+                HasSubstr(started.err.substr(at, started.err.find('\n', at) - at)));
+}
+
+#if defined(TEDAVIS_HAVE_KMS)
+TEST_F(OwnBoard, AScreenThatIsMissingEndsWithOneAndAWrongOneWithTwo) {
+    const std::string screen = "[surface]\nbackend = 'kms'\n[screen]\npath = '";
+    const Ran missing = flown(board(screen + "/dev/dri/by-path/no-such-card'\n"));
+    EXPECT_EQ(missing.code, 1) << "the service manager tries again";
+    EXPECT_THAT(missing.err, HasSubstr("[surface]: /dev/dri/by-path/no-such-card: there is no such card"));
+    const Ran wrong = flown(board(screen + "/dev/null'\n"));
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("/dev/null: drives no screens"));
+    const std::string asked = board(screen + "/dev/null'\n");
+    EXPECT_THAT(run({"--probe", "--config", asked.c_str()}).out,
+                HasSubstr("FAILED  screen                   [surface]: /dev/null: drives"));
+}
+#endif
+
+TEST(BoardProgram, EveryStartTestsItself) {
+    const Ran ran = run({"--config", kBoard.c_str(), "--frames", "1", "--json"});
+    const auto json = nlohmann::json::parse(ran.out.substr(0, ran.out.find('\n')));
+    EXPECT_EQ(json.at("self_test").at("holds"), true);
+    EXPECT_GT(json.at("self_test").at("checks"), 15);
+    EXPECT_THAT(run({"--config", kBoard.c_str(), "--frames", "1"}).out, HasSubstr("self-test of the start: passed, "));
+}
+
 TEST(BoardProgram, TheSelfTestHoldsHere) {
     const Ran ran = run({"--self-test", "--json", "--config", kBoard.c_str()});
     EXPECT_EQ(ran.code, 0) << ran.out;

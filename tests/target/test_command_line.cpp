@@ -38,6 +38,13 @@ TEST(CommandLine, SelfTestNeedsNoFile) {
     EXPECT_STREQ(parse({"--self-test", "--config", "b"}).value().config, "b");
 }
 
+TEST(CommandLine, AProbeNeedsNoFileAndTakesOne) {
+    EXPECT_EQ(parse({"--probe"}).value().request, Request::probe);
+    EXPECT_EQ(parse({"--probe"}).value().config, nullptr);
+    EXPECT_STREQ(parse({"--probe", "--config", "b", "--json"}).value().config, "b");
+    EXPECT_EQ(refusal({"--probe", "--frames", "3"}), "--frames: belongs to a run; leave it out; see tedavis-display --help");
+}
+
 TEST(CommandLine, ACalibrationNamesBoardAndFile) {
     const auto line = parse({"--calibrate", "-o", "c.toml", "--config", "b"});
     ASSERT_TRUE(line.ok());

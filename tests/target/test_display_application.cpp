@@ -41,6 +41,7 @@ struct DisplayApplicationTest : testing::Test {
         ports.can = &port;
         ports.clocks = FakeClock::clocks();
         ports.log = lines.log();
+        ports.process_age = [] { return base::Duration{FakeClock::monotonic().ns - 90'000'000'000}; };  // 10 s at the start
         application = std::make_unique<DisplayApplication>(settings, std::move(ports));
         return *application;
     }
@@ -74,6 +75,7 @@ TEST_F(DisplayApplicationTest, AMissingInterfaceShowsFlagsAndDoesNotEndTheProgra
     EXPECT_EQ(report.end, RunEnd::stopped);
     EXPECT_EQ(report.frames, 60u);
     EXPECT_EQ(report.gl_calls_outside_device, 0u);
+    EXPECT_FALSE(report.has_first_picture) << "a picture without a position is not the one that is waited for";
     const display::FrameRecord& record = application->display().record();
     EXPECT_EQ(record.terrain.triangles, 0u) << "no position, no terrain";
     EXPECT_GE(record.flags.size(), 5u);
@@ -86,6 +88,9 @@ TEST_F(DisplayApplicationTest, AFlightOnTheBusShowsTerrain) {
     the_flight = &recorded;
     FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
     const RunReport report = start().run(90, stop);
+    ASSERT_TRUE(report.has_first_picture);
+    EXPECT_GT(report.first_picture, base::Duration::seconds(10)) << "not before anything came from the bus";
+    EXPECT_LT(report.first_picture, base::Duration::seconds(12));
     const display::FrameRecord& record = application->display().record();
     EXPECT_GT(report.bus.decoded, recorded.size() * 9 / 10);
     EXPECT_EQ(record.own_ship.state, base::SignalState::valid);

@@ -31,7 +31,7 @@ TEST(JsonLine, IsReadBackAsItWasWritten) {
 TEST(JsonLine, SaysWhenItIsFull) {
     JsonLine line;
     line.open_list();
-    for (int n = 0; n < 2000; ++n) line.text("", "0123456789");
+    for (int n = 0; n < 8000; ++n) line.text("", "0123456789");
     EXPECT_TRUE(line.cut());
 }
 

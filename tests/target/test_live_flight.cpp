@@ -178,6 +178,31 @@ TEST_F(LiveFlightTest, BusOffAndLostSocketsAreReportedAtMostOnceASecond) {
     EXPECT_EQ(flight->bus_statistics().reopened, 1u);
 }
 
+TEST_F(LiveFlightTest, WhatTheSystemKnowsOfASilentBusIsSaidInPlaceOfWhatTheSocketSays) {
+    port.explanation = bus::SocketFaultText("CAN interface 'can9': is bus-off and stays so; do this");
+    start();
+    (void)step();
+    EXPECT_THAT(lines.str(), testing::Not(HasSubstr("do this"))) << "a bus that may come is no fault";
+    port.deliver_error(0x40);
+    (void)step(2000);
+    EXPECT_THAT(lines.str(), HasSubstr("tedavis-display: CAN interface 'can9': is bus-off and stays so; do this\n"));
+    EXPECT_THAT(lines.str(), testing::Not(HasSubstr("the controller is bus-off")));
+}
+
+TEST_F(LiveFlightTest, APanelThatCannotBeOpenedIsExplainedWhereSomebodyCan) {
+    panel.absent = true;
+    start(true);
+    const auto log_with = [this](PanelExplainer explain) {
+        lines.text.clear();
+        flight.emplace(settings, port, std::make_unique<FakeLines>(panel), FakeClock::clocks().live, log, explain);
+        flight->start(FakeClock::monotonic());
+        return lines.str();
+    };
+    EXPECT_EQ(log_with([](const bus::SwitchConfig&) { return base::make_error("used by another"); }),
+              "tedavis-display: used by another\n");
+    EXPECT_THAT(log_with([](const bus::SwitchConfig&) { return base::Error(); }), HasSubstr("there is no such chip"));
+}
+
 TEST_F(LiveFlightTest, ThePanelStatesThePhase) {
     start(true);
     EXPECT_EQ(step().phase.phase.scenario, flight::Scenario::ground);

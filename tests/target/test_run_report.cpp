@@ -52,6 +52,28 @@ TEST_F(RunReportTest, TheStartNamesTheWholeBudget) {
     EXPECT_THAT(text, HasSubstr("fake board"));
 }
 
+TEST_F(RunReportTest, TheStartNamesItsSelfTestWhereThereWasOne) {
+    const auto start = [&](bool json, const StartTest& test) {
+        return printed([&](std::FILE* out) { print_start(*application, json, out, test); });
+    };
+    const StartTest test{19, base::Duration::milliseconds(3)};
+    EXPECT_THAT(start(false, test), HasSubstr("self-test of the start: passed, 19 checks in 3.0 ms\n"));
+    EXPECT_EQ(nlohmann::json::parse(start(true, test)).at("self_test"),
+              nlohmann::json::parse(R"({"holds": true, "checks": 19, "ms": 3})"));
+    EXPECT_FALSE(nlohmann::json::parse(start(true, {})).contains("self_test"));
+}
+
+TEST(RunReport, TheEndSaysWhenTheFirstCorrectPictureCame) {
+    RunReport report;
+    const auto end = [&](bool json) { return printed([&](std::FILE* out) { print_end(report, json, out); }); };
+    EXPECT_TRUE(nlohmann::json::parse(end(true)).at("first_picture_s").is_null()) << "none came";
+    EXPECT_EQ(end(false).find("first correct picture"), std::string::npos);
+    report.has_first_picture = true;
+    report.first_picture = base::Duration::milliseconds(1250);
+    EXPECT_EQ(nlohmann::json::parse(end(true)).at("first_picture_s"), 1.25);
+    EXPECT_THAT(end(false), HasSubstr("first correct picture 1.25 s after the start of the process\n"));
+}
+
 TEST(RunReport, TheEndHoldsTheCounts) {
     RunReport report;
     report.frames = 7;
@@ -64,6 +86,7 @@ TEST(RunReport, TheEndHoldsTheCounts) {
                                     {"frames", 7},
                                     {"missed", 2},
                                     {"gl_calls_outside_device", 0},
+                                    {"first_picture_s", nullptr},
                                     {"can", {{"frames", 5}, {"decoded", 0}, {"alien", 3}, {"errors", 0}, {"dropped", 0}}}}));
     EXPECT_THAT(printed([&](std::FILE* out) { print_end(report, false, out); }),
                 HasSubstr("surface_lost after 7 frames, 2 turns missed; CAN 5 frames, 0 decoded, 3 foreign"));

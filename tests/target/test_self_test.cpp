@@ -67,6 +67,28 @@ TEST(SelfTest, OneChangedBitInTheLogIsSeen) {
     EXPECT_EQ(failures(other.report()).substr(0, 6), "pitch ");
 }
 
+TEST(SelfTest, ThePartOfTheStartSeesTheSameInTheLogAndDrawsNothing) {
+    const auto tested = [](const std::string& log, const std::string& bus) {
+        SelfTestInputs inputs = embedded_inputs();
+        inputs.log = {log.data(), log.size()};
+        inputs.bus = bus;
+        SelfTestReport report;
+        run_start_test(inputs, report);
+        return report;
+    };
+    Damaged damaged;
+    const SelfTestReport sound = tested(damaged.log, damaged.bus);
+    EXPECT_TRUE(sound.holds()) << failures(sound);
+    EXPECT_EQ(sound.find("surface"), nullptr);
+    EXPECT_EQ(sound.find("height_above_terrain"), nullptr) << "it has no terrain";
+    EXPECT_THAT(failures(tested(damaged.log, "no settings")), HasSubstr("canaerospace.toml"));
+    const std::size_t line = damaged.log.rfind(" 137#");
+    char& digit = damaged.log[line + 5 + 8 + 2];
+    digit = digit == 'F' ? 'E' : 'F';
+    EXPECT_EQ(failures(tested(damaged.log, damaged.bus)), "pitch ");
+    EXPECT_THAT(failures(tested("", damaged.bus)), HasSubstr("log_frames"));
+}
+
 TEST(SelfTest, ACutLogIsSeen) {
     Damaged damaged;
     damaged.log.resize(damaged.log.size() / 2);

@@ -34,7 +34,7 @@ public:
     }
     [[nodiscard]] OpenedSocket open(const SocketCanSettings&) override {
         ++attempts;
-        if (refuse) return {-1, base::FixedString<191>("CAN interface 'can0': there is no such interface")};
+        if (refuse) return {-1, bus::SocketFaultText("CAN interface 'can0': there is no such interface")};
         int ends[2] = {-1, -1};
         EXPECT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK, 0, ends), 0);
         const int yes = 1;

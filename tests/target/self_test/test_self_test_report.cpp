@@ -35,7 +35,7 @@ TEST(SelfTestReport, NumbersOutsideTheToleranceSayWhatWasExpected) {
 
 TEST(SelfTestReport, ACheckTooManyDoesNotHold) {
     SelfTestReport report;
-    for (int n = 0; n < 64; ++n) report.add("x", true, "");
+    for (int n = 0; n < 128; ++n) report.add("x", true, "");
     EXPECT_TRUE(report.holds());
     report.add("x", true, "");
     EXPECT_FALSE(report.holds());
