@@ -88,7 +88,7 @@ TEST(SeededAllocation, InEffectsIsCaught) {
 
 #if defined(TEDAVIS_SEED_TARGET)
 struct NoBus final : bus::CanSocketPort {
-    bus::OpenedSocket open(const bus::SocketCanSettings&) override { return {-1, base::FixedString<191>("no bus here")}; }
+    bus::OpenedSocket open(const bus::SocketCanSettings&) override { return {-1, {"no bus here"}}; }
 };
 base::Time still_time() { return base::Time{} + base::Duration::seconds(100); }
 
