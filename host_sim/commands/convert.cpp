@@ -111,7 +111,9 @@ std::vector<std::string> what_was_done(const ImportedFile& file, const CleaningC
 
 int run_convert(const ConvertOptions& options, Console& console) {
     std::vector<std::string> said;
-    return run_convert(options, console, said);
+    const int code = run_convert(options, console, said);
+    if (code == kInterruptedExitCode) console.note("note: interrupted; the log is valid and ends early");
+    return code;
 }
 
 int run_convert(const ConvertOptions& options, Console& console, std::vector<std::string>& said) {
@@ -148,8 +150,7 @@ int run_convert(const ConvertOptions& options, Console& console, std::vector<std
         said.push_back(std::move(done));
     }
     console.result(options.output + ": " + std::to_string(counts.frames) + " frames of " + about.format + " flight" +
-                       (flight.aircraft.empty() ? "" : " " + flight.aircraft) +
-                       (counts.interrupted ? "; interrupted, so that the log is valid and ends early" : ""),
+                       (flight.aircraft.empty() ? "" : " " + flight.aircraft),
                    json_text(json));
     return counts.interrupted ? kInterruptedExitCode : 0;
 }

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 
 #if defined(TEDAVIS_HAVE_KMS)
 #include <xf86drm.h>
@@ -73,9 +73,11 @@ base::FixedString<191> find_card_holders(const char* path, const char* processes
     if (::stat(path, &card) != 0) return holders;
     DIR* const listing = ::opendir(processes);
     if (listing == nullptr) return holders;
-    const int self = ::getpid();
+    char self[16];
+    std::snprintf(self, sizeof self, "%d", ::getpid());
     while (const dirent* const entry = ::readdir(listing))
-        if (is_process_number(entry->d_name) && std::atoi(entry->d_name) != self && has_file_open(processes, entry->d_name, card))
+        if (is_process_number(entry->d_name) && std::strcmp(entry->d_name, self) != 0 &&
+            has_file_open(processes, entry->d_name, card))
             append_holder(processes, entry->d_name, holders);
     ::closedir(listing);
     return holders;
