@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::platform::test_card_holder {
 namespace {
@@ -18,17 +19,11 @@ namespace fs = std::filesystem;
 /// A folder that stands for /proc, and a plain file that stands for a card.
 struct CardHolder : testing::Test {
     void SetUp() override {
-        char pattern[] = "/tmp/tedavis_holders_XXXXXX";
-        ASSERT_NE(mkdtemp(pattern), nullptr);
-        folder = pattern;
-        card = folder + "/card0";
-        other = folder + "/card1";
-        std::ofstream(card) << "card";
-        std::ofstream(other) << "card";
-        processes = folder + "/proc";
+        card = folder.write("card0", "card");
+        other = folder.write("card1", "card");
+        processes = folder.file("proc");
         fs::create_directories(processes + "/sys");
     }
-    void TearDown() override { fs::remove_all(folder); }
     void process(const std::string& number, const std::string& name, const std::string& opened) {
         fs::create_directories(processes + "/" + number + "/fd");
         std::ofstream(processes + "/" + number + "/comm") << name << '\n';
@@ -37,7 +32,8 @@ struct CardHolder : testing::Test {
         fs::create_symlink("socket:[1]", processes + "/" + number + "/fd/6");
     }
     std::string holders() const { return find_card_holders(card.c_str(), processes.c_str()).c_str(); }
-    std::string folder, card, other, processes;
+    test_support::TemporaryFolder folder;
+    std::string card, other, processes;
 };
 
 TEST_F(CardHolder, NamesTheProgramThatHasTheCardOpen) {
@@ -47,9 +43,9 @@ TEST_F(CardHolder, NamesTheProgramThatHasTheCardOpen) {
 }
 
 TEST_F(CardHolder, ALinkToTheCardIsTheCard) {
-    fs::create_symlink(card, folder + "/by-path");
+    fs::create_symlink(card, folder.file("by-path"));
     process("812", "Xorg", card);
-    EXPECT_EQ(find_card_holders((folder + "/by-path").c_str(), processes.c_str()).view(), "Xorg (process 812)");
+    EXPECT_EQ(find_card_holders(folder.file("by-path").c_str(), processes.c_str()).view(), "Xorg (process 812)");
 }
 
 TEST_F(CardHolder, NeitherThisProgramNorTheSessionManagerHasIt) {
@@ -60,8 +56,8 @@ TEST_F(CardHolder, NeitherThisProgramNorTheSessionManagerHasIt) {
 
 TEST_F(CardHolder, WhatCannotBeFoundOutIsEmpty) {
     EXPECT_EQ(holders(), "");
-    EXPECT_EQ(find_card_holders((folder + "/absent").c_str(), processes.c_str()).view(), "");
-    EXPECT_EQ(find_card_holders(card.c_str(), (folder + "/absent").c_str()).view(), "");
+    EXPECT_EQ(find_card_holders(folder.file("absent").c_str(), processes.c_str()).view(), "");
+    EXPECT_EQ(find_card_holders(card.c_str(), folder.file("absent").c_str()).view(), "");
     process("7", "", card);
     EXPECT_EQ(holders(), "a program (process 7)");
 }
@@ -72,7 +68,7 @@ TEST_F(CardHolder, TheSentenceNamesWhoOrWhatItMayBe) {
     EXPECT_THAT(std::string(held_card_error("card", "").message.view()), HasSubstr("a desktop, or another tedavis-display"));
 }
 
-TEST_F(CardHolder, WhatIsNotThereIsNotHeld) { EXPECT_FALSE(is_card_held((folder + "/absent").c_str())); }
+TEST_F(CardHolder, WhatIsNotThereIsNotHeld) { EXPECT_FALSE(is_card_held(folder.file("absent").c_str())); }
 
 }  // namespace
 }  // namespace tedavis::platform::test_card_holder

@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
-#include <vector>
+
+#include "tests/support/files/temporary_folder.hpp"
 
 namespace tedavis::platform::test_drm_inventory {
 namespace {
@@ -16,23 +15,9 @@ namespace {
 
 /// A folder that stands for /dev/dri, with plain files.
 struct DrmInventory : testing::Test {
-    void SetUp() override {
-        char pattern[] = "/tmp/tedavis_cards_XXXXXX";
-        ASSERT_NE(mkdtemp(pattern), nullptr);
-        folder = pattern;
-    }
-    void TearDown() override {
-        for (const std::string& name : made) std::remove((folder + "/" + name).c_str());
-        std::remove(folder.c_str());
-    }
-    void make(const std::string& name) {
-        made.push_back(name);
-        std::FILE* const file = std::fopen((folder + "/" + name).c_str(), "w");
-        ASSERT_NE(file, nullptr);
-        std::fclose(file);
-    }
-    std::string folder;
-    std::vector<std::string> made;
+    void make(const std::string& name) { (void)place.write(name, ""); }
+    test_support::TemporaryFolder place;
+    std::string folder = place.path();
     std::unique_ptr<ScreenInventory> inventory = std::make_unique<ScreenInventory>();
 };
 
