@@ -16,7 +16,7 @@
 ///     [costs]                    absent: none are known, and the device's deadline_ms is not held
 ///     file = "es2-small.costs.toml"   that --calibrate wrote on this board
 ///     [programs]                 absent: none; a device without a compiler then does not start
-///     folder = "sc2.programs"    that `tedavis shaders` wrote on this board's driver
+///     folder = "sc2.programs"    that `--write-shaders` wrote on this board
 ///     [can]
 ///     interface = "can0"
 ///     fd = false                 also receive CAN FD frames

@@ -12,6 +12,7 @@
 #include "target/run_report.hpp"
 #include "target/self_test.hpp"
 #include "target/self_test/board_checks.hpp"
+#include "target/write_shaders.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -110,6 +111,16 @@ int calibrate(const CommandLine& line, std::FILE* out) {
     return stop.requested() ? kStopped : code;
 }
 
+int write_board_shaders(const CommandLine& line, std::FILE* out) {
+    const auto settings = load_board_settings(line.config);
+    if (!settings.ok()) return refuse(settings.error());
+    const StopSignal stop;
+    const base::Error error = write_shaders(settings.value(), line.shaders, stop, line.json, out);
+    if (!error) return kDone;
+    const int code = refuse(error);
+    return stop.requested() ? kStopped : code;
+}
+
 }  // namespace
 
 int run_board_program(int count, const char* const* arguments, std::FILE* out) {
@@ -121,6 +132,7 @@ int run_board_program(int count, const char* const* arguments, std::FILE* out) {
         case Request::self_test: return test_machine(line.value(), out);
         case Request::probe: return probe(line.value(), out);
         case Request::calibrate: return calibrate(line.value(), out);
+        case Request::write_shaders: return write_board_shaders(line.value(), out);
         case Request::run: break;
     }
     return run_display(line.value(), out);

@@ -36,7 +36,11 @@ private:
 
     void refuse_what_does_not_fit() {
         const bool is_run = line_.request == Request::run, is_calibration = line_.request == Request::calibrate;
-        if ((is_run || is_calibration) && line_.config == nullptr) return refuse({"--config: is missing; name the board file"});
+        const bool is_writing = line_.request == Request::write_shaders;
+        if ((is_run || is_calibration || is_writing) && line_.config == nullptr)
+            return refuse({"--config: is missing; name the board file"});
+        if (is_writing && line_.shaders[0] == '\0')
+            return refuse({"--write-shaders: is empty; name the folder of programs to write"});
         if (!is_run && line_.shot != nullptr) return refuse({"--shot: belongs to a run; leave it out"});
         if (line_.shot != nullptr && line_.shot[0] == '\0') return refuse({"--shot: is empty; name the picture to write"});
         if (!is_run && line_.frames != 0) return refuse({"--frames: belongs to a run; leave it out"});
@@ -72,6 +76,9 @@ private:
             line_.request = Request::probe;
         } else if (argument == "--calibrate") {
             line_.request = Request::calibrate;
+        } else if (argument == "--write-shaders") {
+            line_.request = Request::write_shaders;
+            line_.shaders = value_of(argument);
         } else if (argument == "-o") {
             line_.output = value_of(argument);
         } else if (argument == "--rounds") {
@@ -130,6 +137,8 @@ const char* command_line_help() noexcept {
            "here\n"
            "  tedavis-display --calibrate -o C.toml --config BOARD.toml [--rounds N] [--json]\n"
            "                               measures here what the board's display costs, for [costs] in the board file\n"
+           "  tedavis-display --write-shaders DIR --config BOARD.toml [--json]\n"
+           "                               makes the programs of a device without a compiler, for [programs] in the board file\n"
            "  tedavis-display --help | --version\n"
            "\n"
            "  --config F   the board file; with --self-test, it is started on a trial, and every file that it names is read\n"
@@ -142,10 +151,12 @@ const char* command_line_help() noexcept {
            "               spatial data if there are any, without bus and panel; stop a display that runs here before\n"
            "  -o F         the costs to write (.toml), which tedavis reads too; after a fault or Ctrl-C nothing is written\n"
            "  --rounds N   frames with and without each effect, 3 to 1000 (15); a third as many of each quality level\n"
+           "  --write-shaders D  the new folder of programs; only the driver that made them can load them, so make them on this\n"
+           "               board, or with `tedavis shaders` on a desk with the same driver\n"
            "  --json       results as JSON lines on stdout\n"
            "\n"
            "Exit codes: 0 done, 1 a check did not hold, or a run lost its display or lacks its screen, 2 wrong usage or input, "
-           "130 a calibration was stopped.\n";
+           "130 a calibration or the writing of programs was stopped.\n";
 }
 
 }  // namespace tedavis::target

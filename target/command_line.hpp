@@ -8,16 +8,17 @@
 
 namespace tedavis::target {
 
-enum class Request : std::uint8_t { run, self_test, probe, calibrate, help, version };
+enum class Request : std::uint8_t { run, self_test, probe, calibrate, write_shaders, help, version };
 
 struct CommandLine {
     Request request = Request::run;
     const char* config = nullptr;  ///< board file; null only for requests that need none
     std::uint64_t frames = 0;      ///< 0: run until a signal
     bool json = false;
-    const char* shot = nullptr;    ///< of a run: the file of a picture; null: none
-    const char* output = nullptr;  ///< of a calibration; not null there
-    std::uint32_t rounds = 15;     ///< of a calibration, kMinRounds to kMaxRounds of platform::BenchFrames
+    const char* shot = nullptr;     ///< of a run: the file of a picture; null: none
+    const char* output = nullptr;   ///< of a calibration; not null there
+    const char* shaders = nullptr;  ///< of write_shaders: the folder; not null there
+    std::uint32_t rounds = 15;      ///< of a calibration, kMinRounds to kMaxRounds of platform::BenchFrames
 };
 
 /// Parses the arguments after the program's name. `--help` and `--version` take precedence over everything before the first

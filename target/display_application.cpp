@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "target/board_display.hpp"
-#include "target/frame_pacer.hpp"
 
 namespace tedavis::target {
 
@@ -12,6 +11,7 @@ DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts
       ports_(std::move(ports)),
       flight_(settings_, *ports_.can, std::move(ports_.gpio), ports_.clocks.live, ports_.log, ports_.explain_panel),
       phase_events_(ports_.log),
+      pacer_(settings_.device.frame_rate_hz, {}),
       screen_events_(ports_.log) {
     settings_.screen.report = &screen_;
 }
@@ -47,18 +47,47 @@ void DisplayApplication::take_new_scene() {
     scene_watch_.go_on(display().planner().data().spare(), revision);
 }
 
+/// A GL driver compiles what it draws for the first time: another design with a phase, terrain with a position.
+void DisplayApplication::await_compilation(const flight::FrameInput& input) {
+    const bool is_placed = input.state.own_ship.state == base::SignalState::valid;
+    if (!(input.phase.presented == presented_phase_) || (is_placed && !was_placed_)) watchdog_.expect_slow_frames();
+    presented_phase_ = input.phase.presented;
+    was_placed_ = is_placed;
+}
+
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     take_new_scene();
     const flight::FrameInput input = flight_.at(now, display().planner());
+    await_compilation(input);
     display().plan(input);
     display().draw(host_.surface());
     if (is_pictured_) ports_.snapshot->take(display().gl());
+    hold_for_screen();
     const base::SurfaceState state = host_.surface().present();
     report_screen();
+    note_latency();
     if (!has_first_picture_ && state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master)
         note_first_picture(input);
     if (state == base::SurfaceState::ready) phase_events_.report(input.phase, ++drawn_, ports_.clocks.live.monotonic());
     return state;
+}
+
+/// What the driver has put off is work of this frame: it is done before the waiting, not after it.
+void DisplayApplication::hold_for_screen() {
+    held_ = {};
+    if (pacer_.earliest_flip() <= ports_.clocks.live.monotonic()) return;
+    if (display().gl().has(gl::CallId::Finish)) display().gl()->Finish();
+    const base::Time begun = ports_.clocks.live.monotonic();
+    if (pacer_.earliest_flip() <= begun) return;
+    ports_.clocks.sleep_until(pacer_.earliest_flip());
+    held_ = ports_.clocks.live.monotonic() - begun;
+}
+
+base::Time DisplayApplication::next_frame(base::Duration work) {
+    constexpr std::int64_t kOfMillihertz = 1'000'000'000'000;  // ns
+    const bool is_paced = screen_.paced_by == platform::FlipPacing::vblank && screen_.shown_at && screen_.refresh_mhz > 0;
+    if (!is_paced) return pacer_.next(ports_.clocks.live.monotonic());
+    return pacer_.next_after({*screen_.shown_at, {kOfMillihertz / screen_.refresh_mhz}}, work);
 }
 
 /// A picture is correct once it shows where the aircraft is, over terrain that has all arrived.
@@ -67,6 +96,14 @@ void DisplayApplication::note_first_picture(const flight::FrameInput& input) {
     if (display().record().terrain.pending > 0) return;
     has_first_picture_ = true;
     first_picture_ = ports_.process_age();
+}
+
+/// Off screen, a picture is shown when it has been completed.
+void DisplayApplication::note_latency() {
+    const bool is_screen = !screen_.connector.empty();
+    if (is_screen && !(screen_.is_plugged && screen_.is_master)) return flight_.latency().hidden();
+    if (!is_screen) return flight_.latency().shown(ports_.clocks.live.monotonic());
+    if (screen_.shown_at) flight_.latency().shown(*screen_.shown_at);
 }
 
 bool DisplayApplication::wants_picture(bool is_last) {
@@ -81,8 +118,7 @@ void DisplayApplication::report_screen() {
 RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) {
     RunReport report;
     const BoardClocks& clocks = ports_.clocks;
-    FramePacer pacer(settings_.device.frame_rate_hz, clocks.live.monotonic());
-    watchdog_.ready();
+    pacer_ = FramePacer(settings_.device.frame_rate_hz, clocks.live.monotonic());
     while (!stop.requested() && (frames == 0 || report.frames < frames)) {
         const base::Time begun = clocks.live.monotonic();
         is_pictured_ = wants_picture(report.frames + 1 == frames);
@@ -91,19 +127,20 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
             report.end = RunEnd::surface_lost;
             break;
         }
-        const base::Duration took = clocks.live.monotonic() - begun - screen_.waited;
+        const base::Duration took = clocks.live.monotonic() - begun - screen_.waited - held_;
         if (!is_pictured_) display().memory().budget.record_measured(took.to_seconds() * 1000);
-        ++report.frames;
-        watchdog_.alive();
-        clocks.sleep_until(pacer.next(clocks.live.monotonic()));
+        if (++report.frames == 1) watchdog_.ready();
+        watchdog_.alive(took);
+        clocks.sleep_until(next_frame(took));
     }
     watchdog_.stopping();
-    report.missed = pacer.missed();
+    report.missed = pacer_.missed();
     report.gl_calls_outside_device = display().gl().denied().total;
     report.screen = screen_;
     report.has_first_picture = has_first_picture_;
     report.first_picture = first_picture_;
     report.bus = flight_.counters(clocks.live.monotonic());
+    report.latency = flight_.latency().report();
     return report;
 }
 

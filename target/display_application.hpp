@@ -13,6 +13,7 @@
 #include "target/board_clocks.hpp"
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
+#include "target/frame_pacer.hpp"
 #include "target/live_flight.hpp"
 #include "target/phase_events.hpp"
 #include "target/scene_watch.hpp"
@@ -44,6 +45,7 @@ struct RunReport {
     bool has_first_picture = false;
     base::Duration first_picture;  ///< from the start of the process until the first correct picture was shown
     bus::BusCounters bus;
+    LatencyReport latency;
     platform::ScreenReport screen;  ///< without a connector: the surface is no screen
 };
 
@@ -72,7 +74,11 @@ public:
 private:
     [[nodiscard]] bool wants_picture(bool is_last);
     void report_screen();
+    void await_compilation(const flight::FrameInput& input);
     void note_first_picture(const flight::FrameInput& input);
+    void note_latency();
+    void hold_for_screen();
+    [[nodiscard]] base::Time next_frame(base::Duration work);
     void start_scene();
     void take_new_scene();
 
@@ -82,6 +88,10 @@ private:
     PhaseEvents phase_events_;
     std::uint64_t drawn_ = 0;
     Watchdog watchdog_;
+    FramePacer pacer_;
+    base::Duration held_;                  ///< the last frame, so that the screen does not show it too early
+    flight::FlightPhase presented_phase_;  ///< of the frame before
+    bool was_placed_ = false;              ///< it knew the own ship's position
     platform::ScreenReport screen_;
     ScreenEvents screen_events_;
     platform::DisplayHost host_;

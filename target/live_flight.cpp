@@ -36,7 +36,7 @@ LiveFlight::LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, s
       panel_(std::move(gpio)),
       memory_(settings.bus, has_switches_ ? &switch_config_ : nullptr, {},
               {flight::motion_phase_settings(settings.aircraft.aircraft_class), {}}),
-      tracker_(memory_, {can_, &panel_, node_.answer_identification ? this : nullptr}) {}
+      tracker_(memory_, {can_, &panel_, this}) {}
 
 void LiveFlight::start(base::Time now) {
     memory_.next_step = now;
@@ -50,6 +50,8 @@ void LiveFlight::start(base::Time now) {
 
 void LiveFlight::receive(base::Span<const bus::CanFrame> frames) {
     for (const bus::CanFrame& frame : frames) {
+        if (frame.kind != bus::FrameKind::error) latency_.received(frame.time);
+        if (!node_.answer_identification) continue;
         const bus::IdentificationAnswer identity = bus::answer_identification(frame, node_);
         // An answer that the kernel does not take is dropped: the requesting node repeats its request.
         if (identity.due) static_cast<void>(can_.send(identity.frame));

@@ -13,6 +13,7 @@
 #include "bus/switches/gpiod_source.hpp"
 #include "bus/tracker/flight_tracker.hpp"
 #include "target/board_config.hpp"
+#include "target/can_latency.hpp"
 #include "target/event_log.hpp"
 
 namespace tedavis::target {
@@ -36,6 +37,8 @@ public:
 
     [[nodiscard]] bus::SourceHealth bus_health() const { return can_.health(); }
     [[nodiscard]] const bus::SourceStatistics& bus_statistics() const { return can_.statistics(); }
+    /// Knows the frames that at() has read; is to be told when the screen shows a picture.
+    [[nodiscard]] CanLatency& latency() { return latency_; }
     [[nodiscard]] bus::BusCounters counters(base::Time now) const { return memory_.assembler.snapshot(now).counters; }
 
 private:
@@ -49,6 +52,7 @@ private:
     bus::SocketCanSettings can_settings_;
     PanelExplainer explain_panel_;
     bus::NodeSettings node_;
+    CanLatency latency_;
     bus::SocketCanSource can_;
     bool has_switches_;
     bus::SwitchConfig switch_config_;

@@ -30,6 +30,24 @@ void print_screen(const platform::ScreenReport& screen, std::FILE* out) {
                  screen.is_atomic ? "atomic" : "legacy");
 }
 
+double milliseconds(base::Duration duration) { return static_cast<double>(duration.ns) / 1e6; }
+
+void add_latency(const LatencyReport& latency, JsonLine& line) {
+    line.open_object("can_to_screen").number("pictures", latency.pictures);
+    line.number("median_ms", milliseconds(latency.median)).number("p99_ms", milliseconds(latency.p99));
+    line.number("longest_ms", milliseconds(latency.longest)).number("p99_pictures", latency.p99_pictures);
+    line.number("most_pictures", latency.most_pictures).close_object();
+}
+
+void print_latency(const LatencyReport& latency, std::FILE* out) {
+    std::fprintf(
+        out,
+        "from a CAN frame to the screen: median %.0f ms, 99 of 100 pictures within %.0f ms and %.2f frame times, longest "
+        "%.1f ms and %.2f frame times\n",
+        milliseconds(latency.median), milliseconds(latency.p99), latency.p99_pictures, milliseconds(latency.longest),
+        latency.most_pictures);
+}
+
 base::FixedString<447> gl_description(DisplayApplication& application) {
     base::FixedString<447> text(application.surface().backend_name());
     text.append(": ");
@@ -123,6 +141,7 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
         line.number("frames", report.bus.frames).number("decoded", report.bus.decoded).number("alien", report.bus.alien);
         line.number("errors", report.bus.errors).number("dropped", report.bus.dropped);
         line.close_object();
+        add_latency(report.latency, line);
         if (!report.screen.connector.empty()) add_screen(report.screen, line);
         std::fputs(line.close_object().line().data(), out);
     } else {
@@ -134,6 +153,7 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
                      report.bus.errors, report.bus.dropped, report.gl_calls_outside_device);
         if (report.has_first_picture)
             std::fprintf(out, "first correct picture %.2f s after the start of the process\n", report.first_picture.to_seconds());
+        if (report.latency.pictures > 0) print_latency(report.latency, out);
         if (!report.screen.connector.empty()) print_screen(report.screen, out);
     }
     std::fflush(out);

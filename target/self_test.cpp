@@ -11,6 +11,7 @@
 #include "render_core/gl/readback.hpp"
 #include "target/json_line.hpp"
 #include "target/self_test/embedded_files.hpp"
+#include "target/self_test/geodesy_check.hpp"
 #include "target/self_test/known_flight.hpp"
 #include "target/self_test/known_picture.hpp"
 
@@ -157,13 +158,17 @@ SelfTestInputs embedded_inputs() noexcept {
             {{"natural", text_of(embedded::k_natural_toml)}, {"data_radar", text_of(embedded::k_data_radar_toml)}}};
 }
 
-void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) { SelfTest(inputs, report).run(); }
+void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) {
+    check_geodesy(report);
+    SelfTest(inputs, report).run();
+}
 
 void run_start_test(const SelfTestInputs& inputs, SelfTestReport& report) {
     const auto settings = bus::load_bus_settings(inputs.bus, "canaerospace.toml");
     if (!settings.ok()) return report.add("canaerospace.toml", false, settings.error().message.view());
     NoTerrain terrain;
     check_known_flight(play_known_flight(inputs.log, settings.value(), terrain), report, false);
+    check_geodesy(report);
 }
 
 void print_self_test(const SelfTestReport& report, bool json, std::FILE* out) {

@@ -35,8 +35,8 @@ struct SelfTestInputs {
 /// Adds its checks to `report`; stops at a failure that makes the remaining checks impossible.
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report);
 
-/// The part of the self-test that is run at every start: decodes the known bus log and compares the state with the known values.
-/// Draws nothing and needs no surface.
+/// The part of the self-test that is run at every start: decodes the known bus log, compares the state with the known values,
+/// and the program's geodesy with GeographicLib's. Draws nothing and needs no surface.
 void run_start_test(const SelfTestInputs& inputs, SelfTestReport& report);
 
 /// Prints one line per check and a summary line, or one line of JSON {"self_test", "version", "checks": [{"name", "holds",

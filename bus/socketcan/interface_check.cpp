@@ -32,11 +32,13 @@ base::Error link_error(std::string_view name, std::initializer_list<std::string_
 
 bool is_controller(const NetInterface& link) { return link.kind.view() == "can"; }
 
+/// A serial adapter (slcan) lists its rates and refuses restart-ms.
+std::string_view switched_on(const NetInterface& link) { return link.has_listed_rates ? " up" : " up type can restart-ms 100"; }
+
 base::Error down_error(const NetInterface& link) {
     const std::string_view name = link.name.view();
     if (!is_controller(link)) return link_error(name, {"is down; switch it on: ip link set ", name, " up"});
-    if (link.bit_rate_hz != 0)
-        return link_error(name, {"is down; switch it on: ip link set ", name, " up type can restart-ms 100"});
+    if (link.bit_rate_hz != 0) return link_error(name, {"is down; switch it on: ip link set ", name, switched_on(link)});
     return link_error(
         name, {"is down and has no bit rate; set the rate of the bus, for example: ip link set ", name,
                " up type can bitrate 1000000 restart-ms 100",
@@ -51,7 +53,7 @@ base::Error bus_off_error(const NetInterface& link) {
                                  " ms; check wiring, termination, and that all nodes have the bit rate ",
                                  base::digits(link.bit_rate_hz).view()});
     return link_error(name, {"is bus-off and stays so (restart-ms 0); check wiring and bit rate, then: ip link set ", name,
-                             " down; ip link set ", name, " up type can restart-ms 100"});
+                             " down; ip link set ", name, switched_on(link)});
 }
 
 const char* to_text(ControllerState state) {

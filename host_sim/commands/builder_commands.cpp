@@ -73,6 +73,10 @@ void add_terrain(CLI::App& app, CommandLine& line) {
         ->check(CLI::IsMember({"float32", "int16"}))
         ->capture_default_str();
     fractal->add_option("-o", f.output, "the raster to write (.tif)")->required();
+    TerrainCacheOptions& k = line.terrain_cache;
+    CLI::App* cache = add_command(*group, line, "cache", "the databases that fly has built and kept",
+                                  [&k](Console& console) { return run_terrain_cache(k, console); });
+    cache->add_flag("--clear", k.clear, "removes them; fly builds anew what it needs");
 }
 
 }  // namespace

@@ -14,9 +14,11 @@
 #include "host_sim/commands/compare.hpp"
 #include "host_sim/commands/contract.hpp"
 #include "host_sim/commands/convert.hpp"
+#include "host_sim/commands/device.hpp"
 #include "host_sim/commands/diff.hpp"
 #include "host_sim/commands/evaluate.hpp"
 #include "host_sim/commands/fly.hpp"
+#include "host_sim/commands/kept_terrains.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/scene.hpp"
@@ -43,6 +45,7 @@ struct CommandLine {
     TerrainCheckOptions terrain_check;
     TerrainInfoOptions terrain_info;
     TerrainFractalOptions terrain_fractal;
+    TerrainCacheOptions terrain_cache;
     ReplayOptions replay;
     FlyOptions fly;
     ShotOptions shot;
@@ -55,6 +58,7 @@ struct CommandLine {
     EvaluateOptions evaluate;
     ContractOptions contract;
     CalibrateOptions calibrate;
+    DevicePlanOptions device_plan;
     AccuracyOptions accuracy;
     ShadersOptions shaders;
     std::string replay_config;
@@ -94,7 +98,7 @@ Choice choice_from(const std::string& option, const std::string& word, const std
 
 /// convert, scenario, scene, terrain: commands that make the files that the display reads.
 void add_builders(CLI::App& app, CommandLine& line);
-/// shot, trace, sheet, sweep, calibrate, accuracy, shaders, replay: commands that draw.
+/// shot, trace, sheet, sweep, device, calibrate, accuracy, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);
 /// Options of a raster that becomes a terrain database.
 void add_raster_options(CLI::App* command, TerrainBuildOptions& options);

@@ -206,6 +206,32 @@ void add_sweep(CLI::App& app, CommandLine& line) {
         ->description("terrain database (.tdb); default: the shipped one, with the shipped scenario's data");
 }
 
+void add_device(CLI::App& app, CommandLine& line) {
+    static const std::map<std::string, effects::Lane> kLanes = {{"es2", effects::Lane::es2}, {"es3", effects::Lane::es3}};
+    CLI::App* group = app.add_subcommand("device", "the device file of a display computer");
+    group->require_subcommand(1);
+    DevicePlanOptions& o = line.device_plan;
+    CLI::App* command = add_long_command(*group, line, "plan", "a device file whose budgets fit a memory, proved by a start",
+                                         [&o](Console& console) { return run_device_plan(o, console); });
+    command
+        ->add_option_function<std::string>(
+            "--size", [&o](const std::string& text) { o.picture.size = size_from(text); }, "WIDTHxHEIGHT of the picture")
+        ->required();
+    command
+        ->add_option("--memory", o.memory,
+                     "bytes for processor and GPU together; K, M or G behind them mean 1024 of the one before")
+        ->required();
+    command->add_option("--design", o.picture.design, "design file or shipped name that it must start with")
+        ->capture_default_str();
+    command->add_option("--scene", o.picture.scene, "scene database (.sdb) that it must hold, and the next one of this size");
+    command->add_option("--terrain", o.picture.terrain, "terrain database (.tdb) that it is for; default: any");
+    command->add_option_function<std::string>(
+        "--lane", [&o](const std::string& word) { o.lane = choice_from("--lane", word, kLanes); },
+        "es2 or es3; default: that of the largest shipped device that the memory holds");
+    command->add_option("--rate", o.rate_hz, "pictures a second")->capture_default_str();
+    command->add_option("-o", o.output, "the device file to write (.toml)")->required();
+}
+
 }  // namespace
 
 void add_displays(CLI::App& app, CommandLine& line) {
@@ -213,6 +239,7 @@ void add_displays(CLI::App& app, CommandLine& line) {
     add_sheet(app, line);
     add_sweep(app, line);
     add_trace(app, line);
+    add_device(app, line);
     add_calibrate(app, line);
     add_accuracy(app, line);
     add_shaders(app, line);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/kept_terrains.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scene.hpp"
 #include "host_sim/commands/terrain_cache.hpp"
@@ -76,12 +77,17 @@ std::string log_of_flight(const FlyOptions& options, WrittenFiles& made, Console
     return convert.output;
 }
 
-std::string terrain_of_flight(const TerrainBuildOptions& terrain, Console& console) {
+/// `use` keeps a database of the cache from being removed.
+std::string terrain_of_flight(const TerrainBuildOptions& terrain, TerrainUse& use, Console& console) {
     if (terrain.rasters.empty()) return {};
     const auto is_database = [](const std::string& file) {
         return begins_with(file, {terrain::kTdbMagic, sizeof terrain::kTdbMagic});
     };
-    if (std::none_of(terrain.rasters.begin(), terrain.rasters.end(), is_database)) return cached_terrain(terrain, console);
+    if (std::none_of(terrain.rasters.begin(), terrain.rasters.end(), is_database)) {
+        std::string path = cached_terrain(terrain, console);
+        use = TerrainUse(path);
+        return path;
+    }
     if (terrain.rasters.size() > 1)
         throw UserError("--terrain: one database, or rasters to build one from; not " + std::to_string(terrain.rasters.size()) +
                         " files with a database among them");
@@ -146,10 +152,10 @@ void take_class(const Recording& recording, ReplayOptions& replay, Console& cons
 }
 
 /// What is wrong with the flight and with the pair of flight and terrain is found before the long steps.
-ReplayOptions replay_of(const FlyOptions& options, WrittenFiles& made, Console& console) {
+ReplayOptions replay_of(const FlyOptions& options, WrittenFiles& made, TerrainUse& use, Console& console) {
     ReplayOptions replay = options.replay;
     const std::optional<Recording> recording = recording_of(options.flight);
-    replay.picture.terrain = terrain_of_flight(options.terrain, console);
+    replay.picture.terrain = terrain_of_flight(options.terrain, use, console);
     if (recording && !replay.picture.terrain.empty())
         require_near_terrain(recording->fixes, replay.picture.terrain, OpenDatabase(replay.picture.terrain).database());
     replay.log = recording ? log_of_flight(options, made, console, replay.notes) : options.flight.flight;
@@ -181,7 +187,8 @@ int run_fly(const FlyOptions& options, Console& console) {
     NewFolder folder(options.replay.output);
     WrittenFiles made;
     Console steps = console.without_result();
-    const ReplayOptions replay = replay_of(options, made, steps);
+    TerrainUse use;
+    const ReplayOptions replay = replay_of(options, made, use, steps);
     require_uninterrupted(options.replay.output);
     const int code = run_replay(replay, steps);
     made.keep();

@@ -40,4 +40,18 @@ void StartTrial::require(const std::string& device, const std::string& design) {
     }
 }
 
+StartTrial::Outcome StartTrial::start(PictureOptions options) {
+    if (options.terrain.empty()) options.terrain = terrain();
+    Outcome outcome;
+    try {
+        DisplaySession session(options, false);
+        outcome.used = session.display().planner().budget();
+    } catch (const UserError& error) {
+        base::BudgetShortage shortage;
+        if (!base::find_shortage(error.what(), shortage)) throw;
+        outcome.shortage = shortage;
+    }
+    return outcome;
+}
+
 }  // namespace tedavis::host_sim

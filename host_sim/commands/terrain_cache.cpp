@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/commands/kept_terrains.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
@@ -98,6 +99,7 @@ std::string required_folder() {
 }
 
 bool is_found(const std::string& path, Console& console) {
+    note_terrain_use(path);  // first, so that no other process takes it for the oldest
     if (!is_sound(path)) return false;
     console.note("note: terrain from the cache: " + path);
     return true;
@@ -111,6 +113,14 @@ void build_at(const std::string& path, const TerrainBuildOptions& build, Console
     Console only_notes = console.without_result();
     (void)run_terrain_build(here, only_notes);
     console.note("note: terrain was built for this and later flights: " + path + " (" + megabytes(path) + ")");
+}
+
+void keep_below_limit(const std::string& folder, const std::string& path, Console& console) {
+    note_terrain_use(path);
+    const std::vector<KeptTerrain> removed = trim_terrains(folder, kKeptTerrainBytes, path);
+    if (!removed.empty())
+        console.note("note: " + removed_words(removed) + " from " + folder + ", where those used longest ago go beyond " +
+                     decimal(static_cast<double>(kKeptTerrainBytes) / 1e9, 0) + " GB; 'tedavis terrain cache' shows it");
 }
 
 }  // namespace
@@ -130,7 +140,9 @@ std::string cached_terrain(const TerrainBuildOptions& build, Console& console) {
     make_folder(folder);
     const BuildLock lock(path + ".lock");
     lock.wait(path, console);
-    if (!is_found(path, console)) build_at(path, build, console);
+    if (is_found(path, console)) return path;
+    build_at(path, build, console);
+    keep_below_limit(folder, path, console);
     return path;
 }
 

@@ -3,7 +3,8 @@
 /// A database lies in the folder `tedavis/terrain` of the user's cache ($XDG_CACHE_HOME, else ~/.cache). Its name holds a hash of
 /// what terrain_build_identity() states, of the program's version and of the database's format; a raster that was changed, or
 /// another option, has another database; so has one of which a file changed that GDAL reads beside it (files_of_raster()), such
-/// as a world file or a part of a virtual raster. Nothing is ever removed: whoever needs the space deletes the folder.
+/// as a world file or a part of a virtual raster. Where a build takes the folder beyond kKeptTerrainBytes, those that were used
+/// longest ago are removed (kept_terrains.hpp).
 ///
 /// A database appears whole or not at all, and is built by one process at a time: another one that needs it waits. A build that
 /// was interrupted goes on where it was.

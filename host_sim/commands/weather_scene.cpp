@@ -90,20 +90,11 @@ private:
         Json layer = {{"name", unique}, {"source", std::filesystem::absolute(file).lexically_normal().string()}, {"role", role}};
         if (!variable.first_ns || !window_.begin || !window_.end) return layer;
         const base::Time from = *window_.begin - kBesideTheFlight, until = *window_.end + kBesideTheFlight;
-        if (from.ns > *variable.last_ns || until.ns < *variable.first_ns) {
-            say_other_times(file, variable);
-            return layer;
-        }
-        if (*variable.first_ns == *variable.last_ns) return layer;
+        const bool is_of_another_time = from.ns > *variable.last_ns || until.ns < *variable.first_ns;  // then all of it is kept
+        if (is_of_another_time || *variable.first_ns == *variable.last_ns) return layer;
         layer["from"] = utc_text(from);
         layer["until"] = utc_text(until);
         return layer;
-    }
-
-    void say_other_times(const std::string& file, const GridVariable& variable) {
-        notes_.push_back(file + ": its times, " + utc_text(base::Time{*variable.first_ns}) + " to " +
-                         utc_text(base::Time{*variable.last_ns}) + ", are not those of the flight, " + utc_text(*window_.begin) +
-                         " to " + utc_text(*window_.end) + "; nothing of it is current");
     }
 
     void add_layer(Json layer, Json attributes) {

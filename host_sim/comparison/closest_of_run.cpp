@@ -29,8 +29,8 @@ std::optional<RunClosest> closest_of_summary(const ClosestOfRunJson& closest) {
                      text_of_point(point, "phase") + (sub.empty() ? "" : "." + sub),
                      true};
     if (!std::isfinite(found.height_m) || !std::isfinite(found.time_s)) return std::nullopt;
-    const double left_out_s = number_of_point(closest, "left_out_s");
-    found.left_out_s = std::isfinite(left_out_s) ? left_out_s : 0;
+    found.left_out_s = std::fmax(number_of_point(closest, "left_out_s"), 0);
+    found.unknown_s = std::fmax(number_of_point(closest, "unknown_s"), 0);
     return found;
 }
 
@@ -57,9 +57,11 @@ std::optional<RunClosest> closest_of_run(const ComparedRun& run) {
 
 std::string searched_words(const RunClosest& closest) {
     if (!closest.is_of_summary) return "its frames in flight, since its summary has no closest point";
-    const std::string text = "its whole run, between its frames too";
-    if (!(closest.left_out_s > 0)) return text;
-    return text + ", without " + decimal(closest.left_out_s, 0) + " s of take-off and landing";
+    std::string without;
+    if (closest.left_out_s > 0) without = decimal(closest.left_out_s, 0) + " s of take-off and landing";
+    if (closest.unknown_s >= 0.5)
+        without += (without.empty() ? "" : " and ") + decimal(closest.unknown_s, 0) + " s without a position or known ground";
+    return "its whole run, between its frames too" + (without.empty() ? without : ", but for " + without);
 }
 
 }  // namespace tedavis::host_sim

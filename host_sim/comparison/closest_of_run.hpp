@@ -19,7 +19,8 @@ struct RunClosest {
     /// The point of the summary, which is searched in the whole run, between its frames too; else of the run's frames the lowest
     /// in flight.
     bool is_of_summary = false;
-    double left_out_s = 0;  ///< of take-off and landing, where it is of the summary
+    /// Of take-off and landing, and without a position or known ground, where it is of the summary.
+    double left_out_s = 0, unknown_s = 0;
 
     [[nodiscard]] bool has_place() const { return std::isfinite(latitude_deg) && std::isfinite(longitude_deg); }
 };

@@ -60,6 +60,11 @@ double crowded_regions(const RunJson& record) {
     return count;
 }
 
+bool has_flag(const RunJson& record, const char* name) {
+    const RunJson flags = entry_at(record, "/flags");
+    return flags.is_array() && std::find(flags.begin(), flags.end(), name) != flags.end();
+}
+
 void read_effects(const RunJson& record, ComparedFrame& frame) {
     const RunJson effects = entry_at(record, "/effects");
     frame.values[kEffectsDrawn] = kNoValue;
@@ -95,6 +100,10 @@ void read_compared_frame(const RunJson& record, ComparedFrame& frame) {
     frame.terrain_alert = alert_at(record, "/alerts/terrain/level");
     frame.obstacle_alert = alert_at(record, "/alerts/obstacles/level");
     read_place(record, frame);
+    frame.has_pressure_height = !has_flag(record, "own_ship.height_on_qnh") &&
+                                std::isfinite(number_at(record, "/own_ship/alt_msl_m")) &&
+                                record.contains(RunJson::json_pointer("/own_ship/alt_ellipsoid_m")) &&
+                                entry_at(record, "/own_ship/alt_ellipsoid_m").is_null();
     read_values(record, frame);
     if (!std::filesystem::exists(frame.picture)) frame.picture.clear();
 }
@@ -135,6 +144,7 @@ void read_names(ComparedRun& run) {
     const RunJson can_frames = entry_at(summary, "/can/frames");
     if (can_frames.is_number_unsigned()) run.can_frames = can_frames.get<std::uint64_t>();
     run.closest = entry_at(summary, "/closest");
+    run.assumes_heights = entry_at(summary, "/assumes_heights") == true || entry_at(summary, "/closest/assumes_heights") == true;
 }
 
 }  // namespace

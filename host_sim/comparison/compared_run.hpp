@@ -56,6 +56,7 @@ struct ComparedFrame : RunFrame {
     std::optional<double> utc_s;
     std::string hash;  ///< of the picture; see knows_picture()
     bool has_place = false;
+    bool has_pressure_height = false;             ///< its height is known, but not above the ellipsoid: by pressure alone
     double latitude_deg = 0, longitude_deg = 0;   ///< where it has a place
     int terrain_alert = 0, obstacle_alert = 0;    ///< 0 none, 1 caution, 2 warning
     std::array<double, kQuantityCount> values{};  ///< NaN where the record does not have it
@@ -69,7 +70,8 @@ struct ComparedRun {
     std::optional<std::pair<std::uint64_t, std::uint64_t>> log_content;
     std::optional<std::uint64_t> can_frames;  ///< of its summary
     nlohmann::ordered_json closest;           ///< `closest` of its summary, or null
-    std::vector<ComparedFrame> frames;        ///< in the order of time; at least one
+    bool assumes_heights = false;  ///< by its summary: pressure altitudes are taken for heights (`convert --assume-geometric`)
+    std::vector<ComparedFrame> frames;  ///< in the order of time; at least one
 };
 
 /// Throws UserError where the folder holds no run.

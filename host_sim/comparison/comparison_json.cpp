@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/comparison/comparison_words.hpp"
+#include "host_sim/comparison/height_words.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -37,6 +38,13 @@ ComparisonJson levels_json(const AlertLevels& levels) {
     return {{"none", levels[0]}, {"caution", levels[1]}, {"warning", levels[2]}};
 }
 
+ComparisonJson heights_json(const ComparedRun& run) {
+    return {{"are_assumed", run.assumes_heights},
+            {"pressure_frames", frames_by_pressure(run)},
+            {"ground_known_frames", frames_over_known_ground(run)},
+            {"frames", run.frames.size()}};
+}
+
 ComparisonJson closest_json_of(const std::optional<RunClosest>& closest) {
     if (!closest) return {};
     return {{"height_above_terrain_m", closest->height_m},
@@ -44,7 +52,9 @@ ComparisonJson closest_json_of(const std::optional<RunClosest>& closest) {
             {"lat_deg", known_or_null(closest->latitude_deg)},
             {"lon_deg", known_or_null(closest->longitude_deg)},
             {"phase", closest->phase},
-            {"searched", closest->is_of_summary ? "run" : "frames"}};
+            {"searched", closest->is_of_summary ? "run" : "frames"},
+            {"left_out_s", closest->is_of_summary ? ComparisonJson(closest->left_out_s) : ComparisonJson()},
+            {"unknown_s", closest->is_of_summary ? ComparisonJson(closest->unknown_s) : ComparisonJson()}};
 }
 
 template <class Value>
@@ -93,6 +103,7 @@ nlohmann::ordered_json comparison_json(const RunComparison& runs) {
                           {"searched", runs.aligned.searched},
                           {"without_counterpart", runs.aligned.searched - runs.aligned.instants.size()}}}};
     json["compared_frames"] = {{"a", runs.compared_a.size()}, {"b", runs.compared_b.size()}};
+    json["heights"] = {{"a", heights_json(runs.a)}, {"b", heights_json(runs.b)}};
     json["closest"] = {{"a", closest_json_of(runs.closest_a)}, {"b", closest_json_of(runs.closest_b)}};
     json["differences"] = ComparisonJson::array();
     for (const QuantityDifference& one : runs.quantities) json["differences"].push_back(quantity_json(one));

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "host_sim/calendar_time.hpp"
+#include "host_sim/comparison/height_words.hpp"
 #include "host_sim/reports/line_chart.hpp"
 #include "host_sim/reports/run_findings.hpp"
 #include "render_core/base/units.hpp"
@@ -323,14 +324,19 @@ std::vector<std::string> difference_sentences(const RunComparison& runs) {
     const auto tell = [&](const std::string& sentence) {
         if (!sentence.empty()) sentences.push_back(sentence);
     };
+    const auto tell_all = [&](const std::vector<std::string>& more) {
+        sentences.insert(sentences.end(), more.begin(), more.end());
+    };
     if (runs.is_equal()) {
         tell(nothing_differs_sentence(runs));
         tell(ground_sentence(runs));
+        tell_all(height_sentences(runs));
         tell(time_sentence(runs));
         return sentences;
     }
     tell(ground_sentence(runs));
     tell(higher_sentence(runs));
+    tell_all(height_sentences(runs));
     tell(alert_sentence("terrain", runs.terrain_a, runs.terrain_b));
     tell(alert_sentence("obstacle", runs.obstacles_a, runs.obstacles_b));
     tell(count_sentence(runs, kLabelsPlaced, "placed", "label"));

@@ -9,8 +9,9 @@ constexpr double kSeaLevelTemperature_k = 288.15;
 constexpr double kLapseRate_k_per_m = 0.0065;
 constexpr double kExponent = 5.255879812716677;  // g / (R L) with g = 9.80665, R = 287.05287
 
-double altitude_of_ratio(double pressure_over_setting) {
-    return kSeaLevelTemperature_k / kLapseRate_k_per_m * (1.0 - std::pow(pressure_over_setting, 1.0 / kExponent));
+/// Of the standard atmosphere.
+double altitude_of_ratio(double pressure_over_standard) {
+    return kSeaLevelTemperature_k / kLapseRate_k_per_m * (1.0 - std::pow(pressure_over_standard, 1.0 / kExponent));
 }
 
 }  // namespace
@@ -24,12 +25,11 @@ double standard_pressure_pa(double standard_altitude_m) noexcept {
 }
 
 double altitude_on_qnh(double standard_altitude_m, double qnh_pa) noexcept {
-    return altitude_of_ratio(standard_pressure_pa(standard_altitude_m) / qnh_pa);
+    return standard_altitude_m - altitude_of_ratio(qnh_pa / kStandardPressure_pa);
 }
 
 double standard_altitude(double altitude_on_qnh_m, double qnh_pa) noexcept {
-    const double pressure = qnh_pa * std::pow(standard_temperature_k(altitude_on_qnh_m) / kSeaLevelTemperature_k, kExponent);
-    return altitude_of_ratio(pressure / kStandardPressure_pa);
+    return altitude_on_qnh_m + altitude_of_ratio(qnh_pa / kStandardPressure_pa);
 }
 
 }  // namespace tedavis::host_sim

@@ -6,7 +6,9 @@ namespace tedavis::host_sim {
 
 inline constexpr double kStandardPressure_pa = 101325.0;
 
-/// What an altimeter set to `qnh_pa` shows where one set to 1013.25 hPa shows `standard_altitude_m`.
+/// What an altimeter set to `qnh_pa` shows where one set to 1013.25 hPa shows `standard_altitude_m`: less by the height of the
+/// pressure `qnh_pa` in the standard atmosphere, at each altitude. The subscale moves the pointer, and does not scale what it
+/// shows.
 [[nodiscard]] double altitude_on_qnh(double standard_altitude_m, double qnh_pa) noexcept;
 /// The inverse of altitude_on_qnh.
 [[nodiscard]] double standard_altitude(double altitude_on_qnh_m, double qnh_pa) noexcept;

@@ -27,6 +27,7 @@ inline constexpr std::array<std::string_view, 3> kGhostAlignNames = {"time", "pl
 struct ShownGhost {
     struct Place {
         double time_s = 0, latitude_deg = 0, longitude_deg = 0;
+        bool joins_next = true;  ///< false: between it and the next one it is not shown
     };
     std::string log, name;  ///< the file; what the picture calls it: "other"
     GhostAlign align = GhostAlign::time;

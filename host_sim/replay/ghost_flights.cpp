@@ -43,8 +43,8 @@ ShownGhost shown(const ScannedFlight& own, const std::string& log, const std::st
                  const GhostTrack& track) {
     ShownGhost ghost{log, name, align, track.shift_s, {}};
     for (const ScannedPlace& place : track.places)
-        ghost.places.push_back(
-            {(place.time - own.first).to_seconds(), base::degrees(place.latitude_rad), base::degrees(place.longitude_rad)});
+        ghost.places.push_back({(place.time - own.first).to_seconds(), base::degrees(place.latitude_rad),
+                                base::degrees(place.longitude_rad), place.joins_next});
     return ghost;
 }
 

@@ -9,7 +9,6 @@
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/replay/drawn_layers.hpp"
 #include "host_sim/replay/log_facts.hpp"
-#include "host_sim/replay/scene_findings.hpp"
 #include "host_sim/reports/height_findings.hpp"
 #include "host_sim/reports/html_report.hpp"
 #include "host_sim/reports/run_folder.hpp"
@@ -67,7 +66,8 @@ RunRecorder::RunRecorder(const ReplayOptions& options, DisplaySession& session, 
       story_(player.first()),
       tally_(player.first()),
       closest_(player.first()),
-      scene_extent_(extent_of_scene(options.picture.scene)) {
+      scene_extent_(extent_of_scene(options.picture.scene)),
+      scene_times_(times_of_scene(options.picture.scene)) {
     if (const terrain::TerrainDatabase* const database = session.display().planner().terrain_database(); database != nullptr)
         clearance_ = std::make_unique<ClearanceMeter>(*database);
 }
@@ -182,6 +182,7 @@ RunSummary RunRecorder::summary(bool interrupted) {
     if (const terrain::TerrainDatabase* const database = session_.display().planner().terrain_database(); database != nullptr)
         append(s.warnings, height_findings(s.terrain, height_counts(database->header())));
     append(s.warnings, scene_findings(s.scene, scene_extent_, tally_.extent()));
+    if (story_.utc().is_known) append(s.warnings, time_findings(s.scene, scene_times_, story_.utc().begin, story_.utc().end));
     s.interrupted = interrupted;
     if (const std::string fault = session_.terrain_fault(); !fault.empty()) s.notes.push_back(fault);
     if (options_.picture.deadline_ms && options_.picture.costs.empty())

@@ -16,6 +16,7 @@
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/legend_pictures.hpp"
 #include "host_sim/replay/picture_writer.hpp"
+#include "host_sim/replay/scene_findings.hpp"
 #include "host_sim/replay/video_file.hpp"
 #include "host_sim/reports/effect_tally.hpp"
 #include "host_sim/reports/flight_tally.hpp"
@@ -87,7 +88,8 @@ private:
     ClosestFinder closest_;
     LegendPictures legends_;
     PictureWriter pictures_;
-    GeoExtent scene_extent_;              ///< read before the run: afterwards the file may be another one
+    GeoExtent scene_extent_;  ///< read before the run: afterwards the file may be another one
+    std::vector<LayerTimes> scene_times_;
     std::uint64_t heap_allocations_ = 0;  ///< of the core, while it planned and drew
 };
 

@@ -1,6 +1,7 @@
 #include "host_sim/reports/alert_tally.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tedavis::host_sim {
 namespace {
@@ -11,11 +12,14 @@ constexpr double kLongestFrame_s = 10;  // longer gaps are none of a flight
 
 }  // namespace
 
+std::uint64_t TerrainAlertCounts::frames() const { return std::accumulate(frames_by.begin(), frames_by.end(), std::uint64_t{0}); }
+
 void AlertTally::add(const display::FrameRecord& record) {
     const double time_s = (record.time - base::Time{}).to_seconds();
     if (!frames_.empty() && !(time_s > frames_.back().time_s)) return;
     const display::AlertRecord& alerts = record.alerts;
-    frames_.push_back({time_s, alerts.height_above_terrain_m, alerts.clearance_m, alerts.terrain, alerts.is_watching});
+    frames_.push_back(
+        {time_s, alerts.height_above_terrain_m, alerts.clearance_m, alerts.terrain, alerts.is_watching, hindrance_of(record)});
 }
 
 /// Until the next frame; the last one is as long as the one before.
@@ -36,6 +40,17 @@ bool AlertTally::is_confirmed(std::size_t n, double within_s) const {
     return false;
 }
 
+void AlertTally::count_time(TerrainAlertCounts& counts) const {
+    for (std::size_t n = 0; n < frames_.size(); ++n) {
+        const double hours = seconds_of(n) / 3600;
+        const auto why = static_cast<std::size_t>(frames_[n].hindrance);
+        counts.hours += hours;
+        counts.hours_by[why] += hours;
+        ++counts.frames_by[why];
+        counts.has_gaps = counts.has_gaps || hours == 0;
+    }
+}
+
 void AlertTally::count_alert(std::size_t begin, std::size_t end, TerrainAlertCounts& counts) const {
     bool warned = false, is_true = false, is_true_warning = false;
     for (std::size_t n = begin; n < end; ++n) {
@@ -53,7 +68,7 @@ void AlertTally::count_alert(std::size_t begin, std::size_t end, TerrainAlertCou
 
 TerrainAlertCounts AlertTally::counts() const {
     TerrainAlertCounts counts;
-    for (std::size_t n = 0; n < frames_.size(); ++n) counts.hours += seconds_of(n) / 3600;
+    count_time(counts);
     for (std::size_t begin = 0; begin < frames_.size(); ++begin) {
         if (frames_[begin].level == TerrainAhead::none) continue;
         std::size_t end = begin + 1;

@@ -7,9 +7,11 @@
 /// ones.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "host_sim/reports/alert_hindrance.hpp"
 #include "render_core/display/planner/frame_record.hpp"
 
 namespace tedavis::host_sim {
@@ -19,6 +21,15 @@ struct TerrainAlertCounts {
     double seconds_caution = 0, seconds_warning = 0;
     std::uint64_t count = 0, false_count = 0;        ///< alerts, of whatever level
     std::uint64_t warnings = 0, false_warnings = 0;  ///< alerts of which frames warned
+
+    /// By AlertHindrance: `none` is where alerts were possible. The frames are those that were added, the hours those of `hours`.
+    std::array<std::uint64_t, kAlertHindranceCount> frames_by{};
+    std::array<double, kAlertHindranceCount> hours_by{};
+    bool has_gaps = false;  ///< frames are so far apart that `hours` is not the whole run
+
+    [[nodiscard]] std::uint64_t frames() const;
+    [[nodiscard]] std::uint64_t possible_frames() const { return frames_by[0]; }
+    [[nodiscard]] double possible_hours() const { return hours_by[0]; }
 
     [[nodiscard]] double false_per_hour() const { return hours > 0 ? static_cast<double>(false_count) / hours : 0; }
 };
@@ -34,9 +45,11 @@ private:
         double time_s = 0, height_m = 0, clearance_m = 0;
         policy::TerrainAhead level = policy::TerrainAhead::none;
         bool is_watching = false;
+        AlertHindrance hindrance = AlertHindrance::none;
     };
     [[nodiscard]] double seconds_of(std::size_t n) const;
     [[nodiscard]] bool is_confirmed(std::size_t n, double within_s) const;
+    void count_time(TerrainAlertCounts& counts) const;
     void count_alert(std::size_t begin, std::size_t end, TerrainAlertCounts& counts) const;
 
     std::vector<Frame> frames_;

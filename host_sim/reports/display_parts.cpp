@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render_core/base/units.hpp"
+#include "render_core/draw/symbology/activity_mark.hpp"
 #include "render_core/draw/symbology/bank_scale.hpp"
 #include "render_core/draw/symbology/compass_rose.hpp"
 #include "render_core/draw/symbology/flight_director.hpp"
@@ -73,6 +74,10 @@ const DisplayPart kParts[] = {
      }},
     {"warnings and cautions", "What is wrong or needs attention, the most urgent first: warnings are red, cautions amber.",
      [](const Drawn& drawn) { return in(drawn.layout.annunciations, 0.6f, 0.5f); }},
+    {"activity mark",
+     "The hand moves with each new position, and goes round in seven seconds; it stands still where no position comes, or where "
+     "the display has stopped.",
+     [](const Drawn& drawn) { return draw::activity_mark_box(drawn.layout.annunciations, text_px(drawn)).center(); }},
     {"information", "Where the flight and the data come from.",
      [](const Drawn& drawn) { return off(drawn, middle_of(drawn.layout.information), -9.3f, 0); }},
     {"selected airspeed", "The airspeed that the pilot has selected (cyan).",

@@ -174,6 +174,39 @@ std::string lead(const RunSummary& summary, const RunStory& story) {
     return "<p>" + text + "</p>\n";
 }
 
+/// Where places are left out, both ends of every gap are kept.
+MapTrack ghost_map_track(const ShownGhost& ghost) {
+    MapTrack track{"ghost " + ghost.name, kGhostTrackColor, 2, {}, true};
+    const std::size_t stride = ghost.places.size() / kMaxMapPlaces + 1;
+    for (std::size_t n = 0; n < ghost.places.size(); ++n) {
+        const ShownGhost::Place& place = ghost.places[n];
+        const bool ends = !place.joins_next, begins = n > 0 && !ghost.places[n - 1].joins_next;
+        if (n % stride == 0 || ends || begins)
+            track.places.push_back({place.time_s, place.latitude_deg, place.longitude_deg, place.joins_next});
+    }
+    return track;
+}
+
+/// Which flights are violet, where they are cut, and why their lines have gaps.
+std::string ghost_legend(const RunSummary& summary, const RunStory& story, const std::vector<MapTrack>& ghosts) {
+    if (ghosts.empty()) return {};
+    std::string names, more;
+    for (std::size_t n = 0; n < ghosts.size(); ++n) {
+        const std::string name = escaped_html(ghosts[n].name);
+        names += (names.empty() ? "" : ", ") + name;
+        const MapTrackView view = view_of_track(story, ghosts, n);
+        if (!view.is_shown) more += " All of " + name + " lies beyond this map, which is that of the flight shown.";
+        if (view.is_shown && view.is_cut)
+            more += " The line of " + name +
+                    " is cut at the border: a part of its flight lies beyond this map, which is that of the "
+                    "flight shown.";
+        if (view.is_shown && view.has_gaps)
+            more += " The line of " + name + " has gaps where its log has no position" +
+                    (summary.ghosts[n].align == GhostAlign::place ? ", or where it was not near this flight." : ".");
+    }
+    return "<p>Violet, without phases: " + names + "." + more + "</p>\n";
+}
+
 /// With the closest points by height, numbered as in their table.
 std::string map(const RunSummary& summary, const RunStory& story, const terrain::TerrainDatabase* terrain) {
     std::vector<MapMark> marks;
@@ -184,16 +217,9 @@ std::string map(const RunSummary& summary, const RunStory& story, const terrain:
                          "closest to the ground, " + number + ": " + when_text(closest)});
     }
     std::vector<MapTrack> ghosts;
-    std::string beside;
-    for (const ShownGhost& ghost : summary.ghosts) {
-        ghosts.push_back({"ghost " + ghost.name, kGhostTrackColor, 2, {}});
-        const std::size_t stride = ghost.places.size() / kMaxMapPlaces + 1;
-        for (std::size_t n = 0; n < ghost.places.size(); n += stride)
-            ghosts.back().places.push_back({ghost.places[n].time_s, ghost.places[n].latitude_deg, ghost.places[n].longitude_deg});
-        beside += (beside.empty() ? "<p>Violet, without phases: " : ", ") + escaped_html(ghosts.back().name);
-    }
+    for (const ShownGhost& ghost : summary.ghosts) ghosts.push_back(ghost_map_track(ghost));
     const std::string svg = track_map_svg(story, terrain, marks, ghosts);
-    return svg.empty() ? svg : page_section("Track", svg + (beside.empty() ? beside : beside + ".</p>\n"));
+    return svg.empty() ? svg : page_section("Track", svg + ghost_legend(summary, story, ghosts));
 }
 
 std::string memory_table(const base::BudgetTable& memory) {

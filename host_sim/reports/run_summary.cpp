@@ -43,8 +43,20 @@ Json traffic_json(const bus::TrafficCounts& traffic) {
             {"refused", traffic.refused}, {"outdated", traffic.outdated},     {"no_room", traffic.no_room}};
 }
 
+Json hindrances_json(const TerrainAlertCounts& alerts) {
+    Json json = Json::object();
+    for (std::size_t n = 1; n < kAlertHindranceCount; ++n)
+        if (alerts.frames_by[n] > 0)
+            json[name_of(static_cast<AlertHindrance>(n))] = {{"frames", alerts.frames_by[n]}, {"hours", alerts.hours_by[n]}};
+    return json;
+}
+
 Json terrain_alerts_json(const TerrainAlertCounts& alerts) {
     return {{"hours", alerts.hours},
+            {"possible_hours", alerts.possible_hours()},
+            {"frames", alerts.frames()},
+            {"possible_frames", alerts.possible_frames()},
+            {"impossible", hindrances_json(alerts)},
             {"seconds_caution", alerts.seconds_caution},
             {"seconds_warning", alerts.seconds_warning},
             {"count", alerts.count},
@@ -95,6 +107,7 @@ std::string run_summary_json(const RunSummary& summary, const base::BudgetTable&
     json["worst_error_px"] = summary.worst_error_px;
     json["worst_start_error_px"] = summary.worst_start_error_px;
     json["terrain_alerts"] = terrain_alerts_json(summary.terrain_alerts);
+    json["assumes_heights"] = summary.closest.assumes_heights;
     json["closest"] = closest_json(summary.closest);
     json["gl_calls_outside_device"] = summary.gl_calls_outside_device;
     json["device"] = summary.device;

@@ -1,5 +1,6 @@
 #include "host_sim/reports/run_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -66,15 +67,49 @@ std::string terrain_shown(const RunSummary& summary) {
            ".";
 }
 
+/// Of the run's time, or of its frames where these are too far apart to have one.
+std::string amount_words(const TerrainAlertCounts& counts, double hours, std::uint64_t frames) {
+    return counts.has_gaps ? counted(frames, "frame") : duration_words(3600 * hours);
+}
+
+/// Why alerts were not possible, as main clauses, the longest first.
+std::string hindrance_words(const TerrainAlertCounts& counts) {
+    std::vector<std::size_t> found;
+    for (std::size_t n = 1; n < kAlertHindranceCount; ++n)
+        if (counts.frames_by[n] > 0) found.push_back(n);
+    std::stable_sort(found.begin(), found.end(),
+                     [&](std::size_t a, std::size_t b) { return counts.frames_by[a] > counts.frames_by[b]; });
+    std::string text;
+    for (const std::size_t n : found) {
+        text += (text.empty() ? "" : n == found.back() ? " and " : ", ") + std::string(words_of(static_cast<AlertHindrance>(n)));
+        if (found.size() > 1) text += " (" + amount_words(counts, counts.hours_by[n], counts.frames_by[n]) + ")";
+    }
+    return text;
+}
+
+/// From "alerts were possible" on; empty where they always were.
+std::string possible_words(const TerrainAlertCounts& counts) {
+    if (counts.possible_frames() == counts.frames()) return {};
+    return "alerts were possible in " +
+           (counts.has_gaps ? std::to_string(counts.possible_frames()) : duration_words(3600 * counts.possible_hours())) +
+           " of " + amount_words(counts, counts.hours, counts.frames()) + ", for in the others " + hindrance_words(counts) + ".";
+}
+
+std::string no_alert(const TerrainAlertCounts& counts) {
+    if (counts.frames_by[static_cast<std::size_t>(AlertHindrance::no_terrain)] == counts.frames())
+        return "Without terrain no terrain alert could be given.";
+    if (counts.possible_frames() == 0) return "No terrain alert could be given: in all frames " + hindrance_words(counts) + ".";
+    const std::string possible = possible_words(counts);
+    return "No terrain alert was given" + (possible.empty() ? "." : "; " + possible);
+}
+
 std::string alerts(const RunSummary& summary) {
     const TerrainAlertCounts& counts = summary.terrain_alerts;
-    if (summary.terrain_frames == 0) return "Without terrain no terrain alert could be given.";
-    if (counts.count == 0)
-        return summary.frames_over_void < summary.terrain_frames ? "No terrain alert was given."
-                                                                 : "Over unknown ground no terrain alert could be given.";
+    if (counts.count == 0) return no_alert(counts);
+    const std::string possible = possible_words(counts);
     return counted(counts.count, "terrain alert") + (counts.count == 1 ? " was" : " were") + " given, " +
            std::to_string(counts.warnings) + " with a warning; " + std::to_string(counts.false_count) +
-           " were false, as the aircraft then kept clear of the ground.";
+           " were false, as the aircraft then kept clear of the ground" + (possible.empty() ? "." : "; " + possible);
 }
 
 }  // namespace

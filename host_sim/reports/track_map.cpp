@@ -7,6 +7,7 @@
 #include "host_sim/reports/base64.hpp"
 #include "host_sim/reports/geo_extent.hpp"
 #include "host_sim/reports/line_chart.hpp"
+#include "host_sim/reports/map_lines.hpp"
 #include "host_sim/reports/phase_color.hpp"
 #include "host_sim/reports/shaded_relief.hpp"
 #include "render_core/base/units.hpp"
@@ -80,17 +81,27 @@ double longest_step_s(const std::vector<Place>& track) {
     return kUsualSteps * steps_s[steps_s.size() / 2];
 }
 
-std::string one_track(const Map& map, const MapTrack& track) {
+/// A gap begins another line.
+std::vector<MapLine> lines_of(const Map& map, const MapTrack& track) {
     const double gap_s = longest_step_s(track.places);
-    std::string lines, points;
+    std::vector<MapLine> lines(1);
     for (std::size_t n = 0; n < track.places.size(); ++n) {
-        if (n > 0 && track.places[n].time_s - track.places[n - 1].time_s > gap_s) {
-            lines += line(points, track.color, track.width);
-            points.clear();
-        }
-        points += point(map, track.places[n]);
+        const MapTrack::Place& place = track.places[n];
+        const bool is_late = !track.states_gaps && n > 0 && place.time_s - track.places[n - 1].time_s > gap_s;
+        if (n > 0 && (is_late || !track.places[n - 1].joins_next)) lines.emplace_back();
+        lines.back().push_back({map.x(place.longitude_deg), map.y(place.latitude_deg)});
     }
-    return lines + line(points, track.color, track.width);
+    return lines;
+}
+
+std::string one_track(const Map& map, const MapTrack& track) {
+    std::string svg;
+    for (const MapLine& part : lines_within(lines_of(map, track), kWidth, map.height)) {
+        std::string points;
+        for (const MapPoint& at : part) points += decimal(at.x, 1) + "," + decimal(at.y, 1) + " ";
+        svg += line(points, track.color, track.width);
+    }
+    return svg;
 }
 
 const char* phase_at(const RunStory& story, double time_s) {
@@ -221,15 +232,15 @@ std::string map_end(const Map& map, MapTexts& texts, const std::vector<MapMark>&
     return svg + "</svg>\n";
 }
 
-/// Where several tracks begin or end at one place, it has the names of all of them.
+/// Where several tracks begin or end at one place, it has the names of all of them; those beyond the map have no dot.
 std::string track_ends(const Map& map, MapTexts& texts, const std::vector<const MapTrack*>& tracks, bool is_begin) {
     constexpr double kTogether = 14;
     std::string svg;
     std::vector<bool> is_named(tracks.size());
     const auto place_of = [&](std::size_t n) { return is_begin ? tracks[n]->places.front() : tracks[n]->places.back(); };
     for (std::size_t n = 0; n < tracks.size(); ++n) {
-        if (is_named[n]) continue;
         const MapTrack::Place place = place_of(n);
+        if (is_named[n] || !is_within({map.x(place.longitude_deg), map.y(place.latitude_deg)}, kWidth, map.height)) continue;
         std::string names = tracks[n]->name;
         for (std::size_t other = n + 1; other < tracks.size(); ++other) {
             const MapTrack::Place beside = place_of(other);
@@ -256,20 +267,55 @@ std::vector<const MapTrack*> drawable(const std::vector<MapTrack>& tracks, GeoEx
     return drawn;
 }
 
+/// Samples with a valid position.
+std::vector<Sample> placed_samples(const RunStory& story) {
+    std::vector<Sample> track;
+    for (const Sample& sample : story.samples())
+        if (sample.position_valid) track.push_back(sample);
+    return track;
+}
+
+/// Other flights may have gone anywhere: they are shown where they are near.
+Map map_of_run(const std::vector<Sample>& track, const std::vector<MapTrack>& beside) {
+    constexpr double kRoom = 0.25;
+    GeoExtent run;
+    for (const Sample& sample : track) run.include(sample.latitude_deg, sample.longitude_deg);
+    const double tall_deg = kRoom * (run.north_deg - run.south_deg), wide_deg = kRoom * (run.east_deg - run.west_deg);
+    const GeoExtent most{run.south_deg - tall_deg, run.north_deg + tall_deg, run.west_deg - wide_deg, run.east_deg + wide_deg};
+    GeoExtent shown = run;
+    for (const MapTrack& other : beside)
+        for (const MapTrack::Place& place : other.places)
+            if (other.places.size() > 1)
+                shown.include(std::clamp(place.latitude_deg, most.south_deg, most.north_deg),
+                              std::clamp(place.longitude_deg, most.west_deg, most.east_deg));
+    return map_of(shown);
+}
+
 }  // namespace
+
+MapTrackView view_of_track(const RunStory& story, const std::vector<MapTrack>& beside, std::size_t number) {
+    const std::vector<Sample> track = placed_samples(story);
+    const MapTrack& other = beside[number];
+    if (track.size() < 2 || other.places.size() < 2) return {};
+    const Map map = map_of_run(track, beside);
+    const std::vector<MapLine> lines = lines_of(map, other);
+    MapTrackView view;
+    view.is_shown = !lines_within(lines, kWidth, map.height).empty();
+    const auto is_on_map = [&](const MapPoint& at) { return is_within(at, kWidth, map.height); };
+    for (std::size_t n = 1; n < lines.size(); ++n)
+        view.has_gaps = view.has_gaps || is_on_map(lines[n - 1].back()) || is_on_map(lines[n].front());
+    for (const MapLine& one : lines)
+        for (const MapPoint& at : one) view.is_cut = view.is_cut || !is_within(at, kWidth, map.height);
+    return view;
+}
 
 std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain, const std::vector<MapMark>& marks,
                           const std::vector<MapTrack>& beside) {
-    std::vector<Sample> track;
-    GeoExtent extent;
-    for (const Sample& sample : story.samples()) {
-        if (!sample.position_valid) continue;
-        track.push_back(sample);
-        extent.include(sample.latitude_deg, sample.longitude_deg);
-    }
+    const std::vector<Sample> track = placed_samples(story);
     if (track.size() < 2) return {};
-    const std::vector<const MapTrack*> others = drawable(beside, extent);
-    const Map map = map_of(extent);
+    GeoExtent everywhere;
+    const std::vector<const MapTrack*> others = drawable(beside, everywhere);
+    const Map map = map_of_run(track, beside);
     std::string svg = map_begin(map, terrain, "The track on a map, north up");
     for (const MapTrack* const other : others) svg += one_track(map, *other);
     svg += track_lines(map, story, track, longest_step_s(track));

@@ -21,16 +21,28 @@ struct MapMark {
 struct MapTrack {
     struct Place {
         double time_s = 0, latitude_deg = 0, longitude_deg = 0;
+        bool joins_next = true;  ///< false: the track has a gap behind it
     };
     std::string name, color;
     double width = 2.5;         ///< of the line; 1.5 to 6
     std::vector<Place> places;  ///< in the order of time
+    /// False: places that are much farther apart in time than is usual have a gap between them, too.
+    bool states_gaps = false;
+};
+
+/// What a map of a run shows of another flight's track.
+struct MapTrackView {
+    bool is_shown = false;  ///< a part of it lies on the map
+    bool is_cut = false;    ///< a part of it lies beyond the map
+    bool has_gaps = false;  ///< one of its gaps begins or ends on the map
 };
 
 /// Of the samples with a valid position; empty where there are fewer than two. `terrain`: null where the run had none. `beside`:
-/// other flights' tracks, below that of the run; those of less than two places are left out.
+/// other flights' tracks, below that of the run; those of less than two places are left out. The map shows the run: it grows by a
+/// quarter of its size at each side for other tracks, which end at its border.
 [[nodiscard]] std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain,
                                         const std::vector<MapMark>& marks = {}, const std::vector<MapTrack>& beside = {});
+[[nodiscard]] MapTrackView view_of_track(const RunStory& story, const std::vector<MapTrack>& beside, std::size_t number);
 /// Tracks of less than two places are left out; empty where none is left. A later one is drawn over an earlier one.
 [[nodiscard]] std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::TerrainDatabase* terrain,
                                          const std::vector<MapMark>& marks = {});

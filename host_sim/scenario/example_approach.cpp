@@ -70,6 +70,7 @@ flight::FrameInput example_approach(display::Display& display) {
     flight::FrameInput input;
     input.time = pose.time;
     input.state = posed_aircraft(pose, display);
+    input.state.is_posed = false;  // all that a flight has is stated
     for (const StatedValue& stated : kStated) input.state[stated.signal] = {stated.value, pose.time};
     flight::OwnShipEstimate& own = input.state.own_ship;
     own.velocity_north_mps = kGroundSpeed_mps * std::cos(radians(kTrack_deg));

@@ -6,9 +6,6 @@
 namespace tedavis::host_sim {
 namespace {
 
-/// Beside the file's own arrays: views of its layers and attributes, and what alignment takes.
-constexpr std::size_t kBesideFile =
-    scene::kMaxLayers * (sizeof(scene::Layer) + 64) + scene::kMaxAttributes * (sizeof(scene::Attribute) + 128);
 /// A forged header is refused before its file is believed to be that large.
 constexpr std::uint64_t kLargest = std::uint64_t{1} << 34;
 
@@ -18,7 +15,7 @@ OpenScene::OpenScene(const std::string& path) {
     auto file = platform::open_file(path.c_str());
     if (!file.ok()) throw UserError(std::string(file.error().message.view()));
     if (file.value().size() > kLargest) throw UserError(path + ": larger than any scene database; name another file");
-    const std::size_t bytes = static_cast<std::size_t>(file.value().size()) + kBesideFile;
+    const std::size_t bytes = static_cast<std::size_t>(scene::Scene::bytes_needed(file.value().size()));
     memory_.reset(new unsigned char[bytes]);
     base::Arena arena(memory_.get(), bytes);
     auto loaded = scene::Scene::load(file.value(), arena);

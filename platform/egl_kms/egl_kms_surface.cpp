@@ -139,6 +139,7 @@ private:
         report_.driver = card.driver;
         report_.connector = card.connectors[choice.value().connector].name;
         report_.mode = mode_text(mode.width_px, mode.height_px, mode.refresh_mhz);
+        report_.refresh_mhz = mode.refresh_mhz;
         scanout_.emplace(card_, buffers_, report_, mode.refresh_mhz);
         base::Error error = card_.open(card, choice.value());
         report_.may_come = card_.is_held();

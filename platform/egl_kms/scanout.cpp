@@ -14,8 +14,11 @@ bool Scanout::show() {
     serve_terminal();
     check_screen(now);
     collect({});
+    // While all that was queued has come, time goes into drawing: a slow frame is no standstill.
+    if (pending_ == nullptr && !has_missed_ && !report_.is_stuck) confirmed_at_ = now;
     judge_standstill(now);
     report_.waited = {};
+    report_.shown_at.reset();  // what was collected was the frame before
     ScanoutBuffer front;
     if (!buffers_.lock_front(front)) return false;
     show(front, now);
@@ -26,6 +29,7 @@ bool Scanout::show() {
 
 void Scanout::confirm(base::Time now) {
     confirmed_at_ = now;
+    has_missed_ = false;
     report_.is_stuck = false;
 }
 
@@ -96,6 +100,7 @@ void Scanout::collect(base::Duration limit) {
     FlipEvent event;
     if (pending_ == nullptr || !drm_.wait_flip(limit, event)) return;
     ++report_.flips;
+    report_.shown_at = event.time;
     confirm(drm_.now());
     if (clock_.flipped(event)) ++report_.late_flips;
     if (shown_ != nullptr) buffers_.release(shown_);
@@ -118,6 +123,7 @@ void Scanout::set_mode(const ScanoutBuffer& front, std::uint32_t framebuffer, ba
     needs_mode_ = false;
     if (!report_.is_stuck) confirm(drm_.now());  // a standstill ends with a flip
     ++report_.flips;
+    report_.shown_at = drm_.now();
 }
 
 void Scanout::flip(const ScanoutBuffer& front, std::uint32_t framebuffer, base::Time now) {
@@ -141,6 +147,7 @@ void Scanout::flip(const ScanoutBuffer& front, std::uint32_t framebuffer, base::
 
 void Scanout::miss(const ScanoutBuffer& front) {
     buffers_.release(front.token);
+    has_missed_ = true;
     ++report_.missed_flips;
 }
 

@@ -77,6 +77,7 @@ private:
     base::Time checked_at_;
     base::Time failed_at_;  // last try to set the mode
     bool has_begun_ = false, has_checked_ = false, has_failed_ = false;
+    bool has_missed_ = false;  // since the screen confirmed a frame
     bool needs_mode_ = true;
     bool is_released_ = false;  // another terminal has the screen, and the console will say when it is ours again
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "platform/egl_kms/screen_mode.hpp"
@@ -19,13 +20,15 @@ enum class FlipPacing : std::uint8_t {
 struct ScreenReport {
     base::FixedString<31> driver, connector;
     ModeText mode;
-    std::uint64_t flips = 0;          ///< frames that the screen confirmed
-    std::uint64_t missed_flips = 0;   ///< frames whose flip was refused or did not come in time
-    std::uint64_t late_flips = 0;     ///< flips that came more than one and a half periods after they were queued
-    std::uint64_t hidden_frames = 0;  ///< frames drawn while the screen was unplugged or another program had it
-    std::uint64_t unplugged = 0;      ///< how often
-    std::uint64_t taken_away = 0;     ///< how often another program or console got the screen
-    base::Duration waited;            ///< of the last frame, for the screen: no work of ours
+    std::uint32_t refresh_mhz = 0;       ///< thousandths of a hertz; 0: not known
+    std::uint64_t flips = 0;             ///< frames that the screen confirmed
+    std::uint64_t missed_flips = 0;      ///< frames whose flip was refused or did not come in time
+    std::uint64_t late_flips = 0;        ///< flips that came more than one and a half periods after they were queued
+    std::uint64_t hidden_frames = 0;     ///< frames drawn while the screen was unplugged or another program had it
+    std::uint64_t unplugged = 0;         ///< how often
+    std::uint64_t taken_away = 0;        ///< how often another program or console got the screen
+    base::Duration waited;               ///< of the last frame, for the screen: no work of ours
+    std::optional<base::Time> shown_at;  ///< since when the screen shows the last frame; nothing: it does not yet
     FlipPacing paced_by = FlipPacing::timer;
     bool is_atomic = false;
     bool is_plugged = true;

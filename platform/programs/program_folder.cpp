@@ -68,7 +68,8 @@ base::Result<ProgramFolder, base::Error> open_program_folder(std::string_view pa
     folder.path_ = base::FixedString<1023>(path);
     struct stat status {};
     if (folder.path_.cut() || ::stat(folder.path_.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-        return base::fail(base::make_error(folder.path_.view(), ": no folder of programs; make it with 'tedavis shaders'"));
+        return base::fail(base::make_error(
+            folder.path_.view(), ": no folder of programs; make it with 'tedavis-display --write-shaders' or 'tedavis shaders'"));
     folder.bytes_.reset(new (std::nothrow) unsigned char[kMaxProgramBytes]);
     if (!folder.bytes_) return base::fail(base::make_error(folder.path_.view(), ": no memory to read programs with"));
     return folder;

@@ -1,4 +1,5 @@
-/// A folder of linked shader programs, one file each, that `tedavis shaders` wrote for a device without a shader compiler.
+/// A folder of linked shader programs, one file each, for a device without a shader compiler: `tedavis shaders` writes it, or on
+/// the board itself `tedavis-display --write-shaders`.
 ///
 /// File    "<16 hex digits of the key>.program": magic "TEDPROG1", CRC-32 of all bytes after it, format, key (little-endian
 ///         u32, u32, u64), then the driver's binary up to the file's end.

@@ -40,12 +40,17 @@ void* Arena::place(std::size_t bytes, std::size_t alignment) {
     const std::size_t padding = (alignment - address % alignment) % alignment;
     const std::uint64_t room = use_.capacity - use_.in_use;
     if (padding > room || bytes > room - padding) {
-        ++use_.refused;
+        refuse(bytes + alignment);
         return nullptr;
     }
     unsigned char* memory = block_ + use_.in_use + padding;
     use_.take(padding + bytes);
     return memory;
+}
+
+void Arena::refuse(std::uint64_t bytes) {
+    ++use_.refused;
+    if (refused_bytes_ < kMaxRefusal) refused_bytes_ += bytes < kMaxRefusal ? bytes : kMaxRefusal;
 }
 
 Arena Arena::carve(std::size_t bytes) {

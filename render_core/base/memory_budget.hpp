@@ -54,7 +54,7 @@ public:
     [[nodiscard]] Span<T> allocate_array(std::size_t count) {
         static_assert(std::is_trivially_copyable_v<T>);
         if (count != 0 && count > use_.capacity / sizeof(T)) {
-            ++use_.refused;
+            refuse(count > kMaxRefusal / sizeof(T) ? kMaxRefusal : count * sizeof(T) + alignof(T));
             return {};
         }
         void* memory = allocate(count * sizeof(T), alignof(T));
@@ -63,14 +63,23 @@ public:
     /// Returns a child arena, of capacity 0 when it does not fit. Its bytes are not touched before they are allocated, so an
     /// unused budget takes no physical memory.
     [[nodiscard]] Arena carve(std::size_t bytes);
-    void reset() { use_.in_use = 0; }
+    void reset() {
+        use_.in_use = 0;
+        refused_bytes_ = 0;
+    }
     [[nodiscard]] const ResourceUse& use() const { return use_; }
+    /// What all the requests that were refused since reset() asked for, with their alignment: so much more would have held them.
+    [[nodiscard]] std::uint64_t refused_bytes() const { return refused_bytes_; }
 
 private:
+    static constexpr std::uint64_t kMaxRefusal = std::uint64_t{1} << 48;  // so that sums hold
+
     [[nodiscard]] void* place(std::size_t bytes, std::size_t alignment);
+    void refuse(std::uint64_t bytes);
 
     unsigned char* block_ = nullptr;
     ResourceUse use_;
+    std::uint64_t refused_bytes_ = 0;
 };
 
 }  // namespace tedavis::base

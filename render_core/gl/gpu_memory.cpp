@@ -1,5 +1,6 @@
 #include "render_core/gl/gpu_memory.hpp"
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/check.hpp"
 
 namespace tedavis::gl {
@@ -19,14 +20,7 @@ void give_back(base::BudgetLine& line, std::uint64_t bytes) {
 }
 
 base::Error over_budget(const base::BudgetLine& line, std::uint64_t needed) {
-    base::Error error = base::make_error("the budget line '", line.name.view(), "' has ");
-    error.message.append(base::digits(line.bytes - line.use.in_use).view());
-    error.message.append(" of ");
-    error.message.append(base::digits(line.bytes).view());
-    error.message.append(" bytes left and ");
-    error.message.append(base::digits(needed).view());
-    error.message.append(" are needed; raise the line in the device file");
-    return error;
+    return base::shortage_error({line.name, line.bytes - line.use.in_use, line.bytes, needed});
 }
 
 }  // namespace tedavis::gl

@@ -11,7 +11,8 @@ namespace tedavis::gl {
 namespace {
 
 constexpr std::size_t kLogLength = 768;
-constexpr const char* kMakeAgain = "; make its programs on this machine with 'tedavis shaders'";
+constexpr const char* kMakeAgain =
+    "; make its programs on this machine with 'tedavis-display --write-shaders' or 'tedavis shaders'";
 constexpr std::string_view kCompilerCalls[] = {"AttachShader", "BindAttribLocation", "CompileShader",     "CreateShader",
                                                "DeleteShader", "GetProgramBinary",   "GetProgramInfoLog", "GetShaderInfoLog",
                                                "GetShaderiv",  "LinkProgram",        "ProgramParameteri", "ShaderSource",

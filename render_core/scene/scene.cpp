@@ -20,7 +20,12 @@ const char* remedy(SdbError error) {
     }
 }
 
+/// Beside the file's own arrays: views of its layers and attributes, and what alignment takes.
+constexpr std::uint64_t kBesideFile = kMaxLayers * (sizeof(Layer) + 64) + kMaxAttributes * (sizeof(Attribute) + 128);
+
 }  // namespace
+
+std::uint64_t Scene::bytes_needed(std::uint64_t file_bytes) { return file_bytes + kBesideFile; }
 
 const char* to_string(SdbError error) noexcept {
     switch (error) {

@@ -75,6 +75,9 @@ class Scene {
 public:
     [[nodiscard]] static base::Result<Scene, SdbFailure> load(base::ByteSource& source, base::Arena& arena);
 
+    /// Bytes of an arena that surely hold a file of so many bytes.
+    [[nodiscard]] static std::uint64_t bytes_needed(std::uint64_t file_bytes);
+
     [[nodiscard]] const SceneHeader& header() const { return header_; }
     [[nodiscard]] base::Span<const Layer> layers() const { return layers_; }
     [[nodiscard]] const Layer* find(std::string_view layer) const;

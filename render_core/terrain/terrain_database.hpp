@@ -68,6 +68,11 @@ public:
     /// Verifies the checksum of bytes that were read from the part's offset by other means.
     [[nodiscard]] static TdbFailure check_part(const PartPlace& place, base::Span<const std::uint8_t> bytes);
 
+    /// Bytes that open() takes from its arena.
+    [[nodiscard]] std::uint64_t table_bytes() const {
+        return page_table_.size() * sizeof(std::uint64_t) + undulation_.size() * sizeof(float);
+    }
+
     /// Returns the undulation (EGM96 geoid above WGS84 ellipsoid) at a point, bilinear in the stored grid, clamped to its
     /// border.
     [[nodiscard]] earth::GeoidUndulation undulation(double latitude_rad, double longitude_rad) const;

@@ -37,7 +37,8 @@ KERNEL_LINES = {
     "aarch64": "console=ttyAMA0 quiet panic=-1 mitigations=off kpti=off nokaslr norandmaps",
     "x86_64": "console=ttyS0 quiet panic=-1 norandmaps mitigations=off random.trust_cpu=on tsc=reliable",
 }
-BOOT_LIMIT_S = 90
+BOOT_LIMIT_S, SYSTEM_LIMIT_S = 90, 240
+DISK_MODULES = ("virtio_blk", "crc32c_generic", "ext4")
 PR_SET_PDEATHSIG = 1
 
 
@@ -131,10 +132,13 @@ class Machine:
     size      width and height of the screen of virtio-gpu
     boot_s    seconds from the start of the emulator to a shell that answers
     work      this machine's folder that is /work in the guest
+    disk      a disk of tests/board/make_image; its system is booted, and what it changes is forgotten at the end
+    keeps_disk   the disk is only there (/dev/vda), and keeps what is written
     """
 
-    def __init__(self, arch, shares=None, modules=(), size=(640, 480), memory_mib=1024):
+    def __init__(self, arch, shares=None, modules=(), size=(640, 480), memory_mib=1024, disk=None, keeps_disk=False):
         self.arch, self.modules, self.size, self.memory_mib = arch, tuple(modules), size, memory_mib
+        self.disk, self.keeps_disk = disk, keeps_disk
         self.work = TOP / "build" / "board" / arch
         self.shares = {"build": str(TOP / "build"), "source": str(TOP), "work": f"{self.work}:rw", **(shares or {})}
         self.boot_s = 0.0
@@ -189,6 +193,13 @@ class Machine:
             time.sleep(0.05)
         return self.run(f"wait {pid}", 10)[0]
 
+    def reboot(self):
+        """Ends the system of the disk and boots it again; returns the seconds. CAN and GPIO must be made anew."""
+        begin = time.monotonic()
+        self._shell.write(b"systemctl reboot\n")
+        self._shell.read_until(rb"SHELLUP\n", SYSTEM_LIMIT_S)
+        return time.monotonic() - begin
+
     # Files. The guest reads its shares fast in large pieces only, not page by page as a program that starts does.
 
     def uptime_offset_s(self):
@@ -235,8 +246,13 @@ class Machine:
 
     def open_can(self):
         """Makes the guest's interface slcan0, fed by send_can()."""
-        self.must("slcand -o -s8 /dev/hvc1 slcan0")
-        self.must("for i in $(seq 50); do ip link set slcan0 up 2>/dev/null && break; sleep 0.1; done; ip link show slcan0", 20)
+        self.plug_can("slcan0")
+        self.must("ip link set slcan0 up")
+
+    def plug_can(self, name):
+        """Makes an interface of the guest that is down, fed by send_can()."""
+        self.must(f"slcand -o -s8 /dev/hvc1 {name}")
+        self.must(f"for i in $(seq 50); do [ -d /sys/class/net/{name} ] && break; sleep 0.1; done; ip link show {name}", 20)
 
     def send_can(self, frames):
         """Sends frames (11-bit identifier, data) to the guest with one write."""
@@ -309,7 +325,7 @@ class Machine:
             self._monitor = Monitor(f"{self._sockets}/qmp", self._is_alive)
             self._shell = Channel(f"{self._sockets}/shell", self._is_alive)
             self._can = Channel(f"{self._sockets}/can", self._is_alive)
-            self._shell.read_until(rb"SHELLUP\n", BOOT_LIMIT_S)
+            self._shell.read_until(rb"SHELLUP\n", BOOT_LIMIT_S if self.disk is None else SYSTEM_LIMIT_S)
         except MachineError as error:
             emulator = (self.work / "qemu.log").read_text(errors="replace")
             raise MachineError(f"the guest does not come up: {error}\n{emulator}{self.console_log()[-2000:]}") from None
@@ -320,11 +336,16 @@ class Machine:
 
     def _command(self):
         guest = TOP / "build" / "guests" / self.arch
+        modules = self.modules if self.disk is None else (*self.modules, *DISK_MODULES)
         tags = ",".join(f"{name}:rw" if folder.endswith(":rw") else name for name, folder in self.shares.items())
-        line = f"{KERNEL_LINES[self.arch]} shares={tags} modules={','.join(self.modules)}"
+        line = f"{KERNEL_LINES[self.arch]} shares={tags} modules={','.join(modules)}"
+        if self.disk is not None and not self.keeps_disk:
+            line += " system=disk"
         # KVM is no choice: a nested one boots no stock kernel, although /dev/kvm opens.
         command = [*EMULATORS[self.arch], "-accel", "tcg", "-smp", "1", "-m", str(self.memory_mib)]
-        command += ["-nodefaults", "-no-user-config", "-display", "none", "-no-reboot"]
+        command += ["-nodefaults", "-no-user-config", "-display", "none"]
+        if self.disk is None or self.keeps_disk:
+            command += ["-no-reboot"]
         command += ["-kernel", str(guest / "vmlinuz"), "-initrd", str(self.work / "initramfs.img"), "-append", line]
         command += ["-serial", f"file:{self.work / 'console.log'}", "-qmp", f"unix:{self._sockets}/qmp,server=on,wait=off"]
         command += ["-device", "virtio-serial-pci"]
@@ -332,6 +353,11 @@ class Machine:
             command += ["-chardev", f"socket,id={name},path={self._sockets}/{name},server=on,wait=off"]
             command += ["-device", f"virtconsole,chardev={name}"]
         command += ["-device", f"virtio-gpu-pci,xres={self.size[0]},yres={self.size[1]}"]
+        if self.disk is not None:
+            path = os.path.realpath(self.disk).replace(",", ",,")
+            changes = "off" if self.keeps_disk else "on"
+            command += ["-drive", f"if=none,id=disk,file={path},format=raw,cache=unsafe,snapshot={changes}"]
+            command += ["-device", "virtio-blk-pci,drive=disk"]
         root = "/" if self.arch == "x86_64" else str(TOP / "build" / "sysroots" / self.arch)
         for name, folder in {"root": root, **self.shares}.items():
             mode = "security_model=none" if folder.endswith(":rw") else "security_model=none,readonly=on"

@@ -1,15 +1,13 @@
 // Where a flight that somebody flew came closest to the mountains, against a search in the raster by GDAL and the flight's log.
 #include <gtest/gtest.h>
 
-#include <gdal_priv.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "host_sim/commands/convert.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/terrain.hpp"
+#include "tests/real/raster_heights.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/support/flights/frame_lines.hpp"
@@ -55,42 +53,10 @@ struct DavosRun {
     host_sim::ReplayOptions replay;
 };
 
-/// Heights of the raster, by the two triangles of a cell.
-class RasterHeights {
-public:
-    explicit RasterHeights(const std::string& path) {
-        GDALAllRegister();
-        auto* const file = GDALDataset::Open(path.c_str());
-        file->GetGeoTransform(transform_);
-        columns_ = file->GetRasterXSize(), rows_ = file->GetRasterYSize();
-        heights_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-        EXPECT_EQ(
-            file->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns_, rows_, heights_.data(), columns_, rows_, GDT_Float32, 0, 0),
-            CE_None);
-        GDALClose(file);
-    }
-    [[nodiscard]] double at(double lat_deg, double lon_deg) const {
-        const double x = (lon_deg - transform_[0]) / transform_[1] - 0.5, y = (lat_deg - transform_[3]) / transform_[5] - 0.5;
-        if (!(x >= 0 && y >= 0 && x < columns_ - 1 && y < rows_ - 1)) return std::nan("");
-        const auto i = static_cast<int>(x), j = static_cast<int>(y);
-        const double u = x - i, v = y - j, nw = post(i, j), ne = post(i + 1, j), sw = post(i, j + 1), se = post(i + 1, j + 1);
-        return u + v < 1 ? nw + u * (ne - nw) + v * (sw - nw) : se + (1 - u) * (sw - se) + (1 - v) * (ne - se);
-    }
-
-private:
-    [[nodiscard]] double post(int i, int j) const {
-        return static_cast<double>(
-            heights_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)]);
-    }
-    double transform_[6] = {};
-    int columns_ = 0, rows_ = 0;
-    std::vector<float> heights_;
-};
-
 /// The oracle knows the places of dense frames and the raster alone; the run under test has a frame every 100 s.
 TEST(Closest, OverDavosIsThatOfABruteForceSearchOverRasterAndTrack) {
     const DavosRun sparse(100), dense(1);
-    const RasterHeights heights(sparse.raster);
+    const test_support::RasterHeights heights(sparse.raster);
     double least_m = INFINITY, least_s = 0;
     const auto lines = test_support::frame_lines(dense.replay.output);
     for (std::size_t n = 0; n + 1 < lines.size(); ++n)

@@ -89,7 +89,7 @@ TEST(BoardDisplay, AnImpossibleDeviceIsRefused) {
     BoardSettings settings = board_settings();
     settings.device.budget.find(effects::kLodScratch)->bytes = 8;
     platform::DisplayHost board;
-    EXPECT_THAT(start(settings, board), HasSubstr("the budget line 'lod_scratch' is too small"));
+    EXPECT_THAT(start(settings, board), HasSubstr("the budget line 'lod_scratch' has 8 of 8 bytes left"));
     settings = board_settings();
     settings.surface = base::FixedString<15>("glut");
     platform::DisplayHost other;

@@ -45,6 +45,20 @@ TEST(CommandLine, AProbeNeedsNoFileAndTakesOne) {
     EXPECT_EQ(refusal({"--probe", "--frames", "3"}), "--frames: belongs to a run; leave it out; see tedavis-display --help");
 }
 
+TEST(CommandLine, WritingShadersNamesBoardAndFolder) {
+    const auto line = parse({"--write-shaders", "sc2.programs", "--config", "b", "--json"});
+    ASSERT_TRUE(line.ok());
+    EXPECT_EQ(line.value().request, Request::write_shaders);
+    EXPECT_STREQ(line.value().shaders, "sc2.programs");
+    const std::string help = "; see tedavis-display --help";
+    EXPECT_EQ(refusal({"--write-shaders", "d"}), "--config: is missing; name the board file" + help);
+    EXPECT_EQ(refusal({"--config", "b", "--write-shaders"}), "--write-shaders: needs a value behind it" + help);
+    EXPECT_EQ(refusal({"--config", "b", "--write-shaders", ""}),
+              "--write-shaders: is empty; name the folder of programs to write" + help);
+    EXPECT_EQ(refusal({"--config", "b", "--write-shaders", "d", "--frames", "3"}),
+              "--frames: belongs to a run; leave it out" + help);
+}
+
 TEST(CommandLine, ACalibrationNamesBoardAndFile) {
     const auto line = parse({"--calibrate", "-o", "c.toml", "--config", "b"});
     ASSERT_TRUE(line.ok());

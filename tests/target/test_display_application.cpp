@@ -14,6 +14,7 @@
 #include "tests/support/scene/scene_drafts.hpp"
 #include "tests/target/board_costs.hpp"
 #include "tests/target/fake_board.hpp"
+#include "tests/target/ticking_clock.hpp"
 
 namespace tedavis::target::test_display_application {
 namespace {
@@ -98,6 +99,39 @@ TEST_F(DisplayApplicationTest, AFlightOnTheBusShowsTerrain) {
     EXPECT_GT(record.terrain.triangles, 1000u);
     EXPECT_LT(red_pixels(), 50u);
     EXPECT_EQ(report.gl_calls_outside_device, 0u);
+}
+
+TEST_F(DisplayApplicationTest, TheTimeFromTheBusToThePictureIsKnown) {
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
+    const LatencyReport all = start().run(90, stop).latency;
+    EXPECT_GT(all.pictures, 60u);
+    EXPECT_EQ(all.longest.ns, 0) << "frames come at the instant at which they are read";
+}
+
+TEST_F(DisplayApplicationTest, TheTimeFromTheBusToThePictureHoldsWhatDrawingTakes) {
+    TickingClock::reset();
+    BoardPorts ports;
+    ports.can = &port;
+    ports.clocks = TickingClock::clocks();
+    ports.clocks.sleep_until = [](base::Time) {};
+    ports.log = lines.log();
+    application = std::make_unique<DisplayApplication>(settings, std::move(ports));
+    ASSERT_EQ(application->start().message.view(), "");
+    (void)application->run(1, stop);  // opens the bus
+    bus::CanFrame frame;
+    frame.id = 0x7F0;
+    frame.length = 8;
+    for (int n = 0; n < 4; ++n) {
+        ASSERT_TRUE(port.deliver(frame));
+        (void)application->run(1, stop);
+    }
+    const LatencyReport latency = application->run(1, stop).latency;
+    EXPECT_EQ(latency.pictures, 4u) << "one of the five had no new frame";
+    EXPECT_GE(latency.longest.ns, TickingClock::kTick_ns);
+    EXPECT_GT(latency.p99_pictures, 0);
+    EXPECT_LT(latency.most_pictures, 2) << "each frame is in the first picture after it";
 }
 
 TEST_F(DisplayApplicationTest, ASceneIsTakenOverWhenItIsThere) {
@@ -185,8 +219,7 @@ TEST_F(DisplayApplicationTest, WhatCannotStartSaysWhy) {
     EXPECT_THAT(refusal(), HasSubstr("[surface]: "));
     settings = board_settings();
     settings.device.budget.find(effects::kLodScratch)->bytes = 8;
-    EXPECT_EQ(refusal(),
-              "device 'es2-small': the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+    EXPECT_THAT(refusal(), HasSubstr("device 'es2-small': the budget line 'lod_scratch' has 8 of 8 bytes left and "));
 }
 
 TEST_F(DisplayApplicationTest, WithoutTerrainThatThereShouldBeItFliesAndSaysSo) {

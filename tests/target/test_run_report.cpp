@@ -82,14 +82,37 @@ TEST(RunReport, TheEndHoldsTheCounts) {
     report.bus.alien = 3;
     report.end = RunEnd::surface_lost;
     const auto json = nlohmann::json::parse(printed([&](std::FILE* out) { print_end(report, true, out); }));
-    EXPECT_EQ(json, (nlohmann::json{{"end", "surface_lost"},
-                                    {"frames", 7},
-                                    {"missed", 2},
-                                    {"gl_calls_outside_device", 0},
-                                    {"first_picture_s", nullptr},
-                                    {"can", {{"frames", 5}, {"decoded", 0}, {"alien", 3}, {"errors", 0}, {"dropped", 0}}}}));
+    EXPECT_EQ(
+        json,
+        (nlohmann::json{
+            {"end", "surface_lost"},
+            {"frames", 7},
+            {"missed", 2},
+            {"gl_calls_outside_device", 0},
+            {"first_picture_s", nullptr},
+            {"can", {{"frames", 5}, {"decoded", 0}, {"alien", 3}, {"errors", 0}, {"dropped", 0}}},
+            {"can_to_screen",
+             {{"pictures", 0}, {"median_ms", 0}, {"p99_ms", 0}, {"longest_ms", 0}, {"p99_pictures", 0}, {"most_pictures", 0}}}}));
     EXPECT_THAT(printed([&](std::FILE* out) { print_end(report, false, out); }),
                 HasSubstr("surface_lost after 7 frames, 2 turns missed; CAN 5 frames, 0 decoded, 3 foreign"));
+}
+
+TEST(RunReport, TheEndSaysHowLongTheBusTookToTheScreen) {
+    RunReport report;
+    EXPECT_EQ(printed([&](std::FILE* out) { print_end(report, false, out); }).find("from a CAN frame"), std::string::npos);
+    report.latency = {
+        90, base::Duration::milliseconds(30), base::Duration::milliseconds(61), base::Duration::milliseconds(70), 1.75, 2.125};
+    EXPECT_THAT(
+        printed([&](std::FILE* out) { print_end(report, false, out); }),
+        HasSubstr("from a CAN frame to the screen: median 30 ms, 99 of 100 pictures within 61 ms and 1.75 frame times, longest "
+                  "70.0 ms and 2.12 frame times\n"));
+    EXPECT_EQ(nlohmann::json::parse(printed([&](std::FILE* out) { print_end(report, true, out); })).at("can_to_screen"),
+              (nlohmann::json{{"pictures", 90},
+                              {"median_ms", 30},
+                              {"p99_ms", 61},
+                              {"longest_ms", 70},
+                              {"p99_pictures", 1.75},
+                              {"most_pictures", 2.125}}));
 }
 
 TEST(RunReport, TheEndOfAScreenHasItsCounts) {

@@ -14,6 +14,8 @@
 namespace tedavis::target::test_watchdog {
 namespace {
 
+constexpr base::Duration kFrame = base::Duration::milliseconds(30);
+
 /// The service manager's end.
 class Manager {
 public:
@@ -39,31 +41,77 @@ private:
 TEST(Watchdog, SaysWhatTheManagerUnderstands) {
     const test_support::TemporaryFolder folder;
     const Manager manager(folder.file("notify"));
-    const Watchdog watchdog(folder.file("notify"));
+    Watchdog watchdog(folder.file("notify"));
     ASSERT_TRUE(watchdog.connected());
     watchdog.ready();
     EXPECT_EQ(manager.message().substr(0, 8), "READY=1\n");
-    watchdog.alive();
+    watchdog.alive(kFrame);
     EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
     watchdog.stopping();
     EXPECT_EQ(manager.message(), "STOPPING=1\n");
+}
+
+TEST(Watchdog, AsksForPatienceUntilFramesAreQuick) {
+    const test_support::TemporaryFolder folder;
+    const Manager manager(folder.file("notify"));
+    Watchdog watchdog(folder.file("notify"), 5'000'000);
+    watchdog.ready();
+    EXPECT_EQ(manager.message(), "WATCHDOG_USEC=60000000\n");
+    EXPECT_EQ(manager.message().substr(0, 8), "READY=1\n");
+    for (int n = 0; n < 2 * Watchdog::kQuickFrames; ++n) {
+        watchdog.alive(n == Watchdog::kQuickFrames - 1 ? base::Duration::seconds(4) : kFrame);
+        EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
+        if (n + 1 < 2 * Watchdog::kQuickFrames) EXPECT_EQ(manager.message(), "") << "a slow frame starts the count again";
+    }
+    EXPECT_EQ(manager.message(), "WATCHDOG_USEC=5000000\n");
+    watchdog.expect_slow_frames();
+    watchdog.expect_slow_frames();
+    EXPECT_EQ(manager.message(), "WATCHDOG_USEC=60000000\n");
+    EXPECT_EQ(manager.message(), "") << "it is asked for once";
+}
+
+TEST(Watchdog, LeavesAManagerThatWaitsLongOrForeverAsItIs) {
+    const test_support::TemporaryFolder folder;
+    const Manager manager(folder.file("notify"));
+    for (const std::uint64_t limit_us : {std::uint64_t{0}, std::uint64_t{120'000'000}}) {
+        Watchdog watchdog(folder.file("notify"), limit_us);
+        watchdog.ready();
+        EXPECT_EQ(manager.message().substr(0, 8), "READY=1\n");
+        for (int n = 0; n < Watchdog::kQuickFrames; ++n) {
+            watchdog.alive(kFrame);
+            EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
+        }
+        EXPECT_EQ(manager.message(), "");
+    }
+}
+
+TEST(Watchdog, TakesTheLimitFromTheEnvironment) {
+    const test_support::TemporaryFolder folder;
+    const Manager manager(folder.file("notify"));
+    setenv("NOTIFY_SOCKET", folder.file("notify").c_str(), 1);
+    setenv("WATCHDOG_USEC", "5000000", 1);
+    Watchdog watchdog;
+    unsetenv("NOTIFY_SOCKET");
+    unsetenv("WATCHDOG_USEC");
+    watchdog.expect_slow_frames();
+    EXPECT_EQ(manager.message(), "WATCHDOG_USEC=60000000\n");
 }
 
 TEST(Watchdog, FindsTheSocketInTheEnvironmentAbstractNamesToo) {
     const std::string name = "@tedavis-test-" + std::to_string(getpid());
     const Manager manager(name);
     setenv("NOTIFY_SOCKET", name.c_str(), 1);
-    const Watchdog watchdog;
+    Watchdog watchdog;
     unsetenv("NOTIFY_SOCKET");
-    watchdog.alive();
+    watchdog.alive(kFrame);
     EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
 }
 
 TEST(Watchdog, WithoutAManagerItDoesNothing) {
     unsetenv("NOTIFY_SOCKET");
-    const Watchdog alone;
+    Watchdog alone;
     EXPECT_FALSE(alone.connected());
-    alone.alive();
+    alone.alive(kFrame);
     EXPECT_FALSE(Watchdog("/nowhere/at/all").connected());
     EXPECT_FALSE(Watchdog("").connected());
     EXPECT_FALSE(Watchdog(std::string(200, 'x')).connected());
@@ -72,8 +120,8 @@ TEST(Watchdog, WithoutAManagerItDoesNothing) {
 TEST(Watchdog, AManagerThatDoesNotReadHoldsNobody) {
     const test_support::TemporaryFolder folder;
     const Manager manager(folder.file("notify"));
-    const Watchdog watchdog(folder.file("notify"));
-    for (int n = 0; n < 10000; ++n) watchdog.alive();
+    Watchdog watchdog(folder.file("notify"));
+    for (int n = 0; n < 10000; ++n) watchdog.alive(kFrame);
     EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
 }
 

@@ -37,8 +37,10 @@ base::Error DisplayMemory::cut(const base::BudgetTable& budget, base::Arena& res
         base::Arena& arena = this->*part.arena;
         arena = reservation.carve(static_cast<std::size_t>(line->bytes));
         if (arena.use().capacity != line->bytes)
-            return base::make_error("the reservation does not hold the budget line '", part.line,
-                                    "'; lower the budgets in the device file");
+            return base::make_error("the reservation has ",
+                                    base::digits(reservation.use().capacity - reservation.use().in_use).view(),
+                                    " bytes left and the budget line '", part.line, "' takes ", base::digits(line->bytes).view(),
+                                    "; lower the budgets in the device file");
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/display/planner/approach_frame.hpp"
 #include "render_core/display/planner/ghost_element.hpp"
 #include "render_core/draw/data/area_prisms.hpp"
@@ -92,10 +93,17 @@ draw::ElementCount build_solids(draw::SolidBatch& batch, draw::SolidMesh& mesh, 
                                                                  : draw::add_cables(batch, mesh, input);
 }
 
+constexpr std::uint64_t kQuarterVertex = 4 * (sizeof(draw::SolidVertex) + kIndicesAVertex * sizeof(std::uint16_t));
+constexpr std::uint32_t kFewestVertices = 256;  // of the part of surfaces that moves, and of links
+
+base::Error gpu_shortage(const base::BudgetTable& budget, std::string_view name, std::uint64_t needed, std::string_view what) {
+    const base::BudgetLine& line = *budget.find(name);
+    return base::shortage_error({line.name, line.bytes, line.bytes, needed}, what);
+}
+
 }  // namespace
 
 SolidRooms solid_rooms(const base::BudgetTable& budget) {
-    constexpr std::uint64_t kQuarterVertex = 4 * (sizeof(draw::SolidVertex) + kIndicesAVertex * sizeof(std::uint16_t));
     const auto quarter = static_cast<std::uint32_t>(budget.find(effects::kSceneSolidVertices)->bytes / kQuarterVertex);
     const auto room = [&](std::uint32_t quarters) {
         const std::uint32_t vertices = quarter * quarters;
@@ -109,12 +117,17 @@ base::Error ElementPlanner::start(bool has_instances, const base::BudgetTable& b
     standing_ = draw::SolidBatch(memory.solids, rooms.standing);
     moving_ = draw::SolidBatch(memory.solids, rooms.moving);
     if (base::Error error = glyphs_.start(has_instances, budget, memory.glyphs)) return error;
+    if (rooms.moving.vertices < kFewestVertices)
+        return gpu_shortage(budget, effects::kSceneSolidVertices, kFewestVertices * kQuarterVertex, "surfaces");
+    if (draw::max_link_vertices(budget) < kFewestVertices)
+        return gpu_shortage(budget, effects::kSceneBillboardVertices, 4 * kFewestVertices * draw::QuadBatch::kBytesAVertex,
+                            "icons and names");
     if (!mesh_.start(memory.solids) || !start_scratch(memory.solids, rooms.standing.vertices))
-        return base::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+        return base::shortage_error(effects::kSceneSolids, memory.solids);
     if (!sheet_.start(memory.billboards) || !labels_.start(memory.billboards) || !own_.start(memory.billboards) ||
         !traffic_.start(memory.billboards) || !links_.start(memory.billboards, draw::max_link_vertices(budget)) ||
         !signs_.start(memory.billboards, draw::max_sign_vertices(budget)))
-        return base::make_error("the budget line '", effects::kSceneBillboards, "' is too small; raise it in the device file");
+        return base::shortage_error(effects::kSceneBillboards, memory.billboards);
     is_started_ = true;
     return {};
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/display/planner/data_legends.hpp"
 #include "render_core/display/planner/frame_notes.hpp"
@@ -25,8 +26,7 @@ base::Error FramePlanner::start_terrain(const TerrainInput& terrain, draw::Drawn
 
 base::Error FramePlanner::start_symbology(base::Arena& memory) {
     if (symbology_.start(memory, draw::kSymbologyVertices)) return {};
-    return base::make_error("the budget line '", effects::kSymbology,
-                            "' is too small for the symbology; raise it in the device file");
+    return base::shortage_error(effects::kSymbology, memory);
 }
 
 base::Error FramePlanner::start_scene(base::ByteSource* scene, const SpatialData::Memory& memory, std::uint32_t ground_side) {

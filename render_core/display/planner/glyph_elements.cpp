@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/draw/data/glyph_focus.hpp"
 #include "render_core/draw/data/glyph_room.hpp"
 #include "render_core/draw/data/wind_barbs.hpp"
@@ -128,7 +129,9 @@ base::Error GlyphElements::start(bool has_instances, const base::BudgetTable& bu
     site_memory_ = memory.carve(for_sites);
     most_glyphs_ = room.glyphs;
     if (room.sites > 0 && has_selection && site_memory_.use().capacity == for_sites) return {};
-    return base::make_error("the budget line '", effects::kSceneGlyphs, "' is too small; raise it in the device file");
+    base::ResourceUse use = memory.use();
+    use.in_use = 0;
+    return base::shortage_error(effects::kSceneGlyphs, use, draw::least_glyph_bytes(has_instances, gpu_bytes, kMaxFields));
 }
 
 draw::ElementInput GlyphElements::input_of(const Slot& slot, const GlyphFrameInput& frame) const {

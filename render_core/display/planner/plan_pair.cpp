@@ -2,10 +2,13 @@
 
 #include <new>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/effects/device.hpp"
 
 namespace tedavis::display {
 namespace {
+
+constexpr std::string_view kOfTwo = "one of two plans";
 
 /// Null where the arena is too small.
 template <class T>
@@ -20,8 +23,8 @@ base::Error PlanPair::start(base::Arena& frames, base::Arena& memories) {
     frame = made_in<PlannedFrame>(frames);
     memory = made_in<PlannerMemory>(memories);
     if (frame != nullptr && memory != nullptr) return {};
-    return base::make_error("the budget line '", frame == nullptr ? effects::kPlannedFrames : effects::kPlannerMemory,
-                            "' is too small; it holds two; raise it in the device file");
+    return frame == nullptr ? base::shortage_error(effects::kPlannedFrames, frames, kOfTwo)
+                            : base::shortage_error(effects::kPlannerMemory, memories, kOfTwo);
 }
 
 }  // namespace tedavis::display

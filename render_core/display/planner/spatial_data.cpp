@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_core/base/budget_shortage.hpp"
+#include "render_core/effects/device.hpp"
 #include "render_core/scene/data_time.hpp"
 #include "render_core/scene/member_choice.hpp"
 
@@ -11,7 +13,16 @@ namespace {
 
 constexpr std::uint32_t kPostsAhead = 8192;  // made a frame; some hundred microseconds
 
+constexpr std::size_t kRoomUnit = 64;
+
 constexpr std::string_view kOfScene = "the scene database ";
+
+/// Half of the line holds a scene, the other half the one that follows it; loaded, a scene takes about what its file does.
+base::Error too_large_error(base::ByteSource& file, const base::Arena& memory) {
+    base::ResourceUse use = memory.use();
+    use.in_use = 0;
+    return base::shortage_error(effects::kSceneData, use, SpatialData::scene_bytes(file.size()), "two scenes of this size");
+}
 
 std::int64_t step_ns(const design::GroundData& ground) { return base::Duration::from_seconds(ground.member_s).ns; }
 
@@ -44,16 +55,21 @@ const char* reason_of(GroundDataState state) noexcept {
 
 std::string_view scene_fault(std::string_view message) noexcept { return base::text_behind(kOfScene, message); }
 
+std::uint64_t SpatialData::scene_bytes(std::uint64_t file_bytes) noexcept {
+    return 2 * (scene::Scene::bytes_needed(file_bytes) / kRoomUnit + 1) * kRoomUnit;
+}
+
 base::Error SpatialData::start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side) {
     most_side_ = most_side;
     const auto posts = static_cast<std::uint32_t>(memory.slices.use().capacity / (2 * sizeof(scene::SliceTexel)));
     if (!slice_.start(posts, memory.slices))
-        return base::make_error(
-            "the budget line 'scene_slices' is too small for data on the ground; raise it in the device file");
-    const std::size_t half = memory.scene.use().capacity / 2 & ~std::size_t{63};
+        return base::shortage_error(effects::kSceneSlices, memory.slices, "data on the ground");
+    const std::size_t half = memory.scene.use().capacity / 2 & ~(kRoomUnit - 1);
     for (base::Arena& room : rooms_) room = memory.scene.carve(half);
     if (file == nullptr) return {};
     auto loaded = scene::Scene::load(*file, rooms_[room_]);
+    if (!loaded.ok() && loaded.error().error == scene::SdbError::too_large)
+        return base::make_error(kOfScene, "does not fit: ", too_large_error(*file, memory.scene).message.view());
     if (!loaded.ok()) return base::make_error(kOfScene, scene::describe(loaded.error()).view());
     scene_ = loaded.value();
     has_scene_ = true;

@@ -48,6 +48,8 @@ public:
     struct Memory {
         base::Arena &scene, &slices;
     };
+    /// Bytes of the budget line scene_data that surely hold a file of so many bytes, and the next one of this size.
+    [[nodiscard]] static std::uint64_t scene_bytes(std::uint64_t file_bytes) noexcept;
     /// `file`: null for no scene. `most_side`: posts across and down that the ground's map has room for; 0
     /// without terrain.
     [[nodiscard]] base::Error start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/draw/texel_size.hpp"
 #include "render_core/terrain/lod_refinement.hpp"
 #include "render_core/terrain/projected_error.hpp"
@@ -61,6 +62,13 @@ bool is_short(const terrain::LodResult& lod) {
            lod.reason == LodStop::milliseconds || lod.reason == LodStop::nodes;
 }
 
+/// Of a line that only the store takes memory by, as it was before it did.
+base::ResourceUse emptied(const base::Arena& arena) {
+    base::ResourceUse use = arena.use();
+    use.in_use = 0;
+    return use;
+}
+
 base::Error database_error(const terrain::TdbFailure& failure) {
     return base::make_error(kOfDatabase, terrain::describe(failure).view());
 }
@@ -82,10 +90,19 @@ std::uint32_t TerrainPlanner::reader_tickets(const effects::DeviceSettings& devi
     return terrain::TerrainStore::reader_tickets(store_settings(device, terrain::ArrivalMode::live));
 }
 
+std::uint64_t TerrainPlanner::lod_bytes(std::uint32_t slots) {
+    return std::uint64_t{slots} * (sizeof(terrain::SelectedChunk) + sizeof(terrain::WantedChunk)) +
+           alignof(terrain::SelectedChunk) + alignof(terrain::WantedChunk) +
+           terrain::LodSelector::bytes_needed(kNodesPerSlot * slots);
+}
+
 base::Error TerrainPlanner::start(const TerrainInput& input, draw::DrawnDesigns designs, effects::DeviceSettings& device,
                                   const TerrainMemory& memory) {
     device_ = &device;
     auto opened = terrain::TerrainDatabase::open(*input.file, memory.index);
+    if (!opened.ok() && opened.error().error == terrain::TdbError::too_large)
+        return base::make_error(kOfDatabase,
+                                "does not fit: ", base::shortage_error(effects::kTerrainIndex, memory.index).message.view());
     if (!opened.ok()) return database_error(opened.error());
     database_ = opened.value();
     for (const draw::DrawnDesign& drawn : designs)
@@ -128,17 +145,12 @@ void TerrainPlanner::decide_drape() {
 
 base::Error TerrainPlanner::start_store(const TerrainInput& input, const TerrainMemory& memory) {
     if (!heights_.start(database_, memory.payloads) || !ceiling_.start(database_, heights_, memory.payloads))
-        return base::make_error(
-            "the budget line 'terrain_heights' is too small for the height queries; raise it in the device file");
+        return base::shortage_error(effects::kTerrainHeights, memory.payloads, "the height queries");
     terrain::StoreSettings settings = store_settings(*device_, input.arrival);
     if (drape_ != DrapeState::shown) settings.drape_slots = 0;
     const terrain::TdbFailure failure = store_.start(
         database_, *input.reader, settings, {memory.index, memory.records, memory.payloads, memory.attributes, &memory.drape});
-    if (failure.error == terrain::TdbError::too_large)
-        return base::make_error(
-            "the budget lines 'terrain_index', 'terrain_chunk_slots', 'terrain_heights', 'terrain_attributes' and "
-            "'terrain_drape' "
-            "do not hold max_chunk_slots, attribute_pages and drape_pages; raise them in the device file");
+    if (failure.error == terrain::TdbError::too_large) return store_error(memory, settings);
     return failure.error == terrain::TdbError::none ? base::Error{} : database_error(failure);
 }
 
@@ -146,12 +158,33 @@ base::Error TerrainPlanner::start_selection(const TerrainMemory& memory) {
     const std::uint32_t slots = device_->max_chunk_slots;
     selected_ = memory.lod.allocate_array<terrain::SelectedChunk>(slots);
     wanted_ = memory.lod.allocate_array<terrain::WantedChunk>(slots);
-    if (selected_.empty() || wanted_.empty() || !selector_.start(memory.lod, kNodesPerSlot * slots))
-        return base::make_error("the budget line 'lod_scratch' is too small for max_chunk_slots; raise it in the device file");
+    const bool has_nodes = selector_.start(memory.lod, kNodesPerSlot * slots);
+    if (selected_.empty() || wanted_.empty() || !has_nodes)
+        return base::shortage_error(effects::kLodScratch, memory.lod, "max_chunk_slots");
     if (!chunk_indices_.start(store_, memory.staging))
-        return base::make_error(
-            "the budget line 'staging' is too small for the index lists of chunks; raise it in the device file");
+        return base::shortage_error(effects::kStaging, memory.staging, "the index lists of chunks");
     return {};
+}
+
+/// Of the lines that the store takes memory by, the first that refused.
+base::Error TerrainPlanner::store_error(const TerrainMemory& memory, const terrain::StoreSettings& settings) const {
+    if (memory.records.refused_bytes() > 0)
+        return base::shortage_error(effects::kTerrainChunkSlots, emptied(memory.records),
+                                    terrain::TerrainStore::record_bytes(settings), "max_chunk_slots");
+    if (memory.payloads.refused_bytes() > 0)
+        return base::shortage_error(effects::kTerrainHeights, memory.payloads, "max_chunk_slots");
+    if (memory.attributes.refused_bytes() > 0)
+        return base::shortage_error(effects::kTerrainAttributes, memory.attributes, "attribute_pages");
+    if (memory.drape.refused_bytes() > 0)
+        return base::shortage_error(effects::kTerrainDrape, emptied(memory.drape), terrain::TerrainStore::drape_bytes(settings),
+                                    "drape_pages");
+    // The directory takes what the line has, and needs a page more than the coarsest level has.
+    const terrain::Lattice& lattice = database_.lattice();
+    const std::uint32_t top = database_.top_level(), pages = lattice.page_columns(top) * lattice.page_rows(top) + 1;
+    const std::uint64_t held = database_.table_bytes(), needed = terrain::DirectoryCache::bytes_needed(pages);
+    base::ResourceUse use = memory.index.use();
+    use.in_use = std::min(use.capacity, held);
+    return base::shortage_error(effects::kTerrainIndex, use, needed, "pages of the directory");
 }
 
 terrain::HeightAnswer TerrainPlanner::true_height(double latitude_rad, double longitude_rad) {

@@ -71,6 +71,8 @@ struct SeenTerrain {
 class TerrainPlanner final : public terrain::DrawnMeshes {
 public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
+    /// Bytes of the budget line lod_scratch for so many slots of chunks.
+    [[nodiscard]] static std::uint64_t lod_bytes(std::uint32_t slots);
 
     /// For designs that follow one another; the first is drawn first.
     [[nodiscard]] base::Error start(const TerrainInput& input, draw::DrawnDesigns designs, effects::DeviceSettings& device,
@@ -138,6 +140,7 @@ private:
                                                     double tau_factor) const;
     void follow_view(const terrain::View& view);
     [[nodiscard]] base::Error start_store(const TerrainInput& input, const TerrainMemory& memory);
+    [[nodiscard]] base::Error store_error(const TerrainMemory& memory, const terrain::StoreSettings& settings) const;
     [[nodiscard]] base::Error start_selection(const TerrainMemory& memory);
 
     effects::DeviceSettings* device_ = nullptr;

@@ -14,6 +14,8 @@ struct GlyphRoom {
 /// fields; the drawer's own share is taken off before. At most kGlyphShare of the rest are glyphs of a frame.
 [[nodiscard]] GlyphRoom glyph_room(bool has_instances, std::uint64_t cpu_bytes, std::uint64_t gpu_bytes,
                                    std::uint32_t fields) noexcept;
+/// Bytes of the line scene_glyphs from which on glyph_room() has room for glyphs, where the line scene_glyph_vertices has.
+[[nodiscard]] std::uint64_t least_glyph_bytes(bool has_instances, std::uint64_t gpu_bytes, std::uint32_t fields) noexcept;
 inline constexpr double kGlyphShare = 0.2;
 
 }  // namespace tedavis::draw

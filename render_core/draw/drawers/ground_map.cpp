@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/draw/drawers/terrain_program.hpp"
 #include "render_core/earth/geodetic.hpp"
@@ -45,8 +46,8 @@ base::Error GroundMap::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t m
     std::uint32_t side = max_texture_px;
     while (side >= kSmallestSide && std::uint64_t{side} * side * 4 + color_bytes > line.bytes) side /= 2;
     if (side < kSmallestSide)
-        return base::make_error(
-            "the budget line 'scene_ground' is too small for data on the ground; raise it in the device file");
+        return base::shortage_error({line.name, line.bytes, line.bytes, kSmallestSide * kSmallestSide * 4 + color_bytes},
+                                    "data on the ground");
     auto colors = gl::make_texture(gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kColors, kColorRows});
     if (!colors.ok()) return colors.error();
     colors_ = static_cast<gl::Texture&&>(colors.value());

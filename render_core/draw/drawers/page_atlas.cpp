@@ -1,5 +1,7 @@
 #include "render_core/draw/drawers/page_atlas.hpp"
 
+#include "render_core/base/budget_shortage.hpp"
+#include "render_core/effects/device.hpp"
 #include "render_core/terrain/attribute_map.hpp"
 
 namespace tedavis::draw {
@@ -49,8 +51,7 @@ base::Error PageAtlas::start(gl::Gl& gl, base::BudgetLine& line, const design::M
                              base::Arena& staging) {
     TEDAVIS_CHECK(slots > 0);
     horizon_ = staging.allocate_array<std::uint8_t>(std::size_t{kHorizonPosts} * kHorizonPosts);
-    if (horizon_.empty())
-        return base::make_error("the budget line 'staging' is too small for a horizon page; raise it in the device file");
+    if (horizon_.empty()) return base::shortage_error(effects::kStaging, staging, "a horizon page");
     for (const BakedMap map : kPageMaps) {
         if (!is_needed(maps, coast, map)) continue;
         auto texture = gl::make_texture(gl, line, settings_of(map, slots));

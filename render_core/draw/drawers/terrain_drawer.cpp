@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/gl/draw_triangles.hpp"
 #include "render_core/terrain/projected_error.hpp"
 
@@ -85,8 +86,7 @@ bool TerrainDrawer::shows(const DrawnDesign& design) const {
 base::Error TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
     const std::uint32_t slots = device.max_chunk_slots;
     slots_ = staging.allocate_array<GpuSlot>(slots);
-    if (slots_.empty())
-        return base::make_error("the budget line 'staging' is too small for the terrain's slots; raise it in the device file");
+    if (slots_.empty()) return base::shortage_error(effects::kStaging, staging, "max_chunk_slots");
     for (GpuSlot& slot : slots_) slot = GpuSlot{};
     auto vertices = gl::make_buffer(gl, *device.budget.find(effects::kTerrainVertices), gl::BufferKind::vertices,
                                     gl::BufferUse::streamed, slots * kSlotVertexBytes);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/draw/drawers/terrain_drawer.hpp"
 #include "render_core/terrain/projected_error.hpp"
 
@@ -35,8 +36,7 @@ base::Error TerrainDrawer::start_pages(gl::Gl& gl, DrawnDesigns designs, effects
     const auto slots = static_cast<std::uint32_t>(store_->attribute_pages().use().capacity);
     if (slots == 0 || !reads_pages()) return {};
     page_slots_ = staging.allocate_array<PageSlot>(slots);
-    if (page_slots_.empty())
-        return base::make_error("the budget line 'staging' is too small for the attribute pages; raise it in the device file");
+    if (page_slots_.empty()) return base::shortage_error(effects::kStaging, staging, "attribute_pages");
     for (PageSlot& slot : page_slots_) slot = PageSlot{};
     return atlas_.start(gl, *device.budget.find(effects::kTerrainPages), maps, database_has_coast(), slots, staging);
 }
@@ -45,8 +45,7 @@ base::Error TerrainDrawer::start_drape(gl::Gl& gl, effects::DeviceSettings& devi
     const auto slots = static_cast<std::uint32_t>(store_->drape_pages().use().capacity);
     if (slots == 0) return {};
     drape_generations_ = staging.allocate_array<std::uint32_t>(slots);
-    if (drape_generations_.empty())
-        return base::make_error("the budget line 'staging' is too small for the drape pages; raise it in the device file");
+    if (drape_generations_.empty()) return base::shortage_error(effects::kStaging, staging, "drape_pages");
     for (std::uint32_t& generation : drape_generations_) generation = 0;
     return drape_.start(gl, *device.budget.find(effects::kTerrainDrapePages), slots);
 }

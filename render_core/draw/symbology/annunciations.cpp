@@ -5,6 +5,7 @@
 
 #include "render_core/base/check.hpp"
 #include "render_core/draw/font_atlas.hpp"
+#include "render_core/draw/symbology/activity_mark.hpp"
 #include "render_core/draw/symbology/short_words.hpp"
 
 namespace tedavis::draw {
@@ -193,12 +194,14 @@ AnnunciationPlan plan_annunciations(const Rect& strip, float text_px, const flig
 void build_annunciations(const Painter& painter, const SymbologyInput& input) {
     const auto& notices = input.decisions.notices;
     const Rect& strip = painter.layout().annunciations;
-    const AnnunciationPlan plan = plan_annunciations(strip, painter.text_px(), input.shown.phase ? &input.phase : nullptr,
+    const Rect texts = shows_activity(input, strip) ? beside_activity_mark(strip, painter.text_px()) : strip;
+    const AnnunciationPlan plan = plan_annunciations(texts, painter.text_px(), input.shown.phase ? &input.phase : nullptr,
                                                      {notices.data(), notices.size()});
     if (plan.fields.empty()) return;
     painter.batch().box(strip, painter.color(SymbolRole::strip_ground));
     for (const Annunciation& field : plan.fields)
         build_field(painter, field, painter.color(role_of(field.kind, is_phase_certain(input.phase))));
+    build_activity_mark(painter, input);
 }
 
 }  // namespace tedavis::draw

@@ -30,6 +30,12 @@ LegendInput make_legend_input(const policy::DisplayDecisions& decisions, const d
     return legend;
 }
 
+std::optional<base::Time> position_time(const flight::AircraftState& state) {
+    const auto &latitude = state[Signal::latitude], &longitude = state[Signal::longitude];
+    if (state.is_posed || !latitude.received() || !longitude.received()) return std::nullopt;
+    return std::min(latitude.source_time(), longitude.source_time());
+}
+
 void take_air(const flight::AircraftState& state, base::Time now, SymbologyInput& input) {
     const auto age = [&](Signal signal) { return now - state[signal].source_time(); };
     input.wind_speed_mps = state[Signal::wind_speed].value_or(0);
@@ -100,6 +106,7 @@ SymbologyInput make_symbology_input(const flight::AircraftState& state, const po
     input.sky = design.sky.zenith;
     input.ground = design.sky.ground;
     input.phase = phase;
+    input.position_time = position_time(state);
     input.legend = make_legend_input(decisions, design);
     input.view_heading_rad = view_heading_rad(state, decisions);
     input.pitch_rad = state[Signal::pitch].value_or(0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 #include "render_core/base/fixed_vector.hpp"
@@ -90,8 +91,9 @@ struct SymbologyInput {
     double standard_turn_radps = base::radians(3);  ///< rate of a standard-rate turn
     design::Color sky, ground;                      ///< of the permanent horizon
     flight::PhaseStatus phase;
-    ViewFrame view;               ///< as terrain and sky are drawn
-    double view_heading_rad = 0;  ///< true
+    std::optional<base::Time> position_time;  ///< of the newest position; nothing: none yet, or a posed picture
+    ViewFrame view;                           ///< as terrain and sky are drawn
+    double view_heading_rad = 0;              ///< true
     double pitch_rad = 0, roll_rad = 0;
     double heading_rad = 0;  ///< as shown: true, magnetic or track, by decisions[heading].source
     double track_rad = 0;    ///< true; means something where `shows_track`

@@ -59,6 +59,9 @@ TEST_F(InterfaceCheck, AnInterfaceThatIsDownIsToldWithTheCommand) {
     link.state = ControllerState::stopped;
     add(link);
     EXPECT_EQ(fault(), "CAN interface 'can0': is down; switch it on: ip link set can0 up type can restart-ms 100");
+    list.interfaces.back().has_listed_rates = true;
+    EXPECT_EQ(fault(), "CAN interface 'can0': is down; switch it on: ip link set can0 up") << "a serial adapter";
+    list.interfaces.back().has_listed_rates = false;
     list.interfaces.back().bit_rate_hz = 0;
     EXPECT_EQ(fault(),
               "CAN interface 'can0': is down and has no bit rate; set the rate of the bus, for example: ip link set can0 up "
@@ -83,6 +86,9 @@ TEST_F(InterfaceCheck, AControllerThatIsOffTheBusIsTold) {
     EXPECT_EQ(fault(),
               "CAN interface 'can0': is bus-off and stays so (restart-ms 0); check wiring and bit rate, then: ip link set "
               "can0 down; ip link set can0 up type can restart-ms 100");
+    list.interfaces.back().has_listed_rates = true;
+    EXPECT_THAT(fault(), HasSubstr("; ip link set can0 up")) << "a serial adapter";
+    EXPECT_EQ(fault().find("type can"), std::string::npos);
     EXPECT_THAT(std::string(interface_text(list.interfaces.back()).view()), HasSubstr("bus-off lasts (restart-ms 0)"));
     list.interfaces.back().state = ControllerState::passive;
     EXPECT_THAT(fault(), HasSubstr("is error-passive"));

@@ -15,6 +15,13 @@ TEST_F(Builders, OptionsReachTheirCommand) {
     EXPECT_TRUE(static_cast<bool>(line.run));
 }
 
+TEST_F(Builders, TheCacheIsClearedOnlyWhereAsked) {
+    parse({"terrain", "cache"});
+    EXPECT_FALSE(line.terrain_cache.clear);
+    parse({"terrain", "cache", "--clear"});
+    EXPECT_TRUE(line.terrain_cache.clear);
+}
+
 TEST_F(Builders, ALogOfAFlightHasItsAltimeterSetting) {
     parse({"convert", "f.igc", "-o", "f.log", "--qnh", "1013.2", "--json"});
     EXPECT_EQ(line.convert.flight, "f.igc");

@@ -31,6 +31,21 @@ TEST_F(Displays, ProgramsAreForTheDeviceWithoutACompiler) {
     EXPECT_EQ(line.shaders.picture.design, "cruise");
 }
 
+TEST_F(Displays, OptionsReachThePlanOfADevice) {
+    parse({"device", "plan", "--size", "800x480", "--memory", "64M", "--design", "cruise", "--lane", "es3", "--rate", "20",
+           "--scene", "s.sdb", "--terrain", "t.tdb", "-o", "d.toml"});
+    ASSERT_TRUE(line.device_plan.picture.size.has_value());
+    EXPECT_EQ(line.device_plan.picture.size->width, 800u);
+    EXPECT_EQ(line.device_plan.memory, "64M");
+    EXPECT_EQ(line.device_plan.picture.design, "cruise");
+    EXPECT_EQ(line.device_plan.picture.scene, "s.sdb");
+    EXPECT_EQ(line.device_plan.picture.terrain, "t.tdb");
+    EXPECT_EQ(line.device_plan.lane, effects::Lane::es3);
+    EXPECT_EQ(line.device_plan.rate_hz, 20);
+    EXPECT_THROW(parse({"device", "plan", "--size", "800x480", "-o", "d.toml"}), CLI::ParseError) << "no memory";
+    EXPECT_THROW(parse({"device"}), CLI::ParseError);
+}
+
 TEST_F(Displays, WhatCannotStandTogetherIsRefused) {
     EXPECT_THROW(parse({"shot", "--pose", "47,9,2000,0,0,0", "-o", "x.png", "--gl", "metal"}), UserError);
     EXPECT_THROW(parse({"shaders"}), CLI::ParseError);

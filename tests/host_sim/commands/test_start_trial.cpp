@@ -40,6 +40,48 @@ TEST(StartTrial, EveryLineThatIsTooSmallIsNamed) {
     }
 }
 
+/// A line raised by what its refusal says, again and again, ends with a device that starts.
+TEST(StartTrial, ARefusalSaysWhatIsEnough) {
+    const test_support::TemporaryFolder place;
+    StartTrial trial;
+    PictureOptions options;
+    for (const char* const line : {"lod_scratch",
+                                   "terrain_heights",
+                                   "terrain_chunk_slots",
+                                   "terrain_index",
+                                   "terrain_vertices",
+                                   "terrain_indices",
+                                   "terrain_attributes",
+                                   "terrain_pages",
+                                   "render_targets",
+                                   "symbology",
+                                   "symbology_vertices",
+                                   "font_atlas",
+                                   "staging",
+                                   "planned_frames",
+                                   "planner_memory",
+                                   "scene_slices",
+                                   "scene_ground",
+                                   "scene_solids",
+                                   "scene_solid_vertices",
+                                   "scene_glyphs",
+                                   "scene_glyph_vertices",
+                                   "scene_billboards",
+                                   "scene_billboard_vertices"}) {
+        std::uint64_t bytes = 8;
+        int starts = 0;
+        for (; starts < 12; ++starts) {
+            options.device = small_device(place, line, std::to_string(bytes));
+            const StartTrial::Outcome outcome = trial.start(options);
+            if (!outcome.shortage) break;
+            ASSERT_EQ(outcome.shortage->line.view(), line);
+            ASSERT_GT(outcome.shortage->enough(), bytes) << line;
+            bytes = outcome.shortage->enough();
+        }
+        EXPECT_LT(starts, 12) << line;
+    }
+}
+
 TEST(StartTrial, TheDesignDecidesWhatADeviceNeeds) {
     const test_support::TemporaryFolder place;
     StartTrial trial;

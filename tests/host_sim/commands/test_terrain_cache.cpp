@@ -12,6 +12,7 @@
 #include <set>
 #include <thread>
 
+#include "host_sim/commands/kept_terrains.hpp"
 #include "tests/host_sim/terrain_builder/height_files.hpp"
 #include "tests/support/files/raster_file.hpp"
 #include "tests/support/files/temporary_folder.hpp"
@@ -73,6 +74,17 @@ TEST_F(TerrainCache, ADatabaseIsBuiltOnceAndSaid) {
     EXPECT_EQ(notes_, "note: terrain from the cache: " + path + "\n");
     EXPECT_EQ(fs::last_write_time(path), written);
     EXPECT_EQ(databases(), 1u);
+}
+
+TEST_F(TerrainCache, AUseIsKnownThoughTheDatabaseIsNotTouched) {
+    const std::string path = cached(), lock = path + ".lock";
+    const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(100);
+    fs::last_write_time(path, long_ago);
+    fs::last_write_time(lock, long_ago);
+    EXPECT_EQ(cached(), path);
+    EXPECT_EQ(fs::last_write_time(path), long_ago);
+    EXPECT_GT(fs::last_write_time(lock), long_ago + std::chrono::hours(99));
+    EXPECT_EQ(kept_terrains(terrain_cache_folder()).size(), 1u) << "names of the cache are told from others";
 }
 
 TEST_F(TerrainCache, AnotherRasterOrOptionIsAnotherDatabase) {

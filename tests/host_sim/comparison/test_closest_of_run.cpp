@@ -28,7 +28,19 @@ TEST(ClosestOfRun, IsThatOfTheSummary) {
     EXPECT_EQ(closest->longitude_deg, 9.5);
     EXPECT_EQ(closest->phase, "approach.final");
     EXPECT_TRUE(closest->is_of_summary && closest->has_place());
-    EXPECT_THAT(searched_words(*closest), HasSubstr("its whole run, between its frames too, without 30 s of"));
+    EXPECT_THAT(searched_words(*closest),
+                HasSubstr("its whole run, between its frames too, but for 30 s of take-off and landing"));
+    EXPECT_EQ(closest->unknown_s, 0);
+}
+
+TEST(ClosestOfRun, SaysWhereNothingWasKnown) {
+    const auto closest = closest_of_run(
+        with_summary(R"({"left_out_s": 30, "unknown_s": 410.2, "by_height": [{"time_s": 3, "height_above_terrain_m": 95}]})"));
+    ASSERT_TRUE(closest.has_value());
+    EXPECT_EQ(closest->unknown_s, 410.2);
+    EXPECT_EQ(searched_words(*closest),
+              "its whole run, between its frames too, but for 30 s of take-off and landing and 410 s without a position or known "
+              "ground");
 }
 
 TEST(ClosestOfRun, WithoutThatItIsTheLowestFrameInFlight) {

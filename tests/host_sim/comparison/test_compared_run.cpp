@@ -52,8 +52,29 @@ TEST(ComparedRun, HasWhatTheRecordsAndTheSummarySay) {
     EXPECT_EQ(frame.picture, frame_picture_path(place.file("a"), 2));
     EXPECT_EQ(run.design, "cruise");
     EXPECT_TRUE(run.closest.is_object());
+    EXPECT_FALSE(run.assumes_heights);
+    EXPECT_FALSE(frame.has_pressure_height) << "its height is above the ellipsoid";
     EXPECT_NEAR(*utc_offset_s(run), 1000, 1e-6);
     EXPECT_EQ(frame_time_words(run, 61), "00:17:41 UTC");
+}
+
+TEST(ComparedRun, KnowsWhatItsHeightsRestOn) {
+    const test_support::TemporaryFolder place;
+    test_support::write_run(place, "a", [](FrameResult& result) {
+        result.record.own_ship.height_is_geometric = result.record.frame != 3 && result.record.frame != 2;
+        if (result.record.frame == 2)  // above sea level by the altimeter's setting
+            ASSERT_TRUE(result.record.flags.try_push_back(display::Name("own_ship.height_on_qnh")));
+        if (result.record.frame == 4) result.record.own_ship.state = base::SignalState::lost;
+    });
+    const auto assumes = [&](const std::string& summary) {
+        place.write("a/summary.json", summary);
+        return read_compared_run(place.file("a")).assumes_heights;
+    };
+    EXPECT_TRUE(assumes(R"({"assumes_heights": true, "closest": null})"));
+    EXPECT_TRUE(assumes(R"({"closest": {"assumes_heights": true}})")) << "runs of before";
+    EXPECT_FALSE(assumes(R"({"assumes_heights": false, "closest": {"assumes_heights": false}})"));
+    const ComparedRun run = read_compared_run(place.file("a"));
+    for (const ComparedFrame& frame : run.frames) EXPECT_EQ(frame.has_pressure_height, frame.frame == 3) << frame.frame;
 }
 
 TEST(ComparedRun, CountsRegionsAboveTheClutterBudgetAlone) {

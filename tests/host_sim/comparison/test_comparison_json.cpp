@@ -85,6 +85,24 @@ TEST(ComparisonJson, HasTheClosestPointOfEachWholeRun) {
     EXPECT_EQ(closest["phase"], "cruise");
     EXPECT_EQ(closest["searched"], "frames");
     EXPECT_TRUE(json["closest"]["b"].is_null()) << "its height is not known";
+    EXPECT_TRUE(closest["unknown_s"].is_null()) << "it is of frames";
+    a.closest = nlohmann::ordered_json::parse(
+        R"({"unknown_s": 12, "left_out_s": 4, "by_height": [{"time_s": 3, "height_above_terrain_m": 9}]})");
+    const auto searched = comparison_json(compared_runs(a, b, {}))["closest"]["a"];
+    EXPECT_EQ(searched["unknown_s"], 12);
+    EXPECT_EQ(searched["left_out_s"], 4);
+}
+
+TEST(ComparisonJson, SaysWhatHeightsRestOn) {
+    ComparedRun a = made_run("a", 10), b = with_log(made_run("b", 8), "a.log");
+    a.assumes_heights = true;
+    b.frames[3].has_pressure_height = true;
+    for (std::size_t n = 0; n < 6; ++n) b.frames[n].values[kHeightAboveTerrain] = kUnknown;
+    const auto heights = comparison_json(compared_runs(a, b, {}))["heights"];
+    EXPECT_EQ(heights["a"], nlohmann::ordered_json::parse(
+                                R"({"are_assumed": true, "pressure_frames": 0, "ground_known_frames": 10, "frames": 10})"));
+    EXPECT_EQ(heights["b"], nlohmann::ordered_json::parse(
+                                R"({"are_assumed": false, "pressure_frames": 1, "ground_known_frames": 2, "frames": 8})"));
 }
 
 }  // namespace

@@ -81,6 +81,14 @@ TEST_F(ComparisonPage, RowsSayOfHowManyInstantsTheyAre) {
     EXPECT_THAT(html, HasSubstr("Known in one run alone, in instants: altitude (5 of 20)"));
 }
 
+/// A section may be longer than a page.
+TEST_F(ComparisonPage, PrintsHeadingsWithWhatFollowsThem) {
+    const std::string html = page(), print = html.substr(html.rfind("@media print{"));
+    EXPECT_THAT(print, HasSubstr("h2,h3{break-after:avoid}"));
+    EXPECT_THAT(print, HasSubstr("section{break-inside:auto}"));
+    EXPECT_THAT(html, HasSubstr("<div class='moment'><h3>"));
+}
+
 /// Each in one unit, whether in a sentence, a table, a caption or a curve.
 TEST_F(ComparisonPage, HeightsAreInFeet) {
     const std::string html = page();

@@ -106,7 +106,8 @@ TEST(DisplaySession, TheDeviceFileIsBlamedForWhatIsTheDevices) {
     ASSERT_NE(at, std::string::npos);
     PictureOptions options = picture();
     options.device = files().folder.write("small.toml", device.replace(at, bytes.size(), "bytes = 4096"));
-    expect_user_error([&] { DisplaySession session(options, false); }, "small.toml: the budget line 'lod_scratch' is too small");
+    expect_user_error([&] { DisplaySession session(options, false); },
+                      "small.toml: the budget line 'lod_scratch' has 4096 of 4096 bytes left");
 }
 
 TEST(DisplaySession, SaysWhenTheTerrainFails) {

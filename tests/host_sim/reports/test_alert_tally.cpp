@@ -141,5 +141,33 @@ TEST(AlertTally, CautionsLookAMinuteAheadAndWarningsHalfOfIt) {
     EXPECT_DOUBLE_EQ(with_low(80).seconds_warning, 5);
 }
 
+/// Twelve minutes, a frame a second: degraded in the first nine.
+TEST(AlertTally, CountsWhereAlertsWerePossible) {
+    AlertTally tally;
+    for (int seconds = 0; seconds < 720; ++seconds) {
+        display::FrameRecord record = frame(seconds, policy::TerrainAhead::none, 300);
+        record.own_ship.state = base::SignalState::valid;
+        EXPECT_TRUE(seconds >= 540 || record.flags.try_push_back(display::Name("terrain.degraded")));
+        tally.add(record);
+    }
+    const TerrainAlertCounts counts = tally.counts();
+    EXPECT_NEAR(counts.possible_hours(), 180 / 3600.0, 1e-9);
+    EXPECT_NEAR(counts.hours, 720 / 3600.0, 1e-9);
+    EXPECT_EQ(counts.possible_frames(), 180u);
+    EXPECT_EQ(counts.frames(), 720u);
+    const auto degraded = static_cast<std::size_t>(AlertHindrance::degraded);
+    EXPECT_EQ(counts.frames_by[degraded], 540u);
+    EXPECT_NEAR(counts.hours_by[degraded], 540 / 3600.0, 1e-9);
+    EXPECT_FALSE(counts.has_gaps);
+}
+
+TEST(AlertTally, FramesFarApartHaveNoTime) {
+    AlertTally tally;
+    for (int n = 0; n < 5; ++n) tally.add(frame(60.0 * n, policy::TerrainAhead::none, 300));
+    EXPECT_TRUE(tally.counts().has_gaps);
+    EXPECT_EQ(tally.counts().frames(), 5u);
+    EXPECT_EQ(tally.counts().possible_frames(), 0u) << "no position is valid";
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_alert_tally

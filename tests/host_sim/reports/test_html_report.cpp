@@ -91,6 +91,40 @@ TEST(HtmlReport, WarningsStandBeforeTheSummary) {
     EXPECT_THAT(html, HasSubstr("worst terrain error while its first chunks arrived</th><td>35.250 px"));
 }
 
+/// The run stands at 46.5 N, 9.75 E.
+TEST(HtmlReport, TheMapSaysWhatItShowsOfGhosts) {
+    RunSummary beside = summary();
+    beside.ghosts = {{"a.log",
+                      "a",
+                      GhostAlign::time,
+                      0,
+                      {{0, 46.5, 9.751}, {1, 46.501, 9.751, false}, {2, 46.502, 9.751}, {3, 46.503, 9.751}}},
+                     {"b.log", "b", GhostAlign::place, {}, {{0, 46.5, 9.751, false}, {1, 46.501, 9.751}, {2, 48, 9.751}}},
+                     {"c.log", "c", GhostAlign::takeoff, 4, {{0, 50, 9.751}, {1, 50.1, 9.751}}}};
+    const std::string html = html_report(beside, short_story(), {});
+    EXPECT_THAT(html, HasSubstr("Violet, without phases: ghost a, ghost b, ghost c."));
+    EXPECT_THAT(html, HasSubstr("The line of ghost a has gaps where its log has no position."));
+    EXPECT_THAT(html, HasSubstr("The line of ghost b is cut at the border: a part of its flight lies beyond this map"));
+    EXPECT_THAT(html, HasSubstr("ghost b has gaps where its log has no position, or where it was not near this flight."));
+    EXPECT_THAT(html, HasSubstr("All of ghost c lies beyond this map"));
+    EXPECT_THAT(html, Not(HasSubstr("The line of ghost c")));
+    EXPECT_THAT(html_report(summary(), short_story(), {}), Not(HasSubstr("Violet")));
+}
+
+/// So that its page and its time are small.
+TEST(HtmlReport, ALongGhostIsThinnedButKeepsItsGaps) {
+    RunSummary beside = summary();
+    beside.ghosts = {{"a.log", "a", GhostAlign::time, 0, {}}};
+    for (int n = 0; n < 10'000; ++n)
+        beside.ghosts[0].places.push_back({1.0 * n, 46.495 + 1e-6 * n, 9.751, n != 5001 && n != 7003});
+    const std::string html = html_report(beside, short_story(), {});
+    const std::string color = "stroke='#8a2fc0'";
+    std::size_t lines = 0;
+    for (std::size_t at = html.find(color); at != std::string::npos; at = html.find(color, at + 1)) ++lines;
+    EXPECT_EQ(lines, 3u);
+    EXPECT_LT(html.size(), html_report(summary(), short_story(), {}).size() + 120'000);
+}
+
 TEST(HtmlReport, WritesBothFilesWhole) {
     const test_support::TemporaryFolder folder;
     write_run_reports(folder.path(), summary(), short_story(), {});

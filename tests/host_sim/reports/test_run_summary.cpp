@@ -45,6 +45,11 @@ RunSummary full_summary() {
     EXPECT_EQ(error_text(s), "worst terrain error 0.50 px");
     s.worst_start_error_px = 431299;
     s.terrain_alerts = {0.5, 40, 20.5, 4, 3, 2, 1};
+    s.terrain_alerts.frames_by[0] = 30;
+    s.terrain_alerts.hours_by[0] = 0.125;
+    s.terrain_alerts.frames_by[static_cast<std::size_t>(AlertHindrance::outside)] = 90;
+    s.terrain_alerts.hours_by[static_cast<std::size_t>(AlertHindrance::outside)] = 0.375;
+    s.closest.assumes_heights = true;
     return s;
 }
 
@@ -59,6 +64,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                             "worst_error_px",
                             "worst_start_error_px",
                             "terrain_alerts",
+                            "assumes_heights",
                             "gl_calls_outside_device",
                             "device",
                             "design",
@@ -106,6 +112,10 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
     EXPECT_EQ(json["worst_error_px"], 0.5);
     EXPECT_EQ(json["worst_start_error_px"], 431299);
     EXPECT_EQ(json["terrain_alerts"], Json({{"hours", 0.5},
+                                            {"possible_hours", 0.125},
+                                            {"frames", 120},
+                                            {"possible_frames", 30},
+                                            {"impossible", {{"outside", {{"frames", 90}, {"hours", 0.375}}}}},
                                             {"seconds_caution", 40.0},
                                             {"seconds_warning", 20.5},
                                             {"count", 4},
@@ -113,6 +123,7 @@ TEST(RunSummary, HasEveryKeyOfTheContract) {
                                             {"false_per_hour", 6.0},
                                             {"warnings", 2},
                                             {"false_warnings", 1}}));
+    EXPECT_EQ(json["assumes_heights"], true) << "though no closest point was searched";
 }
 
 TEST(RunSummary, SaysWhichGhostsWereShown) {

@@ -63,23 +63,49 @@ TEST(RunWords, PhasesAndFirstAspectsAreAddedUp) {
     EXPECT_THAT(sentences.front(), HasSubstr("10 frames of 9 min 00 s of alps.log"));
 }
 
+void add(AlertHindrance hindrance, std::uint64_t frames, double minutes, TerrainAlertCounts& counts) {
+    counts.frames_by[static_cast<std::size_t>(hindrance)] += frames;
+    counts.hours_by[static_cast<std::size_t>(hindrance)] += minutes / 60;
+    counts.hours += minutes / 60;
+}
+
 TEST(RunWords, AlertsAreSaidWithTheFalseOnes) {
     RunSummary s = summary();
     EXPECT_THAT(run_sentences(s, story_of(true)), Contains("Without terrain no terrain alert could be given."));
+    add(AlertHindrance::none, 12, 12, s.terrain_alerts);
     s.terrain_frames = 10;
     EXPECT_THAT(run_sentences(s, story_of(true)), Contains("No terrain alert was given."));
     s.frames_over_void = 4;
-    EXPECT_THAT(run_sentences(s, story_of(true)), Contains("No terrain alert was given."));
     EXPECT_THAT(run_sentences(s, story_of(true)),
                 Contains(HasSubstr("; in 4 frames the height of the ground below the aircraft was not known.")));
-    s.frames_over_void = 10;
-    EXPECT_THAT(run_sentences(s, story_of(true)), Contains("Over unknown ground no terrain alert could be given."));
-    s.frames_over_void = 0;
     s.terrain_alerts.count = 3;
     s.terrain_alerts.warnings = 1;
     s.terrain_alerts.false_count = 2;
     EXPECT_THAT(run_sentences(s, story_of(true)),
-                Contains(HasSubstr("3 terrain alerts were given, 1 with a warning; 2 were false")));
+                Contains("3 terrain alerts were given, 1 with a warning; 2 were false, as the aircraft then kept clear of the "
+                         "ground."));
+    add(AlertHindrance::outside, 8, 8, s.terrain_alerts);
+    EXPECT_THAT(run_sentences(s, story_of(true)),
+                Contains(HasSubstr("; alerts were possible in 12 min 00 s of 20 min 00 s, for in the others the aircraft was "
+                                   "outside the terrain database.")));
+}
+
+TEST(RunWords, WhereNoAlertWasPossibleItIsSaid) {
+    RunSummary s = summary();
+    TerrainAlertCounts& counts = s.terrain_alerts;
+    add(AlertHindrance::degraded, 540, 9, counts);
+    EXPECT_THAT(run_sentences(s, story_of(true)), Contains("No terrain alert could be given: in all frames the position or the "
+                                                           "height was not reliable (TERRAIN DEGRADED)."));
+    add(AlertHindrance::none, 180, 3, counts);
+    EXPECT_THAT(run_sentences(s, story_of(true)),
+                Contains("No terrain alert was given; alerts were possible in 3 min 00 s of 12 min 00 s, for in the others the "
+                         "position or the height was not reliable (TERRAIN DEGRADED)."));
+    counts.has_gaps = true;
+    EXPECT_THAT(run_sentences(s, story_of(true)), Contains(HasSubstr("alerts were possible in 180 of 720 frames, for in the")));
+    add(AlertHindrance::no_position, 600, 10, counts);
+    EXPECT_THAT(run_sentences(s, story_of(true)),
+                Contains(HasSubstr("for in the others the position was not known (600 frames) and the position or the height was "
+                                   "not reliable (TERRAIN DEGRADED) (540 frames).")));
 }
 
 }  // namespace

@@ -128,17 +128,62 @@ TEST(TracksMap, GapsBreakTheLineAndShortTracksAreLeftOut) {
 
 TEST(TrackMap, OtherTracksLieBesideThatOfTheRun) {
     const std::string alone = track_map_svg(flown(20, 99), nullptr);
-    const std::string beside = track_map_svg(flown(20, 99), nullptr, {}, {straight("ghost B", "#222222", 0.2)});
+    MapTrack ghost = straight("ghost B", "#222222", 0.03);
+    ghost.places.resize(4);  // within the map
+    const std::string beside = track_map_svg(flown(20, 99), nullptr, {}, {ghost});
     EXPECT_EQ(count_of(beside, "<polyline"), count_of(alone, "<polyline") + 2);
     for (const char* part : {"stroke='#222222'", ">ghost B begins<", ">ghost B ends<", ">begin<", ">end<"})
         EXPECT_THAT(beside, HasSubstr(part));
     EXPECT_LT(beside.find("stroke='#222222'"), beside.find("stroke='#d98c1f'")) << "below that of the run";
     const std::regex x(" ([0-9.]+),[0-9.]+ '/>");
     for (std::sregex_iterator at(beside.begin(), beside.end(), x), end; at != end; ++at)
-        EXPECT_LE(std::stod((*at)[1].str()), 1000) << "the map has room for both";
-    MapTrack one = straight("B", "#222222", 0.2);
+        EXPECT_LE(std::stod((*at)[1].str()), 640) << "the width of the map";
+    MapTrack one = straight("B", "#222222", 0.03);
     one.places.resize(1);
     EXPECT_EQ(track_map_svg(flown(20, 99), nullptr, {}, {one}), alone);
+}
+
+/// The corner that its text states, in degrees.
+double north_of(const std::string& svg) {
+    const std::regex north("north up, from ([0-9.]+)");
+    std::smatch match;
+    return std::regex_search(svg, match, north) ? std::stod(match[1].str()) : 0;
+}
+
+/// The run goes from 46.5 to 46.538 degrees north.
+TEST(TrackMap, AFarGhostDoesNotShrinkTheMapAndEndsAtItsBorder) {
+    const RunStory story = flown(20, 99);
+    MapTrack far = straight("ghost B", "#222222", 0.02);
+    for (MapTrack::Place& place : far.places) place.latitude_deg = 46.52 + 0.3 * place.time_s;
+    const std::string svg = track_map_svg(story, nullptr, {}, {far});
+    EXPECT_LT(north_of(svg), 46.57);
+    EXPECT_GT(north_of(svg), 46.54);
+    EXPECT_THAT(svg, HasSubstr("stroke='#222222'"));
+    EXPECT_THAT(svg, HasSubstr(">ghost B begins<"));
+    EXPECT_THAT(svg, Not(HasSubstr(">ghost B ends<"))) << "beyond the map";
+    EXPECT_THAT(svg, Not(HasSubstr(",-"))) << "no point lies above it";
+    const MapTrackView view = view_of_track(story, {far}, 0);
+    EXPECT_TRUE(view.is_shown && view.is_cut && !view.has_gaps);
+    for (MapTrack::Place& place : far.places) place.latitude_deg += 1;
+    EXPECT_FALSE(view_of_track(story, {far}, 0).is_shown);
+    EXPECT_THAT(track_map_svg(story, nullptr, {}, {far}), Not(HasSubstr("stroke='#222222'")));
+    const MapTrackView near = view_of_track(story, {straight("C", "#222222", 0.02)}, 0);
+    EXPECT_TRUE(near.is_shown);
+}
+
+TEST(TrackMap, StatedGapsBreakTheLineOfAGhost) {
+    const RunStory story = flown(20, 99);
+    MapTrack ghost = straight("B", "#222222", 0.02);
+    for (MapTrack::Place& place : ghost.places) place.latitude_deg = 46.5 + 0.002 * place.time_s;
+    ghost.states_gaps = true;
+    for (std::size_t n = 5; n < 10; ++n) ghost.places[n].time_s += 60;
+    const auto lines = [&] { return count_of(track_map_svg(story, nullptr, {}, {ghost}), "stroke='#222222'"); };
+    EXPECT_EQ(lines(), 1u) << "it flew on, as its log says";
+    EXPECT_FALSE(view_of_track(story, {ghost}, 0).has_gaps);
+    ghost.places[2].joins_next = ghost.places[7].joins_next = false;
+    EXPECT_EQ(lines(), 3u);
+    EXPECT_TRUE(view_of_track(story, {ghost}, 0).has_gaps);
+    EXPECT_FALSE(view_of_track(story, {ghost}, 0).is_cut);
 }
 
 }  // namespace

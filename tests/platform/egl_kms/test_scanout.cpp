@@ -54,6 +54,24 @@ TEST_F(ScanoutTest, WaitingForTheScreenIsToldFromWork) {
     EXPECT_EQ(report.waited.ns, 0);
 }
 
+TEST_F(ScanoutTest, SaysWhenTheScreenBeganToShowTheFrame) {
+    frames(10);
+    const std::int64_t last_frame = drm.clock.ns - kFrame_ns;
+    ASSERT_TRUE(report.shown_at.has_value());
+    EXPECT_GE(report.shown_at->ns, last_frame);
+    EXPECT_LE(report.shown_at->ns, last_frame + FakeDrm::kPeriod_ns);
+    drm.flips_hang = true;
+    frames(2);
+    EXPECT_FALSE(report.shown_at.has_value()) << "it waits for the flip";
+    drm.flips_hang = false;
+    frames(1);
+    ASSERT_TRUE(report.shown_at.has_value());
+    EXPECT_GE(report.shown_at->ns, drm.clock.ns - kFrame_ns) << "of this frame, not of the late one before it";
+    drm.is_plugged = false;
+    frames(60);
+    EXPECT_FALSE(report.shown_at.has_value());
+}
+
 TEST_F(ScanoutTest, AModeThatIsSetAlreadyIsNotSetAgain) {
     drm.is_lit = true;
     scanout.mode_is_set();
@@ -102,6 +120,16 @@ TEST_F(ScanoutTest, AScreenThatStandsStillIsSaidAndGivenUp) {
     EXPECT_FALSE(is_shown);
     EXPECT_NEAR(stuck_s, kStuckAfter.to_seconds(), 0.3);
     EXPECT_NEAR(given_up_s, kGiveUpAfter.to_seconds(), 0.3);
+}
+
+TEST_F(ScanoutTest, FramesThatTakeLongToDrawAreNoStandstill) {
+    for (int n = 0; n < 5; ++n) {
+        frames(1);
+        drm.clock = drm.clock + base::Duration::seconds(20);
+        EXPECT_FALSE(report.is_stuck);
+    }
+    EXPECT_EQ(report.flips, 5u);
+    EXPECT_EQ(drm.mode_sets, 1);
 }
 
 TEST_F(ScanoutTest, AStandstillMayEndByAModeThatIsSetAnew) {

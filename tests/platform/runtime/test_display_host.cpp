@@ -210,7 +210,7 @@ TEST(DisplayHost, ABudgetThatIsTooSmallIsTheDisplaysFault) {
     DisplayHost host;
     const HostFault fault = host.start(settings);
     EXPECT_EQ(fault.part, HostPart::display);
-    EXPECT_THAT(message(fault), StartsWith("the budget line 'lod_scratch' is too small"));
+    EXPECT_THAT(message(fault), StartsWith("the budget line 'lod_scratch' has 8 of 8 bytes left"));
 }
 
 TEST(DisplayHost, MoreMemoryThanTheMachineHasIsRefused) {

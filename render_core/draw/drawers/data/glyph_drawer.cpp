@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/earth/wgs84.hpp"
@@ -74,20 +75,29 @@ base::Error GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& 
     is_instanced_ = has_instances(gl);
     most_instances_ = glyph_instances_within(is_instanced_, line.bytes);
     shapes_ = memory.allocate_array<GlyphShapes>(1);
-    const base::Error little = base::make_error("the memory for glyphs is too small; raise the budget lines 'scene_glyphs' and '",
-                                                effects::kSceneGlyphVertices, "' in the device file");
-    if (shapes_.empty()) return little;
+    if (shapes_.empty()) return base::shortage_error(effects::kSceneGlyphs, memory);
     shapes_[0].build();
-    if (!is_instanced_) {
-        const std::uint32_t corners = glyph_corners_within(line.bytes);
-        corners_ = memory.allocate_array<GlyphCorner>(corners);
-        corner_indices_ = memory.allocate_array<std::uint16_t>(std::size_t{corners} * kIndicesACorner);
-        if (corners_.size() < shapes_[0].most_vertices() || corner_indices_.size() < shapes_[0].most_indices()) return little;
-    } else if (most_instances_ == 0) {
-        return little;
-    }
+    if (is_instanced_ && most_instances_ == 0)
+        return base::shortage_error({line.name, line.bytes, line.bytes, kGlyphShapeBytes + sizeof(GlyphInstance)});
+    if (!is_instanced_)
+        if (base::Error error = start_corners(line, memory)) return error;
     if (base::Error error = make_buffers(gl, line)) return error;
     return build_programs(gl);
+}
+
+/// Room for one glyph of the largest shape at least.
+base::Error GlyphDrawer::start_corners(const base::BudgetLine& line, base::Arena& memory) {
+    const std::uint32_t corners = glyph_corners_within(line.bytes);
+    const std::uint32_t of_indices = (shapes_[0].most_indices() + kIndicesACorner - 1) / kIndicesACorner;
+    const std::uint32_t least = std::max(shapes_[0].most_vertices(), of_indices);
+    if (corners < least) {
+        const std::uint64_t needed = least * std::uint64_t{sizeof(GlyphCorner) + kIndicesACorner * sizeof(std::uint16_t)};
+        return base::shortage_error({line.name, line.bytes, line.bytes, needed}, "one glyph");
+    }
+    corners_ = memory.allocate_array<GlyphCorner>(corners);
+    corner_indices_ = memory.allocate_array<std::uint16_t>(std::size_t{corners} * kIndicesACorner);
+    const bool has_room = !corners_.empty() && !corner_indices_.empty();
+    return has_room ? base::Error{} : base::shortage_error(effects::kSceneGlyphs, memory);
 }
 
 base::Error GlyphDrawer::make_buffers(gl::Gl& gl, base::BudgetLine& line) {

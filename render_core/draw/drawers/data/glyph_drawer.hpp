@@ -46,6 +46,7 @@ public:
 
 private:
     [[nodiscard]] base::Error build_programs(gl::Gl& gl);
+    [[nodiscard]] base::Error start_corners(const base::BudgetLine& line, base::Arena& memory);
     [[nodiscard]] base::Error make_buffers(gl::Gl& gl, base::BudgetLine& line);
     void begin(gl::Gl& gl, const DataFrame& frame, const DepthRange& range);
     void end(gl::Gl& gl);

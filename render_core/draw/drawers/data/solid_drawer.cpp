@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/draw/drawers/magnified_uniforms.hpp"
 #include "render_core/draw/shader_texts.hpp"
 #include "render_core/effects/device.hpp"
@@ -119,8 +120,7 @@ void SolidBuffers::destroy(gl::Gl& gl) {
 
 base::Error SolidDrawer::start(gl::Gl& gl, base::Arena& memory, std::uint32_t most_pieces, const DataVariant& variant) {
     order_ = memory.allocate_array<Ordered>(most_pieces);
-    if (order_.size() < most_pieces)
-        return base::make_error("the budget line '", effects::kSceneSolids, "' is too small; raise it in the device file");
+    if (order_.size() < most_pieces) return base::shortage_error(effects::kSceneSolids, memory);
     has_grid_ = variant.grid;
     DataVariant plain = variant;
     plain.magnified = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "render_core/display/planner/display_memory.hpp"
@@ -45,14 +46,21 @@ TEST(PlanPair, IsThatOfADisplayThatHasShownNothing) {
         << "control: what lies behind it is not touched";
 }
 
+std::string needed(std::size_t bytes, std::size_t alignment) {
+    return std::to_string(bytes + alignment) + " are needed for one of two plans; raise the line in the device file";
+}
+
 TEST(PlanPair, NamesTheLineThatIsTooSmall) {
     Room frames(sizeof(PlannedFrame) + 64), memories(sizeof(PlannerMemory) + 64), little(100);
     PlanPair pair;
-    EXPECT_EQ(pair.start(little.arena, memories.arena).message.view(),
-              "the budget line 'planned_frames' is too small; it holds two; raise it in the device file");
+    EXPECT_EQ(
+        pair.start(little.arena, memories.arena).message.view(),
+        "the budget line 'planned_frames' has 100 of 100 bytes left and " + needed(sizeof(PlannedFrame), alignof(PlannedFrame)));
     memories.arena.reset();
+    little.arena.reset();
     EXPECT_EQ(pair.start(frames.arena, little.arena).message.view(),
-              "the budget line 'planner_memory' is too small; it holds two; raise it in the device file");
+              "the budget line 'planner_memory' has 100 of 100 bytes left and " +
+                  needed(sizeof(PlannerMemory), alignof(PlannerMemory)));
 }
 
 }  // namespace

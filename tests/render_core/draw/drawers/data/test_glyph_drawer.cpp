@@ -359,7 +359,7 @@ TEST(GlyphDrawer, WhatTheBufferCannotHoldIsLeftOut) {
     EXPECT_EQ(line.use.in_use, 0u);
 }
 
-TEST(GlyphDrawer, RefusesTooLittleMemoryWithTheLinesNames) {
+TEST(GlyphDrawer, RefusesTooLittleMemoryWithTheLinesName) {
     for (const char* device : kDevices) {
         test_support::GlSession session("egl", device);
         base::BudgetLine& line = *session.device.budget.find(effects::kSceneGlyphVertices);
@@ -367,8 +367,14 @@ TEST(GlyphDrawer, RefusesTooLittleMemoryWithTheLinesNames) {
         base::Arena arena(little.data(), little.size());
         GlyphDrawer drawer;
         const base::Error error = drawer.start(session.gl, line, arena);
-        EXPECT_NE(error.message.view().find("'scene_glyphs'"), std::string_view::npos) << device;
-        EXPECT_NE(error.message.view().find("'scene_glyph_vertices'"), std::string_view::npos) << device;
+        EXPECT_NE(error.message.view().find("'scene_glyphs' has 100 of 100 bytes left"), std::string_view::npos) << device;
+        std::vector<unsigned char> enough(std::size_t{64} << 20);
+        base::Arena large(enough.data(), enough.size());
+        line.bytes = 100;
+        GlyphDrawer other;
+        const base::Error of_gpu = other.start(session.gl, line, large);
+        EXPECT_NE(of_gpu.message.view().find("'scene_glyph_vertices' has 100 of 100 bytes left"), std::string_view::npos)
+            << device << ": " << of_gpu.message.view();
     }
 }
 
