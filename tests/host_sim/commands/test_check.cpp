@@ -245,7 +245,7 @@ TEST(CheckCommand, ADeviceMustStartWithItsDesign) {
     const CommandRun alone = check({small});
     EXPECT_EQ(alone.code, 2);
     EXPECT_THAT(alone.notes,
-                StartsWith(small + ": does not start with the design default: the budget line 'lod_scratch' has 4096 of 4096 "
+                StartsWith(small + ": does not start with the design default: the budget line 'lod_scratch' has 1120 of 4096 "
                                    "bytes left and "));
     EXPECT_THAT(alone.notes, EndsWith(" are needed for max_chunk_slots; raise the line in the device file\n"));
     EXPECT_THAT(check({with_line("render_targets", "4096")}).notes, HasSubstr("the budget line 'render_targets'"));
