@@ -19,9 +19,7 @@ constexpr const char* kComparisonStyle =
     ".pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,17rem),1fr));gap:.4rem;margin-bottom:.3rem}"
     ".states{min-width:42rem}h3{font-size:.95rem;margin:1rem 0 .3rem}"
     ".a{color:#3a78c2;font-weight:700}.b{color:#c8641b;font-weight:700}"
-    // A section may be longer than a page: what must not be broken are its parts, and a heading stays with what follows it.
-    "@media print{.pair{grid-template-columns:1fr 1fr}section{break-inside:auto}h2,h3{break-after:avoid}"
-    ".moment,.wide,.charts>div,tr,p,li{break-inside:avoid}}";
+    "@media print{.pair{grid-template-columns:1fr 1fr}.moment{break-inside:avoid}}";
 
 std::string listed_sentences(const std::vector<std::string>& sentences) {
     std::string items;

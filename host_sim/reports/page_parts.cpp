@@ -30,8 +30,11 @@ constexpr const char* kRunPageStyle =
     ".mark text{fill:#111!important;font-weight:600}"
     "details>summary{cursor:pointer;font-weight:600;margin:1.2rem 0 .4rem}"
     "@media print{@page{size:A4;margin:12mm}body{max-width:none;padding:0;font-size:10px}details{display:none}"
-    "section{break-inside:avoid}.wide{overflow:visible}h2{margin:.6rem 0 .2rem;font-size:12px}table{font-size:9px}"
+    // A section may be longer than a page: what must not be broken are its parts, and a heading stays with what follows it.
+    "h2,h3{break-after:avoid}figure,svg,.wide,.charts>div,tr,p,li{break-inside:avoid}.wide{overflow:visible}h2{margin:.6rem 0 "
+    ".2rem;font-size:12px}table{font-size:9px}"
     "th,td{padding:.05rem .5rem .05rem 0}.map{max-height:8cm}.charts{grid-template-columns:repeat(3,1fr)}"
+    ".large{grid-template-columns:repeat(4,1fr)}"
     ".strip{grid-template-columns:repeat(8,1fr);gap:.2rem}.strip figure:not(.printed){display:none}figcaption{font-size:7px}}";
 
 }  // namespace

@@ -234,7 +234,8 @@ TEST(GhostOfAFlight, TheMapShowsTheFlightAndCutsTheGhost) {
     replay.ghost_align = host_sim::GhostAlign::takeoff;
     run([&](host_sim::Console& console) { return run_replay(replay, console); });
     const std::string page = host_sim::read_file(replay.output + "/report.html");
-    EXPECT_THAT(page, HasSubstr(std::string("The line of ghost ") + kOther + " is cut at the border: a part of its flight lies beyond this map"));
+    EXPECT_THAT(page, HasSubstr(std::string("The line of ghost ") + kOther +
+                                " is cut at the border: a part of its flight lies beyond this map"));
     const json ghost = test_support::summary_of(replay.output)["ghosts"][0];
     const std::vector<Fix> other = fixes_of(kOther);
     EXPECT_NEAR(ghost["to_s"].get<double>() - ghost["from_s"].get<double>(), other.back().utc_s - other.front().utc_s, 15);
