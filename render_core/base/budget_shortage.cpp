@@ -50,6 +50,10 @@ Error shortage_error(const BudgetShortage& shortage, std::string_view purpose) {
     return error;
 }
 
+Error shortage_error(const BudgetLine& line, std::uint64_t needed, std::string_view purpose) {
+    return shortage_error({line.name, line.bytes - line.use.in_use, line.bytes, needed}, purpose);
+}
+
 Error shortage_error(std::string_view line, const ResourceUse& use, std::uint64_t needed, std::string_view purpose) {
     return shortage_error({FixedString<31>(line), use.capacity - use.in_use, use.capacity, needed}, purpose);
 }

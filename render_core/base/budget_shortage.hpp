@@ -22,6 +22,8 @@ struct BudgetShortage {
 
 /// Returns "the budget line 'staging' has 10 of 20 bytes left and 30 are needed for PURPOSE; raise the line in the device file".
 [[nodiscard]] Error shortage_error(const BudgetShortage& shortage, std::string_view purpose = {});
+/// The same of a line that the owner charges itself.
+[[nodiscard]] Error shortage_error(const BudgetLine& line, std::uint64_t needed, std::string_view purpose = {});
 /// The same of a line's arena, which has refused something: needed is all that it has refused.
 [[nodiscard]] Error shortage_error(std::string_view line, const Arena& arena, std::string_view purpose = {});
 /// The same where less than `needed` bytes are left, by the arena or by the count of its owner.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/gl/gpu_memory.hpp"
 
 namespace tedavis::gl {
@@ -39,7 +40,7 @@ base::Result<Buffer, base::Error> make_buffer(Gl& gl, base::BudgetLine& line, Bu
                                               std::uint64_t bytes) {
     if (bytes == 0)
         return base::fail(base::make_error("a buffer of the budget line '", line.name.view(), "' would be empty; ask for bytes"));
-    if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
+    if (!try_take(line, bytes)) return base::fail(base::shortage_error(line, bytes));
     Buffer buffer;
     buffer.target_ = kind == BufferKind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;
     static_cast<void>(gl.take_error());

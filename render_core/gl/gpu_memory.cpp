@@ -1,6 +1,5 @@
 #include "render_core/gl/gpu_memory.hpp"
 
-#include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/check.hpp"
 
 namespace tedavis::gl {
@@ -17,10 +16,6 @@ bool try_take(base::BudgetLine& line, std::uint64_t bytes) {
 void give_back(base::BudgetLine& line, std::uint64_t bytes) {
     TEDAVIS_CHECK(bytes <= line.use.in_use);
     line.use.in_use -= bytes;
-}
-
-base::Error over_budget(const base::BudgetLine& line, std::uint64_t needed) {
-    return base::shortage_error({line.name, line.bytes - line.use.in_use, line.bytes, needed});
 }
 
 }  // namespace tedavis::gl

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "render_core/base/error.hpp"
 #include "render_core/base/memory_budget.hpp"
 
 namespace tedavis::gl {
@@ -11,7 +10,5 @@ namespace tedavis::gl {
 /// Charges bytes to a line. Returns false, and counts a refusal on the line, when too few are left.
 [[nodiscard]] bool try_take(base::BudgetLine& line, std::uint64_t bytes);
 void give_back(base::BudgetLine& line, std::uint64_t bytes);
-/// Returns "the budget line 'font_atlas' has 10 of 20 bytes left and 30 are needed; raise the line in the device file".
-[[nodiscard]] base::Error over_budget(const base::BudgetLine& line, std::uint64_t needed);
 
 }  // namespace tedavis::gl

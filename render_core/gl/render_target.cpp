@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/check.hpp"
 #include "render_core/gl/gpu_memory.hpp"
 
@@ -62,7 +63,7 @@ base::Result<RenderTarget, base::Error> make_render_target(Gl& gl, base::BudgetL
     target.color_ = std::move(texture.value());
     const std::uint64_t denied = gl.denied().total;
     if (depth == TargetDepth::bits24 && !target.make_depth(gl, line)) {
-        const base::Error error = over_budget(line, texture_bytes(color));
+        const base::Error error = base::shortage_error(line, texture_bytes(color));
         target.destroy(gl);
         return base::fail(error);
     }

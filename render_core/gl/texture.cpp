@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render_core/base/budget_shortage.hpp"
 #include "render_core/gl/gpu_memory.hpp"
 
 namespace tedavis::gl {
@@ -94,7 +95,7 @@ base::Result<Texture, base::Error> make_texture(Gl& gl, base::BudgetLine& line, 
     if (bytes == 0)
         return base::fail(
             base::make_error("a texture of the budget line '", line.name.view(), "' would be empty; ask for texels"));
-    if (!try_take(line, bytes)) return base::fail(over_budget(line, bytes));
+    if (!try_take(line, bytes)) return base::fail(base::shortage_error(line, bytes));
     Texture texture;
     texture.settings_ = settings;
     texture.line_ = &line;

@@ -46,8 +46,7 @@ base::Error GroundMap::start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t m
     std::uint32_t side = max_texture_px;
     while (side >= kSmallestSide && std::uint64_t{side} * side * 4 + color_bytes > line.bytes) side /= 2;
     if (side < kSmallestSide)
-        return base::shortage_error({line.name, line.bytes, line.bytes, kSmallestSide * kSmallestSide * 4 + color_bytes},
-                                    "data on the ground");
+        return base::shortage_error(line, kSmallestSide * kSmallestSide * 4 + color_bytes, "data on the ground");
     auto colors = gl::make_texture(gl, line, {gl::TextureFormat::rgba8, gl::TextureFilter::nearest, kColors, kColorRows});
     if (!colors.ok()) return colors.error();
     colors_ = static_cast<gl::Texture&&>(colors.value());

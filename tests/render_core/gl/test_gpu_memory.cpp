@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render_core/base/budget_shortage.hpp"
+
 #include <cstdint>
 #include <limits>
 
@@ -43,7 +45,7 @@ TEST(GpuMemory, GivingBackMoreThanTakenStopsTheProgram) {
 TEST(GpuMemory, SentenceNamesTheLineAndTheNumbers) {
     base::BudgetLine line = line_of(100);
     ASSERT_TRUE(try_take(line, 90));
-    EXPECT_EQ(over_budget(line, 30).message.view(),
+    EXPECT_EQ(base::shortage_error(line, 30).message.view(),
               "the budget line 'probe' has 10 of 100 bytes left and 30 are needed; raise the line in the device file");
 }
 

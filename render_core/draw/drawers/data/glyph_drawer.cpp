@@ -77,8 +77,7 @@ base::Error GlyphDrawer::start(gl::Gl& gl, base::BudgetLine& line, base::Arena& 
     shapes_ = memory.allocate_array<GlyphShapes>(1);
     if (shapes_.empty()) return base::shortage_error(effects::kSceneGlyphs, memory);
     shapes_[0].build();
-    if (is_instanced_ && most_instances_ == 0)
-        return base::shortage_error({line.name, line.bytes, line.bytes, kGlyphShapeBytes + sizeof(GlyphInstance)});
+    if (is_instanced_ && most_instances_ == 0) return base::shortage_error(line, kGlyphShapeBytes + sizeof(GlyphInstance));
     if (!is_instanced_)
         if (base::Error error = start_corners(line, memory)) return error;
     if (base::Error error = make_buffers(gl, line)) return error;
@@ -92,7 +91,7 @@ base::Error GlyphDrawer::start_corners(const base::BudgetLine& line, base::Arena
     const std::uint32_t least = std::max(shapes_[0].most_vertices(), of_indices);
     if (corners < least) {
         const std::uint64_t needed = least * std::uint64_t{sizeof(GlyphCorner) + kIndicesACorner * sizeof(std::uint16_t)};
-        return base::shortage_error({line.name, line.bytes, line.bytes, needed}, "one glyph");
+        return base::shortage_error(line, needed, "one glyph");
     }
     corners_ = memory.allocate_array<GlyphCorner>(corners);
     corner_indices_ = memory.allocate_array<std::uint16_t>(std::size_t{corners} * kIndicesACorner);
