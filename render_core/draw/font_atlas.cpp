@@ -23,7 +23,7 @@ constexpr FontAtlas kAtlas{b612::kWidth,
 constexpr std::uint32_t kReplacement = 0xFFFD;
 
 /// Index of the glyph, kGlyphCount when there is none.
-std::size_t find(std::uint32_t code_point) noexcept {
+constexpr std::size_t search(std::uint32_t code_point) noexcept {
     std::size_t low = 0, high = kGlyphCount;
     while (low < high) {
         const std::size_t middle = low + (high - low) / 2;
@@ -33,6 +33,21 @@ std::size_t find(std::uint32_t code_point) noexcept {
             high = middle;
     }
     return low < kGlyphCount && b612::kGlyphs[low].code_point == code_point ? low : kGlyphCount;
+}
+
+/// Most texts are ASCII.
+struct AsciiPlaces {
+    static constexpr std::uint32_t kCount = 0x80;
+    std::uint16_t place[kCount] = {};
+
+    constexpr AsciiPlaces() noexcept {
+        for (std::uint32_t n = 0; n < kCount; ++n) place[n] = static_cast<std::uint16_t>(search(n));
+    }
+};
+constexpr AsciiPlaces kAscii;
+
+std::size_t find(std::uint32_t code_point) noexcept {
+    return code_point < AsciiPlaces::kCount ? kAscii.place[code_point] : search(code_point);
 }
 
 /// Bytes of the sequence that starts with `lead`; 0 when no sequence starts so.
@@ -54,6 +69,10 @@ const Glyph& glyph_of(std::uint32_t code_point) noexcept {
 
 std::uint32_t take_code_point(std::string_view& text) noexcept {
     const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < AsciiPlaces::kCount) {
+        text.remove_prefix(1);
+        return lead;
+    }
     const std::size_t length = sequence_length(lead);
     constexpr unsigned char kLeadBits[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
     std::uint32_t code_point = lead & kLeadBits[length];

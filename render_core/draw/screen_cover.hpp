@@ -26,7 +26,9 @@ private:
 
     [[nodiscard]] int cell_of(float px) const;
     [[nodiscard]] static Row span(int first, int last);
+    void take_box(const Point& first, const Point& opposite);
     void take_triangle(const Point (&corner)[3]);
+    void take_row(int row, float low, float high);
 
     float cell_px_ = 1;
     std::array<Row, kMaxCells> rows_{};

@@ -62,6 +62,7 @@ GroundScan::GroundScan(const View& view, const glm::dvec3& down, double margin_m
       down_(seen(view, down)),
       across_(std::hypot(down_.x, down_.y)),
       off_axis_(std::hypot(view.half_width_tangent(), view.half_height_tangent())),
+      corner_ray_(from_axis(off_axis_)),
       error_m_(error_m + kRounding_m),
       aside_m_(margin_m + error_m_),
       side_{{view.half_width_tangent(), aside_m_ * from_axis(view.half_width_tangent())},
@@ -78,7 +79,7 @@ double GroundScan::px_per_m(const ViewBox& box) const {
     const double turned = glm::length(corner) / earth::kMinCurvatureRadius_m;
     const double across = across_ + turned, along = std::abs(down_.z) + turned;
     // Drawn points lie in the picture, which is as wide as it is deep, and true ones straight above or below them.
-    double drawn_m = (glm::length(nearest) - aside_m_) / from_axis(off_axis_);
+    double drawn_m = (glm::length(nearest) - aside_m_) / corner_ray_;
     for (int axis = 0; axis < 2; ++axis) drawn_m = std::max(drawn_m, (nearest[axis] - aside_m_) / side_[axis].tangent);
     const double depth_m = std::max({box.low.z - error_m_, drawn_m - aside_m_ * std::min(along, 1.0), near_m_});
     return focal_px_ * (across + off_axis_ * along) / depth_m;

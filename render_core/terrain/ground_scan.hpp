@@ -36,9 +36,11 @@ private:
     };
 
     const double focal_px_, near_m_;
-    const glm::dvec3 down_;  ///< right, down and ahead
-    const double across_;    ///< length of `down_` across the view's axis
-    const double off_axis_, error_m_, aside_m_;
+    const glm::dvec3 down_;    ///< right, down and ahead
+    const double across_;      ///< length of `down_` across the view's axis
+    const double off_axis_;    ///< tangent of the picture's corners
+    const double corner_ray_;  ///< length of a ray to a corner, for one that is 1 deep
+    const double error_m_, aside_m_;
     const Side side_[2];
 };
 

@@ -17,6 +17,7 @@ constexpr std::uint32_t kMaxLooks = 256;  // at chunks with children, for one ma
 constexpr std::uint32_t kMaxChunks = HeightQuery::kKeptChunks - 1;
 constexpr double kBeside = 0.5;  // of a chunk's half side: from so close its vertices are looked at
 constexpr std::uint32_t kBlockCells = 4, kBlocks = kChunkCells / kBlockCells;
+constexpr std::uint32_t kGroupBlocks = 2, kGroups = kBlocks / kGroupBlocks;  // blocks are looked at in groups first
 
 bool is_finite(const View& view) {
     return std::isfinite(glm::dot(view.eye, view.eye) + glm::dot(view.forward, view.forward) + glm::dot(view.right, view.right) +
@@ -87,6 +88,24 @@ ViewBox box_of(const ChunkPosts& posts, const Block& block) {
     return box;
 }
 
+std::uint32_t block_in_group(std::uint32_t group, std::uint32_t member) {
+    const std::uint32_t a = group % kGroups * kGroupBlocks + member % kGroupBlocks;
+    const std::uint32_t b = group / kGroups * kGroupBlocks + member / kGroupBlocks;
+    return b * kBlocks + a;
+}
+
+/// Contains the boxes of a group's blocks; empty where all are.
+ViewBox box_of_group(const ViewBox* boxes, std::uint32_t group) {
+    ViewBox all;
+    for (std::uint32_t member = 0; member < kGroupBlocks * kGroupBlocks; ++member) {
+        const ViewBox& box = boxes[block_in_group(group, member)];
+        if (box.is_empty()) continue;
+        all.include(box.low);
+        all.include(box.high);
+    }
+    return all;
+}
+
 /// The places of a block's posts, row by row.
 struct BlockPlaces {
     BlockPlaces(const ChunkPosts& posts, const Block& block) {
@@ -132,7 +151,10 @@ public:
         const std::uint32_t top = lattice.levels() - 1;
         for (std::uint32_t j = 0; j < lattice.grid_rows(top); ++j)
             for (std::uint32_t i = 0; i < lattice.grid_columns(top); ++i) {
-                stack_[waiting_++] = {{top, i, j}, std::numeric_limits<double>::infinity()};
+                const ChunkKey root{top, i, j};
+                const ChunkEntry* const entry = heights_.entry_of(root);
+                stack_[waiting_++] = {
+                    root, entry == nullptr ? std::numeric_limits<double>::infinity() : px_per_m_in_box(*entry, view_, margin_m_)};
                 while (waiting_ > 0) look_at(stack_[--waiting_]);
             }
         return most_;
@@ -141,7 +163,7 @@ public:
 private:
     struct Candidate {
         ChunkKey key;
-        double px_per_m;  ///< no more than that in it
+        double px_per_m;  ///< no more than that in it, by its own box and those that contain it
     };
     struct BlockBound {
         std::uint32_t block;
@@ -149,7 +171,7 @@ private:
     };
     struct Blocks {
         ChunkKey key = kNoChunk;
-        ViewBox boxes[kBlocks * kBlocks];
+        ViewBox boxes[kBlocks * kBlocks], groups[kGroups * kGroups];
     };
 
     void include(double px_per_m) { most_ = std::max(most_, px_per_m); }
@@ -159,11 +181,10 @@ private:
         const ChunkEntry* const found = heights_.entry_of(candidate.key);
         if (found == nullptr || looks_ == kMaxLooks) return include(candidate.px_per_m);
         const ChunkEntry entry = *found;
-        const double px_per_m = std::min(candidate.px_per_m, px_per_m_in_box(entry, view_, margin_m_));
-        if (px_per_m <= most_ || (entry.flags & (kChunkHasSea | kChunkHasLand)) == 0) return;
-        if (entry.children == 0) return include(std::min(px_per_m, px_per_m_of_posts(entry)));
+        if ((entry.flags & (kChunkHasSea | kChunkHasLand)) == 0) return;
+        if (entry.children == 0) return include(std::min(candidate.px_per_m, px_per_m_of_posts(entry)));
         ++looks_;
-        add_children(entry, px_per_m);
+        add_children(entry, candidate.px_per_m);
     }
 
     /// The one that could move pixels most is looked at first.
@@ -197,13 +218,17 @@ private:
         return px_per_m;
     }
 
-    /// Into `greater_`: the blocks whose boxes allow more than `least`, the greatest first. Returns how many there are.
+    /// Into `greater_`: the blocks whose boxes allow more than `least`, the greatest first. Returns how many there are. A box
+    /// allows no more than one that contains it.
     std::uint32_t find_greater(const Blocks& blocks, const GroundScan& scan, double least) {
         std::uint32_t count = 0;
-        for (std::uint32_t n = 0; n < kBlocks * kBlocks; ++n) {
-            if (blocks.boxes[n].is_empty()) continue;
-            const double px_per_m = scan.px_per_m(blocks.boxes[n]);
-            if (px_per_m > least) greater_[count++] = {n, px_per_m};
+        for (std::uint32_t group = 0; group < kGroups * kGroups; ++group) {
+            if (!(scan.px_per_m(blocks.groups[group]) > least)) continue;
+            for (std::uint32_t member = 0; member < kGroupBlocks * kGroupBlocks; ++member) {
+                const std::uint32_t n = block_in_group(group, member);
+                const double px_per_m = scan.px_per_m(blocks.boxes[n]);
+                if (px_per_m > least) greater_[count++] = {n, px_per_m};
+            }
         }
         std::sort(greater_, greater_ + count, [](const BlockBound& a, const BlockBound& b) { return a.px_per_m > b.px_per_m; });
         return count;
@@ -226,6 +251,8 @@ private:
         Blocks& blocks = blocks_[known_++];
         blocks.key = key_of(entry);
         for (std::uint32_t n = 0; n < kBlocks * kBlocks; ++n) blocks.boxes[n] = box_of(posts, block_of(posts, n));
+        for (std::uint32_t group = 0; group < kGroups * kGroups; ++group)
+            blocks.groups[group] = box_of_group(blocks.boxes, group);
         return &blocks;
     }
 

@@ -29,8 +29,9 @@ void BillboardSheet::begin(const Frame& frame) {
     links_->clear();
     eye_ = {frame.view, static_cast<float>(frame.text_px)};
     box_count_ = 0;
-    symbology_.clear(view().width, view().height, kCell * text_px());
-    if (frame.symbology != nullptr) symbology_.take(*frame.symbology, frame.screen_begins_px);
+    symbology_ = frame.symbology;
+    symbology_right_px_ = frame.screen_begins_px;
+    is_cover_found_ = false;
     screen_ = {frame.screen_begins_px, 0, static_cast<float>(view().width) - frame.margin_px, static_cast<float>(view().height)};
 }
 
@@ -65,7 +66,15 @@ bool BillboardSheet::has_room(std::size_t sign_vertices, std::size_t link_vertic
     return left(*signs_) >= sign_vertices && left(*links_) >= link_vertices;
 }
 
-bool BillboardSheet::is_free(const Rect& box) const { return is_clear_of_signs(box) && symbology_.is_free(box); }
+bool BillboardSheet::is_free(const Rect& box) const { return is_clear_of_signs(box) && symbology_cover().is_free(box); }
+
+const ScreenCover& BillboardSheet::symbology_cover() const {
+    if (is_cover_found_) return symbology_cover_;
+    is_cover_found_ = true;
+    symbology_cover_.clear(view().width, view().height, kCell * text_px());
+    if (symbology_ != nullptr) symbology_cover_.take(*symbology_, symbology_right_px_);
+    return symbology_cover_;
+}
 
 bool BillboardSheet::is_clear_of_signs(const Rect& box) const {
     if (!screen_.contains(box) || box_count_ == boxes_.size()) return false;

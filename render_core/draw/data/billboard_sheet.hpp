@@ -91,11 +91,15 @@ private:
     /// line.
     [[nodiscard]] double before_m(const Spot& spot) const { return spot.distance_m * terrain::LineOfSight::reach(view()); }
     void rimmed_line(Point from, Point to, float width_px, design::Color color) const;
+    [[nodiscard]] const ScreenCover& symbology_cover() const;
 
     QuadBatch *signs_ = nullptr, *links_ = nullptr;
     terrain::LineOfSight* sight_ = nullptr;
     Rect screen_{};
-    ScreenCover symbology_;
+    const QuadBatch* symbology_ = nullptr;
+    float symbology_right_px_ = 0;
+    mutable ScreenCover symbology_cover_;  ///< found when a sign first asks for it: most frames have none
+    mutable bool is_cover_found_ = false;
     SignView eye_;
     base::Span<Rect> boxes_;
     base::Span<BillboardCandidate> candidates_;

@@ -84,6 +84,28 @@ TEST(ScreenCover, ABoxIsFreeWhereNoneOfItsCellsIsTaken) {
     EXPECT_TRUE(cover.is_free({300, 200, 40, 20}));
 }
 
+/// An upright box is taken at once; the same one as two triangles that have corners of their own is not.
+TEST(ScreenCover, ABoxTakesWhatItsTrianglesTake) {
+    std::mt19937 random(7);
+    const auto any = [&](float most) { return std::uniform_real_distribution<float>(-40, most)(random); };
+    for (int round = 0; round < 300; ++round) {
+        Batch whole, halves;
+        whole.batch.box({any(640), any(480), std::abs(any(90)), std::abs(any(90))}, {});
+        const auto vertices = whole.batch.vertices();
+        const auto corner = [&](std::size_t n) { return Point{vertices[n].x, vertices[n].y}; };
+        halves.batch.triangle(corner(0), corner(1), corner(2), {});
+        halves.batch.triangle(corner(0), corner(2), corner(3), {});
+        ScreenCover of_whole, of_halves;
+        of_whole.clear(kWidth, kHeight, kCell);
+        of_halves.clear(kWidth, kHeight, kCell);
+        of_whole.take(whole.batch, 3);
+        of_halves.take(halves.batch, 3);
+        for (float y = 0; y < kHeight; y += kCell)
+            for (float x = 0; x < kWidth; x += kCell)
+                ASSERT_EQ(of_whole.is_free({x + 1, y + 1, 1, 1}), of_halves.is_free({x + 1, y + 1, 1, 1})) << x << ", " << y;
+    }
+}
+
 TEST(ScreenCover, LargePicturesHaveLargerCells) {
     Batch drawn;
     drawn.batch.box({3700, 2000, 100, 100}, {});
