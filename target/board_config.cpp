@@ -35,6 +35,8 @@ public:
         read_can(root.section("can"));
         read_surface(root.section("surface"));
         read_screen(root);
+        if (base::ConfigSection records = root.section("records"); records.present())
+            settings_.records = path_at(records, "socket");
         root.section("display").choose("legend", flight::kLegendShowNames, settings_.legend);
         const bool touch = root.section("memory").boolean("touch", true);
         settings_.residency = touch ? platform::Residency::touched : platform::Residency::lazy;

@@ -35,6 +35,8 @@
 ///     path = "/dev/dri/by-path/platform-gpu-card"   in place of the driver
 ///     connector = "HDMI-A-1"     absent: the first that is connected
 ///     mode = "1024x768@60"       or "1024x768"; "preferred": what the screen itself prefers, also when absent
+///     [records]                  absent: none are handed out
+///     socket = "/run/tedavis/records"   at which local programs read the record of each frame
 ///     [display]
 ///     legend = "key"             or "none", "whole": where neither the panel nor the bus asks for another
 ///     [memory]
@@ -84,6 +86,7 @@ struct BoardSettings {
     Path programs;  ///< the same
     base::FixedString<15> surface;
     platform::ScreenSettings screen;  ///< of the surface "kms"
+    Path records;                     ///< socket for the records of frames; empty: none
     std::uint32_t width_px = 0, height_px = 0;
     flight::LegendShow legend = flight::LegendShow::key;
     platform::Residency residency = platform::Residency::touched;

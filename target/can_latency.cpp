@@ -9,12 +9,15 @@ void CanLatency::received(base::Time stamp) {
     has_oldest_ = true;
 }
 
-void CanLatency::shown(base::Time shown) {
+std::optional<base::Duration> CanLatency::shown(base::Time shown) {
+    std::optional<base::Duration> latency;
+    if (has_oldest_) latency = std::max(base::Duration{}, shown - oldest_);
     // The first picture has none before it.
-    if (has_oldest_ && has_shown_) add(std::max(base::Duration{}, shown - oldest_), shown - shown_);
+    if (latency && has_shown_) add(*latency, shown - shown_);
     has_oldest_ = false;
     has_shown_ = true;
     shown_ = shown;
+    return latency;
 }
 
 void CanLatency::add(base::Duration latency, base::Duration period) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "render_core/base/time.hpp"
@@ -27,8 +28,9 @@ class CanLatency {
 public:
     /// A frame of the bus, received at `stamp`, is in the next picture.
     void received(base::Time stamp);
-    /// The screen has shown that picture since `shown`. Where the screen has not shown a picture, its frames wait for the next.
-    void shown(base::Time shown);
+    /// The screen has shown that picture since `shown`; returns the time from the oldest of its frames, nothing where it holds
+    /// none. Where the screen has not shown a picture, its frames wait for the next.
+    std::optional<base::Duration> shown(base::Time shown);
     /// Nobody could see that picture: its frames are not counted.
     void hidden() { has_oldest_ = has_shown_ = false; }
     [[nodiscard]] LatencyReport report() const;

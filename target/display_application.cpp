@@ -24,6 +24,7 @@ base::Error DisplayApplication::start() {
     if (const base::Error& why = host_.terrain_fault(); !why.message.empty())
         ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});
     start_scene();
+    start_records();
     flight_.start(ports_.clocks.live.monotonic());
     return {};
 }
@@ -65,7 +66,9 @@ base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     hold_for_screen();
     const base::SurfaceState state = host_.surface().present();
     report_screen();
-    note_latency();
+    delivery_.can_to_screen = note_latency();
+    delivery_.is_on_screen = state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master &&
+                             (screen_.connector.empty() || screen_.shown_at);
     if (!has_first_picture_ && state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master)
         note_first_picture(input);
     if (state == base::SurfaceState::ready) phase_events_.report(input.phase, ++drawn_, ports_.clocks.live.monotonic());
@@ -99,11 +102,24 @@ void DisplayApplication::note_first_picture(const flight::FrameInput& input) {
 }
 
 /// Off screen, a picture is shown when it has been completed.
-void DisplayApplication::note_latency() {
+std::optional<base::Duration> DisplayApplication::note_latency() {
     const bool is_screen = !screen_.connector.empty();
-    if (is_screen && !(screen_.is_plugged && screen_.is_master)) return flight_.latency().hidden();
     if (!is_screen) return flight_.latency().shown(ports_.clocks.live.monotonic());
-    if (screen_.shown_at) flight_.latency().shown(*screen_.shown_at);
+    if (screen_.is_plugged && screen_.is_master && screen_.shown_at) return flight_.latency().shown(*screen_.shown_at);
+    if (!(screen_.is_plugged && screen_.is_master)) flight_.latency().hidden();
+    return std::nullopt;
+}
+
+void DisplayApplication::start_records() {
+    if (settings_.records.empty()) return;
+    if (const base::Error error = records_.start(settings_.records))
+        ports_.log.write({error.message.view(), "; this run hands out no records"});
+}
+
+void DisplayApplication::hand_out_record() {
+    if (!records_.has_readers()) return;
+    write_record(display().record(), delivery_, record_line_);
+    records_.send(record_line_.line());
 }
 
 bool DisplayApplication::wants_picture(bool is_last) {
@@ -119,6 +135,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     RunReport report;
     const BoardClocks& clocks = ports_.clocks;
     pacer_ = FramePacer(settings_.device.frame_rate_hz, clocks.live.monotonic());
+    delivery_.run_begun = clocks.live.monotonic();
     while (!stop.requested() && (frames == 0 || report.frames < frames)) {
         const base::Time begun = clocks.live.monotonic();
         is_pictured_ = wants_picture(report.frames + 1 == frames);
@@ -129,6 +146,8 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
         }
         const base::Duration took = clocks.live.monotonic() - begun - screen_.waited - held_;
         if (!is_pictured_) display().memory().budget.record_measured(took.to_seconds() * 1000);
+        delivery_.took = took;
+        hand_out_record();
         if (++report.frames == 1) watchdog_.ready();
         watchdog_.alive(took);
         clocks.sleep_until(next_frame(took));

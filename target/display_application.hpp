@@ -1,7 +1,8 @@
 /// The display of one board from start to stop: the drawing half, bus and panel, and the frame loop.
 ///
 /// start() acquires all resources; afterwards nothing allocates outside drivers. A missing bus, panel, terrain or scene never
-/// ends the program: the display flags what is missing. A lost drawing surface ends it, and the service manager restarts it.
+/// ends the program: the display flags what is missing. Nor does a socket for records that cannot be made. A lost drawing surface
+/// ends it, and the service manager restarts it.
 ///
 /// Thread  one. Failure  start() returns one sentence; run() returns how it ended.
 #pragma once
@@ -14,8 +15,11 @@
 #include "target/board_config.hpp"
 #include "target/event_log.hpp"
 #include "target/frame_pacer.hpp"
+#include "target/json_line.hpp"
 #include "target/live_flight.hpp"
 #include "target/phase_events.hpp"
+#include "target/record_line.hpp"
+#include "target/record_socket.hpp"
 #include "target/scene_watch.hpp"
 #include "target/screen_events.hpp"
 #include "target/snapshot.hpp"
@@ -76,7 +80,9 @@ private:
     void report_screen();
     void await_compilation(const flight::FrameInput& input);
     void note_first_picture(const flight::FrameInput& input);
-    void note_latency();
+    [[nodiscard]] std::optional<base::Duration> note_latency();
+    void start_records();
+    void hand_out_record();
     void hold_for_screen();
     [[nodiscard]] base::Time next_frame(base::Duration work);
     void start_scene();
@@ -98,7 +104,10 @@ private:
     bool has_first_picture_ = false;
     base::Duration first_picture_;
     bool is_pictured_ = false;  ///< the frame that is drawn next
-    SceneWatch scene_watch_;    ///< reads into the display's memory
+    FrameDelivery delivery_;    ///< of the last frame
+    RecordSocket records_;
+    JsonLine record_line_;
+    SceneWatch scene_watch_;  ///< reads into the display's memory
 };
 
 }  // namespace tedavis::target

@@ -21,6 +21,11 @@ public:
     JsonLine& number(std::string_view key, double value);
     JsonLine& boolean(std::string_view key, bool value);
 
+    /// Begins another line.
+    void clear() {
+        text_.clear();
+        first_ = true;
+    }
     /// Returns the line with a newline at its end.
     [[nodiscard]] std::string_view line();
     [[nodiscard]] bool cut() const { return text_.cut(); }

@@ -93,6 +93,7 @@ TEST(BoardConfig, DefaultsAreThoseOfADisplay) {
     Board board;
     const BoardSettings settings = board.settings("[can]\ninterface = 'can0'\n");
     EXPECT_TRUE(settings.terrain.empty());
+    EXPECT_TRUE(settings.records.empty());
     EXPECT_FALSE(settings.has_switches);
     EXPECT_EQ(settings.surface.view(), "egl");
     EXPECT_EQ(settings.legend, flight::LegendShow::key);
@@ -140,6 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"[can]\ninterface = 'can0'\n[surface]\nwidth_px = 8\n", 9, "width_px"},
         Fault{"[can]\ninterface = 'can0'\n[surface]\nheight_px = nan\n", 9, "height_px"},
         Fault{"[can]\ninterface = 'can0'\n[terrain]\ndatabase = ''\n", 9, "write its path"},
+        Fault{"[can]\ninterface = 'can0'\n[records]\nsocket = ''\n", 9, "write its path"},
         Fault{"[can]\ninterface = 'can0'\n[switches]\nconfig = 'none.toml'\n", 9, "none.toml"},
         Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 9, "touch"}, Fault{"[can]\ninterface = 'can0'\n[can]\n", 8, ""},
         Fault{"[can\n", 6, ""}));

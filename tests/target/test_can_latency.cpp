@@ -19,7 +19,7 @@ TEST(CanLatency, CountsFromTheOldestFrameThatThePictureIsTheFirstToHold) {
     latency.received(at_ms(108));
     latency.received(at_ms(103));
     latency.received(at_ms(120));
-    latency.shown(at_ms(140));
+    EXPECT_EQ(latency.shown(at_ms(140)), base::Duration::milliseconds(37));
     const LatencyReport report = latency.report();
     EXPECT_EQ(report.pictures, 1u);
     EXPECT_EQ(ms(report.longest), 37);
@@ -28,7 +28,7 @@ TEST(CanLatency, CountsFromTheOldestFrameThatThePictureIsTheFirstToHold) {
 
 TEST(CanLatency, APictureWithoutNewFramesCountsNothing) {
     CanLatency latency;
-    for (int n = 0; n < 10; ++n) latency.shown(at_ms(33 * n));
+    for (int n = 0; n < 10; ++n) EXPECT_EQ(latency.shown(at_ms(33 * n)), std::nullopt);
     EXPECT_EQ(latency.report().pictures, 0u);
     EXPECT_EQ(ms(latency.report().longest), 0);
 }

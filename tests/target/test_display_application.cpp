@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "host_sim/heap_trap/heap_trap.hpp"
@@ -14,6 +16,7 @@
 #include "tests/support/scene/scene_drafts.hpp"
 #include "tests/target/board_costs.hpp"
 #include "tests/target/fake_board.hpp"
+#include "tests/target/record_reader.hpp"
 #include "tests/target/ticking_clock.hpp"
 
 namespace tedavis::target::test_display_application {
@@ -167,7 +170,37 @@ TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {
     EXPECT_THAT(refusal(), HasSubstr("none.toml"));
 }
 
+TEST_F(DisplayApplicationTest, EveryFrameHandsOutItsRecord) {
+    const test_support::TemporaryFolder folder;
+    settings.records = Path(folder.file("records"));
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
+    start();
+    const RecordReader reader(folder.file("records"));
+    ASSERT_TRUE(reader.is_connected());
+    (void)application->run(10, stop);
+    const std::vector<std::string> records = reader.take_all();
+    ASSERT_EQ(records.size(), 10u);
+    const nlohmann::json first = nlohmann::json::parse(records.front()), last = nlohmann::json::parse(records.back());
+    EXPECT_EQ(first["time_s"], 0.0);
+    EXPECT_TRUE(first["can_to_screen_ms"].is_null()) << "nothing had come from the bus";
+    EXPECT_EQ(last["frame"], 9);
+    EXPECT_EQ(last["phase_source"], "can");
+    EXPECT_EQ(last["signals"]["latitude"], "valid");
+    EXPECT_EQ(last["can_to_screen_ms"], 0.0) << "frames come at the instant at which they are read";
+    EXPECT_EQ(last["on_screen"], true);
+}
+
+TEST_F(DisplayApplicationTest, WithoutAPlaceForRecordsItRuns) {
+    settings.records = "/no/such/folder/records";
+    EXPECT_EQ(start().run(3, stop).frames, 3u);
+    EXPECT_THAT(lines.str(), HasSubstr("name a folder that exists and that the program may write to; this run hands out no"));
+}
+
 TEST_F(DisplayApplicationTest, NothingAllocatesAfterStart) {
+    const test_support::TemporaryFolder folder;
+    settings.records = Path(folder.file("records"));
     EmbeddedFlight recorded;
     the_flight = &recorded;
     FakeClock::on_sleep = [] {
@@ -175,6 +208,7 @@ TEST_F(DisplayApplicationTest, NothingAllocatesAfterStart) {
         if (sleeps < 60) the_flight->send_due(*the_port);
     };
     start();
+    const RecordReader reader(folder.file("records"));
     host_sim::HeapTrap trap;
     const RunReport report = application->run(130, stop);
     trap.close();

@@ -61,7 +61,9 @@ TEST(Watchdog, AsksForPatienceUntilFramesAreQuick) {
     for (int n = 0; n < 2 * Watchdog::kQuickFrames; ++n) {
         watchdog.alive(n == Watchdog::kQuickFrames - 1 ? base::Duration::seconds(4) : kFrame);
         EXPECT_EQ(manager.message(), "WATCHDOG=1\n");
-        if (n + 1 < 2 * Watchdog::kQuickFrames) EXPECT_EQ(manager.message(), "") << "a slow frame starts the count again";
+        if (n + 1 < 2 * Watchdog::kQuickFrames) {
+            EXPECT_EQ(manager.message(), "") << "a slow frame starts the count again";
+        }
     }
     EXPECT_EQ(manager.message(), "WATCHDOG_USEC=5000000\n");
     watchdog.expect_slow_frames();
