@@ -19,11 +19,17 @@ double shown_angle_rad(const flight::AircraftState& aircraft, flight::Signal ang
     return is_shown ? aircraft[angle].value_or(0) : std::nan("");
 }
 
+/// How long a message of the phase counts is the bus file's to say.
+flight::PhaseSettings on_bus(const BusSettings& bus, flight::PhaseSettings phases) {
+    phases.arbiter.can_timeout = bus.phase.timeout;
+    return phases;
+}
+
 }  // namespace
 
 TrackerMemory::TrackerMemory(const BusSettings& settings, const SwitchConfig* panel, base::Time first_step,
                              const flight::PhaseSettings& phases)
-    : assembler(settings), monitor(phases), next_step(first_step) {
+    : assembler(settings), monitor(on_bus(settings, phases)), next_step(first_step) {
     if (panel != nullptr) switches.emplace(*panel);
 }
 

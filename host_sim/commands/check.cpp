@@ -17,6 +17,7 @@
 #include "host_sim/commands/start_trial.hpp"
 #include "host_sim/contract/contract.hpp"
 #include "host_sim/evaluation/picture_orderings.hpp"
+#include "host_sim/flight_test/read_flight_test.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/json_text.hpp"
 #include "host_sim/measure/palette_check.hpp"
@@ -193,11 +194,27 @@ std::string check_contract(const std::string& path) {
     return "a contract of " + std::to_string(count) + (count == 1 ? " condition" : " conditions");
 }
 
+/// Those in a folder below are there to be included: what their parameters stand for, the including script says.
+std::string check_flight_test(const std::string& path) {
+    ScriptFaults faults;
+    const bool is_part = fs::absolute(path).parent_path().parent_path().filename() == "flight_tests";
+    std::size_t expected = 0;
+    if (is_part)
+        static_cast<void>(parse_script_value(read_file(path), path, faults));
+    else
+        expected = read_flight_test(path, {}, faults).expectations.size();
+    const std::vector<std::string> sentences = faults.sentences();
+    const std::string more =
+        sentences.size() > 1 ? " (1 of " + std::to_string(sentences.size()) + " faults; tedavis verify says all)" : "";
+    if (!sentences.empty()) throw UserError(sentences.front() + more);
+    return is_part ? "a part of flight tests" : "a flight test of " + std::to_string(expected) + " expectations";
+}
+
 struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 18> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 19> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "based_on =", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"symbology", "[night]", check_symbology_palette},
@@ -213,6 +230,7 @@ constexpr std::array<FolderKind, 18> kConfigKinds = {{{"designs", "[view]", chec
                                                       {"sheets", "[[group.picture]]", check_sheet},
                                                       {"orderings", "[[ordering]]", check_orderings},
                                                       {"contracts", "[[condition]]", check_contract},
+                                                      {"flight_tests", "[[expect]]", check_flight_test},
                                                       {"costs", "[cost.terrain]", check_costs},
                                                       {"replays", "[picture]", check_replay_config}}};
 
@@ -241,7 +259,7 @@ FileChecker config_checker(const std::string& path) {
     throw UserError(path +
                     ": neither its folder nor its content says what it configures; put it into designs, palettes, "
                     "palettes/symbology, devices, aircraft, buses, "
-                    "switches, scenarios, scenes, sheets, orderings or contracts");
+                    "switches, scenarios, scenes, sheets, orderings, contracts or flight_tests");
 }
 
 CheckedFile check_file(const std::string& path, const CheckOptions& options) {

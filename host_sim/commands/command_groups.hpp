@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host_sim/commands/accuracy.hpp"
+#include "host_sim/commands/bus_encode.hpp"
 #include "host_sim/commands/calibrate.hpp"
 #include "host_sim/commands/check.hpp"
 #include "host_sim/commands/compare.hpp"
@@ -29,6 +30,7 @@
 #include "host_sim/commands/sweep.hpp"
 #include "host_sim/commands/terrain.hpp"
 #include "host_sim/commands/trace.hpp"
+#include "host_sim/commands/verify.hpp"
 #include "host_sim/console.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -57,6 +59,8 @@ struct CommandLine {
     CheckOptions check;
     EvaluateOptions evaluate;
     ContractOptions contract;
+    VerifyOptions verify;
+    BusEncodeOptions bus_encode;
     CalibrateOptions calibrate;
     DevicePlanOptions device_plan;
     AccuracyOptions accuracy;
@@ -106,6 +110,8 @@ void add_raster_options(CLI::App* command, TerrainBuildOptions& options);
 void add_flight_options(CLI::App* command, ConvertOptions& options);
 /// fly, which is made of commands of all groups.
 void add_fly(CLI::App& app, CommandLine& line);
+/// verify and bus, by which integrators test.
+void add_tests(CLI::App& app, CommandLine& line);
 /// accuracy, which add_displays() adds among its own.
 void add_accuracy(CLI::App& app, CommandLine& line);
 /// replay, likewise.

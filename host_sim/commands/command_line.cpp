@@ -142,6 +142,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& results, std:
     add_builders(app, line);
     add_displays(app, line);
     add_comparisons(app, line);
+    add_tests(app, line);
     if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
         throw UserError(std::string(argv[1]) + ": no such command; tedavis --help lists them");
     }

@@ -33,7 +33,7 @@ struct PhaseInputs {
 };
 
 struct PhaseArbiterSettings {
-    base::Duration can_timeout = base::Duration::seconds(3);
+    base::Duration can_timeout = base::Duration::seconds(3);  ///< on a bus, what its file says
     base::Duration can_dwell = base::Duration::seconds(1);
     base::Duration motion_dwell = base::Duration::seconds(2);
     base::Duration hold = base::Duration::seconds(10);               ///< since the held phase was last stated

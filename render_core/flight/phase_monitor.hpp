@@ -12,6 +12,7 @@ namespace tedavis::flight {
 
 struct PhaseSettings {
     MotionPhaseSettings motion;
+    PhaseArbiterSettings arbiter;
     /// A phase that holds as if a switch stated it, whatever the panel says, for a desk; not stated: the panel's.
     PhaseStatement stated;
 };
@@ -28,7 +29,6 @@ public:
 
 private:
     PhaseSettings settings_;
-    PhaseArbiterSettings arbiter_settings_;
     MotionPhaseState motion_;
     PhaseArbiterState arbiter_;
     PresentedPhaseState presented_;

@@ -36,7 +36,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"GL/osmesa.h"}, {"platform/osmesa/"}},
         {{"EGL/", "SDL"}, {"platform/"}},
         {{"gbm.h", "xf86drm", "drm"}, {"platform/"}},
-        {{"toml++/"}, {"render_core/base/config_reader.cpp"}},
+        {{"toml++/"}, {"render_core/base/config_reader.cpp", "host_sim/flight_test/script_value.cpp"}},
         {{"glm/"}, {}},
         {{"immintrin.h"}, {"render_core/raytrace/lanes/"}},
         {{"assimp/", "gdal", "cpl_", "ogr_", "ogrsf_", "nlohmann/", "CLI/", "png.h", "zlib.h"}, {"host_sim/"}},

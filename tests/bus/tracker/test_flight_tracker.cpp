@@ -184,6 +184,21 @@ TEST(FlightTracker, ThePhaseIsThatOfSwitchesThenOfTheBusThenOfMotion) {
     EXPECT_EQ(by_switch.phase.phase.scenario, Scenario::cruise);
 }
 
+/// The last message comes at 59.957 s.
+TEST(FlightTracker, AMessageOfThePhaseCountsAsLongAsTheBusFileSays) {
+    const Recording recording = recorded_flight();
+    const auto source_at = [&](double timeout_s, std::int64_t ms) {
+        BusSettings bus;
+        bus.phase.timeout = Duration::from_seconds(timeout_s);
+        return Tracked(recording, 2500, false, 64, bus).fly(0, ms, 500).phase.source;
+    };
+    for (const double timeout_s : {1.0, 3.0, 6.0}) {
+        const auto end_ms = static_cast<std::int64_t>(59'957 + 1000 * timeout_s);
+        EXPECT_EQ(source_at(timeout_s, end_ms - 60), PhaseSource::can) << timeout_s;
+        EXPECT_NE(source_at(timeout_s, end_ms + 60), PhaseSource::can) << timeout_s;
+    }
+}
+
 /// A request for the whole legend at 10 s, for none at 30 s, and a line of the panel that is active from 20 s to 40 s.
 Recording flight_with_legends() {
     Recording recording = recorded_flight();

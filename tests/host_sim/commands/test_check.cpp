@@ -47,6 +47,7 @@ TEST(CheckCommand, EveryShippedFileIsSound) {
 TEST(CheckCommand, AConfigAnywhereIsKnownByWhatItHolds) {
     const test_support::TemporaryFolder place;
     for (const auto& [shipped, kind] : {std::pair{"designs/cruise.toml", "a design"},
+                                        std::pair{"flight_tests/switch_phases.toml", "a flight test of 6 expectations"},
                                         {"palettes/slope.toml", "a palette of 6 colours"},
                                         {"palettes/symbology/standard.toml", "a palette of the symbology"},
                                         {"devices/es3-mid.toml", "a device"},

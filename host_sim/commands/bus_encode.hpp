@@ -1,0 +1,22 @@
+/// `tedavis bus encode signal=value… [--at T] [--interface can0]`: frames of the bus as candump lines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+struct BusEncodeOptions {
+    std::vector<std::string> values;  ///< "indicated_airspeed_kt=90", "phase=approach.final", "phase_source=fms"
+    std::string bus = "canaerospace";
+    std::string interface_name = "can0";
+    double at_s = 0;  ///< stamp of the first frame
+};
+
+/// Prints the frames in the order of the values. All values that cannot be sent are said, each in a sentence, and nothing is
+/// printed then: kFaultyInputExitCode. Throws UserError where the bus file cannot be used.
+[[nodiscard]] int run_bus_encode(const BusEncodeOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,187 @@
+#include "host_sim/flight_test/fly_flight_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host_sim/atomic_file.hpp"
+#include "host_sim/flight_test/step_log.hpp"
+#include "host_sim/replay/flight_player.hpp"
+#include "host_sim/replay/frame_preroll.hpp"
+#include "host_sim/replay/generated_flight.hpp"
+#include "host_sim/reports/frame_record_json.hpp"
+#include "host_sim/user_error.hpp"
+#include "render_core/display/planner/effect_notes.hpp"
+#include "render_core/draw/symbology/symbology.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+constexpr const char* kStoppedWords = "interrupted; a flight test that was not flown to its end has not passed";
+
+/// The logs of a test with steps, or those that it names.
+PlayerFiles input_files(const FlightTest& test, const std::string& folder) {
+    PlayerFiles files;
+    files.bus = test.picture.bus;
+    files.switch_config = test.switch_config;
+    files.aircraft = test.picture.aircraft;
+    files.log = test.log;
+    files.switches = test.switch_log;
+    if (!test.has_steps) return files;
+    files.log = folder + "/steps.log";
+    AtomicFile log(files.log);
+    write_step_log(test, log.stream(), files.log);
+    log.commit();
+    const std::string edges = step_switch_log(test);
+    if (edges.empty()) return files;
+    files.switches = folder + "/steps.switches";
+    write_file_atomically(files.switches, edges);
+    return files;
+}
+
+class TestFlight {
+public:
+    TestFlight(const FlightTest& test, DisplaySession& session, FlightPlayer& player, const FlyTestSettings& settings)
+        : session_(session),
+          player_(player),
+          settings_(settings),
+          rate_hz_(session.device().frame_rate_hz),
+          preroll_(player, session, rate_hz_) {
+        for (const Expectation& expectation : test.expectations) judges_.emplace_back(expectation, rate_hz_);
+        reads_text_ = std::any_of(test.expectations.begin(), test.expectations.end(),
+                                  [](const Expectation& expectation) { return expectation.reads_text(); });
+        preroll_.set_told([this](std::uint64_t, std::uint64_t) { return !is_interrupted(); });
+        session_.display().memory().frames = 0;
+    }
+
+    FlightTestResult fly() {
+        const double end_s = (player_.last() - player_.first()).to_seconds();
+        const auto last = static_cast<std::int64_t>(std::floor(end_s * rate_hz_ + kSmallPart));
+        for (std::int64_t n = 0; n <= last; ++n) {
+            const double time_s = static_cast<double>(n) / rate_hz_;
+            const bool is_wanted = std::any_of(judges_.begin(), judges_.end(),
+                                               [time_s](const ExpectationJudge& judge) { return judge.wants(time_s); });
+            if (is_wanted) judge_frame(time_s);
+            if (is_interrupted()) throw Interrupted(kStoppedWords);
+        }
+        for (const ExpectationJudge& judge : judges_) result_.expectations.push_back(judge.result());
+        return std::move(result_);
+    }
+
+private:
+    static constexpr double kSmallPart = 1e-4;  // of a frame, by which the log's end may miss it
+
+    [[nodiscard]] bool is_interrupted() const { return settings_.is_interrupted && settings_.is_interrupted(); }
+
+    void judge_frame(double time_s) {
+        ++result_.frames;
+        const ObservedFrame frame = plan(time_s);
+        bool fails = false;
+        for (ExpectationJudge& judge : judges_)
+            if (judge.wants(time_s)) fails = judge.take(frame) || fails;
+        if (!fails || has_failed_) return;
+        has_failed_ = true;
+        if (settings_.draws_failure) draw_failure();
+    }
+
+    /// As a replay plans it; drawn only where later frames show it again.
+    ObservedFrame plan(double time_s) {
+        const base::Time time = player_.first() + base::Duration::from_seconds(time_s);
+        if (!preroll_.preroll(time)) throw Interrupted(kStoppedWords);
+        const flight::FrameInput input = player_.at(time);
+        display::Display& display = session_.display();
+        display.plan({input.state, input.phase, time, input.trail, input.legend});
+        is_drawn_ = display.memory().must_be_drawn();
+        if (is_drawn_) session_.draw();
+        ObservedFrame frame;
+        frame.time_s = time_s;
+        frame.record = display.record();
+        const display::PlannedFrame& plan = display.planned();
+        if (!is_drawn_)
+            display::record_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn},
+                                    frame.record);
+        latency_s_ = (time - player_.newest_frame()).to_seconds();
+        frame.latency_frames = latency_s_ * rate_hz_;
+        if (reads_text_) frame.words = words_of(input);
+        return frame;
+    }
+
+    /// The boxes of the layout are those of the input that the symbology was built from.
+    [[nodiscard]] std::vector<PlacedWords> words_of(const flight::FrameInput& input) {
+        display::Display& display = session_.display();
+        const display::PlannedFrame& plan = display.planned();
+        const draw::SymbologyInput shown =
+            draw::make_symbology_input(input.state, plan.decisions, input.phase, *plan.shown, input.time, session_.width(),
+                                       session_.height(), display.record().altitude_msl_m);
+        const draw::Layout layout =
+            draw::make_layout(session_.width(), session_.height(), plan.shown->view.dpi, draw::legend_need(shown));
+        return placed_words(display.planner().symbology(), layout);
+    }
+
+    void draw_failure() {
+        if (!is_drawn_) session_.draw();
+        FrameResult drawn;
+        drawn.record = session_.display().record();
+        drawn.hash = session_.frame_hash();
+        drawn.latency_ms = latency_s_ * 1000;
+        result_.picture = encode_png(session_.pixels());
+        result_.record = frame_record_json(drawn, player_.first());
+    }
+
+    DisplaySession& session_;
+    FlightPlayer& player_;
+    const FlyTestSettings& settings_;
+    double rate_hz_;
+    FramePreroll preroll_;
+    std::vector<ExpectationJudge> judges_;
+    FlightTestResult result_;
+    bool has_failed_ = false, is_drawn_ = false, reads_text_ = false;
+    double latency_s_ = 0;
+};
+
+/// Of recorded and generated flights, whose length only the player knows.
+void require_within(const FlightTest& test, double end_s) {
+    std::string sentences;
+    for (const Expectation& one : test.expectations)
+        if (one.to_s > end_s)
+            sentences += (sentences.empty() ? "" : "\n") + one.file + ":" + std::to_string(one.line) +
+                         ": this [[expect]] lies beyond the end of the input, which lasts " + std::to_string(end_s) +
+                         " s; say an earlier time";
+    if (!sentences.empty()) throw UserError(sentences);
+}
+
+}  // namespace
+
+std::size_t FlightTestResult::held() const {
+    return static_cast<std::size_t>(
+        std::count_if(expectations.begin(), expectations.end(), [](const ExpectationResult& one) { return one.holds; }));
+}
+
+const ExpectationResult* FlightTestResult::first_failure() const {
+    const ExpectationResult* first = nullptr;
+    for (const ExpectationResult& one : expectations)
+        if (!one.holds && (first == nullptr || one.failed_s < first->failed_s)) first = &one;
+    return first;
+}
+
+DisplaySession& TestDisplay::session_for(const PictureOptions& picture, bool is_generated) {
+    const std::string key = picture.design + "\n" + picture.device + "\n" + picture.aircraft + "\n" + picture.terrain + "\n" +
+                            picture.scene + "\n" + (is_generated ? "generated" : "recorded");
+    if (session_ != nullptr && key == key_) return *session_;
+    session_.reset();
+    session_ = std::make_unique<DisplaySession>(picture, is_generated);
+    key_ = key;
+    return *session_;
+}
+
+FlightTestResult fly_flight_test(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings) {
+    const PlayerFiles files = input_files(test, settings.folder);
+    DisplaySession& session = display.session_for(test.picture, test.has_steps || is_generated_flight(files.log));
+    IndexPolicy policy;
+    policy.smallest_kept_log = std::numeric_limits<std::uint64_t>::max();
+    FlightPlayer player(files, session.display(), nullptr, policy);
+    require_within(test, (player.last() - player.first()).to_seconds());
+    return TestFlight(test, session, player, settings).fly();
+}
+
+}  // namespace tedavis::host_sim

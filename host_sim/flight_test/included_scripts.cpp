@@ -1,0 +1,94 @@
+#include "host_sim/flight_test/included_scripts.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "host_sim/flight_test/script_table.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/name_choices.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/user_error.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+class ScriptIncluder {
+public:
+    explicit ScriptIncluder(ScriptFaults& faults) : faults_(faults) {}
+
+    void read(const std::string& path, const std::string& text) {
+        open_.push_back(identity_of(path));
+        ScriptValue tree = parse_script_value(text, path, faults_);
+        ScriptTable table(tree, faults_);
+        for (const std::string& name : table.texts("include")) include(table, path_from(path, name));
+        take_parameters(table);
+        scripts_.files.push_back(std::move(tree));
+        scripts_.paths.push_back(path);
+        done_.push_back(open_.back());
+        open_.pop_back();
+    }
+
+    IncludedScripts take(const ScriptParameters& stated) {
+        for (const auto& [name, value] : stated) set_stated(name, value);
+        for (ScriptValue& tree : scripts_.files) put_parameters(tree, parameters_, faults_);
+        return std::move(scripts_);
+    }
+
+private:
+    static std::string identity_of(const std::string& path) {
+        std::error_code error;
+        const auto canonical = std::filesystem::weakly_canonical(path, error);
+        return error ? path : canonical.string();
+    }
+
+    void include(ScriptTable& from, const std::string& path) {
+        const std::string identity = identity_of(path);
+        if (std::find(open_.begin(), open_.end(), identity) != open_.end())
+            return from.fault("include", "'include': " + path + " includes this file in turn; break the circle");
+        if (std::find(done_.begin(), done_.end(), identity) != done_.end()) return;
+        std::string text;
+        try {
+            text = read_file(path);
+        } catch (const UserError& error) {
+            return from.fault("include", std::string("'include': ") + error.what());
+        }
+        read(path, text);
+    }
+
+    void take_parameters(ScriptTable& table) {
+        for (const ScriptValue::Entry* const entry : table.entries("parameters")) {
+            const bool is_plain =
+                entry->second.kind == ScriptValue::Kind::number || entry->second.kind == ScriptValue::Kind::text;
+            if (!is_plain)
+                faults_.add(entry->second.file, entry->second.line, "'" + entry->first + "': a parameter is a number or a text");
+            else
+                parameters_[entry->first] = entry->second;
+        }
+    }
+
+    void set_stated(const std::string& name, const ScriptValue& value) {
+        if (parameters_.count(name) != 0) {
+            parameters_[name] = value;
+            return;
+        }
+        std::vector<std::string> names;
+        for (const auto& [known, parameter] : parameters_) names.push_back(known);
+        faults_.add(scripts_.paths.back(), 1,
+                    "--set " + name + ": the script has no such parameter; it has: " + name_choices(names));
+    }
+
+    ScriptFaults& faults_;
+    IncludedScripts scripts_;
+    ScriptParameters parameters_;
+    std::vector<std::string> open_, done_;
+};
+
+}  // namespace
+
+IncludedScripts read_included_scripts(const std::string& path, const ScriptParameters& stated, ScriptFaults& faults) {
+    ScriptIncluder includer(faults);
+    includer.read(path, read_file(path));
+    return includer.take(stated);
+}
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,21 @@
+/// A script and the scripts that it includes, as trees, with the parameters put in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/flight_test/script_value.hpp"
+
+namespace tedavis::host_sim {
+
+struct IncludedScripts {
+    std::vector<ScriptValue> files;  ///< the included ones before those that include them; each once
+    std::vector<std::string> paths;
+};
+
+/// A parameter of an including file comes before the same of an included one, and `stated` before all. Cycles, files that cannot
+/// be read and stated parameters that no file has are faults. Throws UserError where `path` itself cannot be read.
+[[nodiscard]] IncludedScripts read_included_scripts(const std::string& path, const ScriptParameters& stated,
+                                                    ScriptFaults& faults);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,257 @@
+#include "host_sim/flight_test/read_conditions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "host_sim/flight_test/nearest_names.hpp"
+#include "host_sim/flight_test/signal_value.hpp"
+#include "render_core/effects/effect_table.hpp"
+#include "render_core/policy/flag_table.hpp"
+
+namespace tedavis::host_sim {
+namespace {
+
+using base::SignalState;
+using flight::PhaseSource;
+using Conditions = std::vector<FrameCondition>;
+
+constexpr std::array<PhaseSource, 5> kTestedSources = {PhaseSource::none, PhaseSource::held, PhaseSource::motion,
+                                                       PhaseSource::can, PhaseSource::switches};
+constexpr std::array<SignalState, 5> kTestedStates = {SignalState::missing, SignalState::valid, SignalState::stale,
+                                                      SignalState::lost, SignalState::invalid};
+const std::vector<std::string> kAlertNames = {"none", "caution", "warning"};
+const std::vector<std::string> kEffectStateNames = {"run", "replaced", "skipped"};
+
+template <class Values>
+std::vector<std::string> names_of_values(const Values& values) {
+    std::vector<std::string> names;
+    for (const auto value : values) names.emplace_back(to_string(value));
+    return names;
+}
+
+std::string list_of_flags(const display::FrameRecord& record) {
+    std::string list;
+    for (const display::Name& flag : record.flags) list += (list.empty() ? "" : ", ") + std::string(flag.view());
+    return list.empty() ? "no flag" : list;
+}
+
+bool has_flag(const display::FrameRecord& record, const std::string& name) {
+    return std::any_of(record.flags.begin(), record.flags.end(), [&](const display::Name& flag) { return flag.view() == name; });
+}
+
+/// Why the phase is what it is.
+std::string words_of_phase(const flight::PhaseStatus& status) {
+    return "phase " + phase_text(status.phase) + " of source " + flight::to_string(status.source) +
+           (status.switch_fault ? ", the switch pattern is impossible" : "") + (status.disagreement ? ", sources disagree" : "");
+}
+
+void read_phase_condition(ScriptTable& table, Conditions& conditions) {
+    const auto name = table.text("phase");
+    if (!name) return;
+    const flight::ParsedPhase parsed = flight::phase_from_name(*name);
+    if (!parsed.ok) return static_cast<void>(place_among(table, "phase", *name, phase_names()));
+    conditions.push_back({"phase", *name, [phase = parsed.phase](const ObservedFrame& frame) {
+                              const flight::FlightPhase found = frame.record.phase.phase;
+                              const bool is_same = phase.sub_phase == 0 ? found.scenario == phase.scenario : found == phase;
+                              return Observation{is_same, phase_text(found), words_of_phase(frame.record.phase)};
+                          }});
+}
+
+void read_source_condition(ScriptTable& table, Conditions& conditions) {
+    const auto name = table.text("phase_source");
+    if (!name) return;
+    const auto place = place_among(table, "phase_source", *name, names_of_values(kTestedSources));
+    if (!place) return;
+    conditions.push_back({"phase_source", *name, [source = kTestedSources[*place]](const ObservedFrame& frame) {
+                              const flight::PhaseStatus& found = frame.record.phase;
+                              return Observation{found.source == source, flight::to_string(found.source), words_of_phase(found)};
+                          }});
+}
+
+void read_design_condition(ScriptTable& table, const std::vector<std::string>& designs, Conditions& conditions) {
+    const auto name = table.text("design");
+    if (!name || !place_among(table, "design", *name, designs)) return;
+    conditions.push_back({"design", *name, [design = *name](const ObservedFrame& frame) {
+                              const std::string found(frame.record.design.view());
+                              return Observation{found == design, found, words_of_phase(frame.record.phase)};
+                          }});
+}
+
+/// "airspeed.stale" of a signal, or one of the policy's.
+bool is_flag_name(const std::string& name, const std::vector<std::string>& known) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+void read_flag_conditions(ScriptTable& table, const char* key, bool is_there, Conditions& conditions) {
+    const std::vector<std::string> known = record_flag_names();
+    for (const std::string& name : table.texts(key)) {
+        if (!is_flag_name(name, known)) {
+            static_cast<void>(place_among(table, key, name, known));
+            continue;
+        }
+        conditions.push_back({key, name, [name, is_there](const ObservedFrame& frame) {
+                                  return Observation{has_flag(frame.record, name) == is_there, list_of_flags(frame.record),
+                                                     words_of_phase(frame.record.phase)};
+                              }});
+    }
+}
+
+void read_signal_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
+    for (const ScriptValue::Entry* const entry : table.entries("signals")) {
+        const flight::Signal signal = flight::signal_from_name(entry->first);
+        const auto& states = names_of_values(kTestedStates);
+        const auto state = std::find(states.begin(), states.end(), entry->second.text);
+        if (signal == flight::Signal::count_)
+            faults.add(entry->second.file, entry->second.line,
+                       "'signals': there is no '" + entry->first + "'; say " + nearest_names(entry->first, bus_signal_names()));
+        else if (state == states.end())
+            faults.add(entry->second.file, entry->second.line,
+                       "'" + entry->first + "' must be missing, valid, stale, lost or invalid");
+        else
+            conditions.push_back(
+                {"signals", entry->first + " " + *state,
+                 [signal, wanted = kTestedStates[static_cast<std::size_t>(state - states.begin())]](const ObservedFrame& frame) {
+                     const SignalState found = frame.record.signals[static_cast<std::size_t>(signal)];
+                     return Observation{found == wanted, std::string(flight::to_string(signal)) + " " + base::to_string(found),
+                                        list_of_flags(frame.record)};
+                 }});
+    }
+}
+
+Observation observe_effect(const ObservedFrame& frame, const std::string& name, std::size_t state) {
+    for (const display::EffectRecord& effect : frame.record.effects)
+        if (effect.name.view() == name)
+            return {static_cast<std::size_t>(effect.state) == state,
+                    name + " " + kEffectStateNames[static_cast<std::size_t>(effect.state)], std::string(effect.reason.view())};
+    return {false, name + " is not asked for", "the design does not use it"};
+}
+
+void read_effect_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
+    std::vector<std::string> known;
+    for (std::size_t n = 0; n < effects::kEffectCount; ++n)
+        known.emplace_back(effects::row_of(static_cast<effects::Effect>(n)).name);
+    for (const ScriptValue::Entry* const entry : table.entries("effects")) {
+        const auto state = std::find(kEffectStateNames.begin(), kEffectStateNames.end(), entry->second.text);
+        if (std::find(known.begin(), known.end(), entry->first) == known.end())
+            faults.add(entry->second.file, entry->second.line,
+                       "'effects': there is no '" + entry->first + "'; say " + nearest_names(entry->first, known));
+        else if (state == kEffectStateNames.end())
+            faults.add(entry->second.file, entry->second.line, "'" + entry->first + "' must be run, replaced or skipped");
+        else
+            conditions.push_back({"effects", entry->first + " " + *state,
+                                  [name = entry->first, place = static_cast<std::size_t>(state - kEffectStateNames.begin())](
+                                      const ObservedFrame& frame) { return observe_effect(frame, name, place); }});
+    }
+}
+
+std::string words_of_watch(const display::AlertRecord& alerts) {
+    if (!alerts.is_watching) return "no terrain alert is possible here";
+    char text[96];
+    std::snprintf(text, sizeof text, "%.0f m above the terrain, %.0f m must be kept", alerts.height_above_terrain_m,
+                  alerts.clearance_m);
+    return text;
+}
+
+void read_alert_condition(ScriptTable& table, const char* key, policy::TerrainAhead display::AlertRecord::*alert,
+                          Conditions& conditions) {
+    const auto name = table.text(key);
+    if (!name) return;
+    const auto level = place_among(table, key, *name, kAlertNames);
+    if (!level) return;
+    conditions.push_back({key, *name, [level = *level, alert](const ObservedFrame& frame) {
+                              const auto found = static_cast<std::size_t>(frame.record.alerts.*alert);
+                              return Observation{found == level, kAlertNames[found], words_of_watch(frame.record.alerts)};
+                          }});
+}
+
+void read_latency_condition(ScriptTable& table, Conditions& conditions) {
+    constexpr double kMaxLatency_frames = 1e6;
+    const auto limit = table.number("latency_frames_at_most", 0, kMaxLatency_frames);
+    if (!limit) return;
+    char expected[48];
+    std::snprintf(expected, sizeof expected, "at most %g frames", *limit);
+    conditions.push_back({"latency_frames_at_most", expected, [limit = *limit](const ObservedFrame& frame) {
+                              char found[48];
+                              std::snprintf(found, sizeof found, "%.2f frames", frame.latency_frames);
+                              return Observation{frame.latency_frames <= limit, found, "age of the newest message"};
+                          }});
+}
+
+/// A text of the symbology; `box` is empty for one anywhere.
+Observation observe_text(const ObservedFrame& frame, const std::string& says, const std::string& box, bool is_there) {
+    std::string found;
+    bool has = false;
+    for (const PlacedWords& words : frame.words) {
+        if (!box.empty() && std::find(words.boxes.begin(), words.boxes.end(), box) == words.boxes.end()) continue;
+        has = has || words.text.find(without_blanks(says)) != std::string::npos;
+        found += (found.empty() ? "" : " ") + words.text;
+    }
+    return {has == is_there, found.empty() ? "no text" : found, list_of_flags(frame.record)};
+}
+
+/// text = { says = "TERRAIN AHEAD", in = "annunciations", there = true }, or a list of such.
+void read_text_condition(const ScriptValue& value, ScriptFaults& faults, Conditions& conditions) {
+    ScriptTable text(value, faults);
+    const auto says = text.text("says");
+    const std::string box = text.text("in").value_or("");
+    const bool is_there = text.boolean("there").value_or(true);
+    text.finish();
+    if (!says || says->empty()) return text.fault("says", "'text' needs says, such as { says = \"TERRAIN AHEAD\" }");
+    if (!box.empty() && !place_among(text, "in", box, layout_box_names())) return;
+    conditions.push_back(
+        {"text", (is_there ? "\"" : "no \"") + *says + "\"" + (box.empty() ? "" : " in " + box),
+         [says = *says, box, is_there](const ObservedFrame& frame) { return observe_text(frame, says, box, is_there); }});
+}
+
+void read_text_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
+    const ScriptValue* const value = table.take("text");
+    if (value == nullptr) return;
+    if (value->kind != ScriptValue::Kind::list) return read_text_condition(*value, faults, conditions);
+    for (const ScriptValue& one : value->items) read_text_condition(one, faults, conditions);
+}
+
+}  // namespace
+
+std::string phase_text(flight::FlightPhase phase) {
+    const std::string sub_phase = flight::sub_phase_name(phase);
+    return flight::scenario_name(phase) + (sub_phase.empty() ? "" : "." + sub_phase);
+}
+
+std::vector<std::string> phase_names() {
+    std::vector<std::string> names;
+    for (unsigned code = 0; code < 100; ++code)
+        if (const auto parsed = flight::phase_from_code(static_cast<std::uint8_t>(code)); parsed.ok)
+            names.push_back(phase_text(parsed.phase));
+    return names;
+}
+
+std::vector<std::string> record_flag_names() {
+    std::vector<std::string> names;
+    for (const policy::FlagRow& row : policy::flag_rows()) names.emplace_back(row.name);
+    for (const std::string& signal : bus_signal_names())
+        for (const SignalState state : {SignalState::missing, SignalState::stale, SignalState::lost, SignalState::invalid})
+            names.push_back(signal + "." + base::to_string(state));
+    return names;
+}
+
+std::vector<FrameCondition> read_conditions(ScriptTable& table, const std::vector<std::string>& designs, ScriptFaults& faults) {
+    Conditions conditions;
+    const std::size_t before = faults.count();
+    read_phase_condition(table, conditions);
+    read_source_condition(table, conditions);
+    read_design_condition(table, designs, conditions);
+    read_flag_conditions(table, "flags", true, conditions);
+    read_flag_conditions(table, "no_flags", false, conditions);
+    read_signal_conditions(table, faults, conditions);
+    read_effect_conditions(table, faults, conditions);
+    read_alert_condition(table, "alert", &display::AlertRecord::terrain, conditions);
+    read_alert_condition(table, "obstacle_alert", &display::AlertRecord::obstacle, conditions);
+    read_latency_condition(table, conditions);
+    read_text_conditions(table, faults, conditions);
+    if (conditions.empty() && faults.count() == before)
+        table.fault("", "this [[expect]] asks for nothing; say phase, phase_source, design, flags, signals or the like");
+    return conditions;
+}
+
+}  // namespace tedavis::host_sim

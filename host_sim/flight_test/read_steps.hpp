@@ -1,0 +1,25 @@
+/// The steps of a flight test, and where its aircraft starts.
+#pragma once
+
+#include <vector>
+
+#include "host_sim/flight_test/flight_test.hpp"
+#include "host_sim/flight_test/script_table.hpp"
+
+namespace tedavis::host_sim {
+
+/// Latest time of a step or an expectation, s.
+inline constexpr double kLatestTestTime_s = 7200;
+
+/// Reads [start]; keys that are absent have the values of an aircraft in level flight, or standing, over the shipped terrain.
+[[nodiscard]] TestStart read_start(ScriptTable& table);
+
+/// Reads a [[step]]. Signals that `bus` states by messages of its own, lines that `panel` does not have, and phases of messages
+/// that do not exist are faults.
+[[nodiscard]] TestStep read_step(ScriptTable& table, const bus::BusSettings& bus, const bus::SwitchConfig& panel,
+                                 ScriptFaults& faults);
+
+/// "GROUND" of "panel.GROUND", for all lines of a panel.
+[[nodiscard]] std::vector<std::string> panel_line_names(const bus::SwitchConfig& panel);
+
+}  // namespace tedavis::host_sim

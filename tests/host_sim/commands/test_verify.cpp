@@ -1,0 +1,220 @@
+#include "host_sim/commands/verify.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "host_sim/input_file.hpp"
+#include "host_sim/interrupt.hpp"
+#include "host_sim/shipped_files.hpp"
+#include "host_sim/user_error.hpp"
+#include "tests/support/files/paths.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_verify {
+namespace {
+
+using test_support::CommandRun;
+using ::testing::HasSubstr;
+
+const std::string kCruise =
+    "[[step]]\nat_s = 1\nphase = \"cruise\"\n[[expect]]\nat_s = 3\nphase = \"cruise\"\nphase_source = \"can\"\n";
+
+CommandRun verify(const VerifyOptions& options, bool json = false) {
+    return test_support::run_command([&](Console& console) { return run_verify(options, console); }, json);
+}
+
+class Verify : public ::testing::Test {
+protected:
+    CommandRun verify_text(const std::string& text, bool json = false) {
+        VerifyOptions options;
+        options.scripts = {place_.write("a.toml", text)};
+        options.output = place_.file("out");
+        options.junit = place_.file("r.xml");
+        return verify(options, json);
+    }
+    bool has(const std::string& name) const { return std::filesystem::exists(place_.file(name)); }
+    test_support::TemporaryFolder place_;
+};
+
+TEST_F(Verify, WhatHoldsEndsWithZero) {
+    const CommandRun run = verify_text(kCruise);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.results, HasSubstr("1 of 1 expectations hold"));
+    EXPECT_FALSE(has("out/a.png"));
+    EXPECT_THAT(place_.read("r.xml"), HasSubstr("failures=\"0\""));
+}
+
+TEST_F(Verify, WhatDoesNotHoldEndsWithOneAndItsPicture) {
+    const CommandRun fails = verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"switch\"\n", true);
+    EXPECT_EQ(fails.code, 1);
+    const auto failed = fails.json()["tests"][0]["expectations"][1];
+    EXPECT_EQ(failed["found"], "can");
+    EXPECT_NEAR(failed["failed_s"].get<double>(), 2.5, 0.05);
+    EXPECT_TRUE(has("out/a.png"));
+    EXPECT_EQ(nlohmann::json::parse(place_.read("out/a.json"))["phase_source"], "can");
+    EXPECT_THAT(place_.read("r.xml"), HasSubstr("<failure message="));
+}
+
+TEST_F(Verify, FaultsAreAllToldAndNothingIsWritten) {
+    const CommandRun run = verify_text("titel = \"x\"\n[[expect]]\nat_s = 1\nphase = \"crus\"\n");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, HasSubstr("a.toml:1: unknown key 'titel'"));
+    EXPECT_THAT(run.notes, HasSubstr("a.toml:4: 'phase': there is no 'crus'; say cruise"));
+    EXPECT_EQ(run.results, "");
+    EXPECT_FALSE(has("out"));
+    EXPECT_FALSE(has("r.xml"));
+}
+
+TEST_F(Verify, ParametersComeFromTheCommandLine) {
+    const std::string script =
+        "[parameters]\nwanted = \"cruise\"\n[[step]]\nat_s = 1\nphase = \"cruise\"\n[[expect]]\nat_s = 3\nphase = \"$wanted\"\n";
+    VerifyOptions options;
+    options.scripts = {place_.write("a.toml", script)};
+    EXPECT_EQ(verify(options).code, 0);
+    options.parameters = {"wanted=ground"};
+    EXPECT_EQ(verify(options).code, 1);
+    options.parameters = {"other=ground"};
+    EXPECT_THAT(verify(options).notes, HasSubstr("--set other: the script has no such parameter"));
+    options.parameters = {"wanted"};
+    test_support::expect_user_error([&] { static_cast<void>(verify(options)); }, "--set wanted");
+}
+
+TEST_F(Verify, AFolderStandsForItsScripts) {
+    std::filesystem::create_directory(place_.file("tests"));
+    std::filesystem::create_directory(place_.file("tests/common"));
+    place_.write("tests/b.toml", kCruise);
+    place_.write("tests/a.toml", kCruise);
+    place_.write("tests/common/c.toml", "no toml at all");
+    VerifyOptions options;
+    options.scripts = {place_.file("tests")};
+    const auto json = verify(options, true).json();
+    ASSERT_EQ(json["tests"].size(), 2u);
+    EXPECT_THAT(json["tests"][0]["script"].get<std::string>(), HasSubstr("a.toml"));
+    options.scripts = {place_.file("tests/none")};
+    EXPECT_THROW(static_cast<void>(verify(options)), UserError);
+}
+
+/// Ctrl-C: whoever asks for a result gets none.
+TEST_F(Verify, AnInterruptedRunHasNotPassed) {
+    const InterruptGuard interrupt;
+    std::raise(SIGINT);
+    EXPECT_THROW(static_cast<void>(verify_text(kCruise)), Interrupted);
+    EXPECT_FALSE(has("r.xml"));
+    EXPECT_FALSE(has("out"));
+}
+
+/// The ctest of the shipped suite.
+TEST(ShippedFlightTests, AllHold) {
+    const CommandRun run = verify({}, true);
+    EXPECT_EQ(run.code, 0);
+    for (const auto& test : run.json()["tests"])
+        for (const auto& expectation : test["expectations"]) {
+            EXPECT_TRUE(expectation["holds"].get<bool>())
+                << test["script"] << " line " << expectation["line"] << ": " << expectation.dump();
+        }
+}
+
+/// Indented blocks of a page that expect something.
+std::vector<std::string> examples_of(const std::string& page) {
+    std::vector<std::string> blocks;
+    std::string block;
+    std::istringstream lines(page + "\nend\n");
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_indented = line.compare(0, 4, "    ") == 0;
+        if (is_indented || (line.empty() && !block.empty())) {
+            block += (is_indented ? line.substr(4) : "") + "\n";
+            continue;
+        }
+        if (block.find("[[expect]]") != std::string::npos) blocks.push_back(block);
+        block.clear();
+    }
+    return blocks;
+}
+
+/// Whoever follows the guide gets tests that pass.
+TEST_F(Verify, TheGuidesExamplesHold) {
+    const auto examples = examples_of(read_file(test_support::source_dir() + "/configs/flight_tests/README.md"));
+    ASSERT_EQ(examples.size(), 3u);
+    for (const std::string& example : examples) {
+        const CommandRun run = verify_text(example);
+        EXPECT_EQ(run.code, 0) << example << run.notes << run.results;
+    }
+}
+
+/// A copy of the shipped tests and what they name, in which a file is changed.
+class SeededFault : public ::testing::Test {
+protected:
+    SeededFault() {
+        namespace fs = std::filesystem;
+        const std::string root = test_support::source_dir() + "/configs";
+        fs::create_directories(place_.file("configs"));
+        for (const char* folder : {"flight_tests", "switches", "buses", "designs", "devices", "palettes"})
+            fs::copy(root + "/" + folder, place_.file(std::string("configs/") + folder), fs::copy_options::recursive);
+        setenv("TEDAVIS_ROOT", place_.path().c_str(), 1);
+    }
+    ~SeededFault() override { unsetenv("TEDAVIS_ROOT"); }
+    void change(const std::string& file, const std::string& from, const std::string& to) {
+        std::string text = place_.read(file);
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << file << " has no " << from;
+        place_.write(file, text.replace(at, from.size(), to));
+    }
+    /// Exit code of the scripts.
+    int fly(const std::vector<std::string>& names) {
+        VerifyOptions options;
+        for (const std::string& name : names) options.scripts.push_back(place_.file("configs/flight_tests/" + name + ".toml"));
+        return verify(options).code;
+    }
+    test_support::TemporaryFolder place_;
+};
+
+TEST_F(SeededFault, NoneIsFoundWhereThereIsNone) {
+    EXPECT_EQ(fly({"switch_phases", "message_faults", "panel_faults", "panel_bounce", "loss_of_pitch", "designs_without_scene"}),
+              0);
+}
+
+TEST_F(SeededFault, AShiftedIdentifierOfThePhaseIsFound) {
+    change("configs/buses/canaerospace.toml", "status_identifier = 1830", "status_identifier = 1829");
+    EXPECT_EQ(fly({"message_faults"}), 1);
+}
+
+TEST_F(SeededFault, AShiftedPhaseOfAPanelIsFound) {
+    change("configs/switches/one_hot.toml", "phase = \"cruise\"", "phase = \"approach\"");
+    EXPECT_EQ(fly({"switch_phases"}), 1);
+}
+
+TEST_F(SeededFault, ADoubledTimeOutIsFound) {
+    change("configs/buses/canaerospace.toml", "pitch = [0.3, 1.0]", "pitch = [0.6, 2.0]");
+    EXPECT_EQ(fly({"loss_of_pitch"}), 1);
+}
+
+TEST_F(SeededFault, ADoubledTimeOutOfThePhaseIsFound) {
+    EXPECT_EQ(fly({"message_time_out"}), 0);
+    change("configs/buses/canaerospace.toml", "timeout_s = 3.0", "timeout_s = 6.0");
+    EXPECT_EQ(fly({"message_time_out"}), 1);
+}
+
+TEST_F(SeededFault, ARemovedDebounceIsFound) {
+    change("configs/switches/one_hot.toml", "debounce_ms = 30", "debounce_ms = 0");
+    EXPECT_EQ(fly({"panel_bounce"}), 1);
+}
+
+TEST_F(SeededFault, ADoubledSettlingOfThePanelIsFound) {
+    change("configs/switches/one_hot.toml", "settle_ms = 200", "settle_ms = 2000");
+    EXPECT_EQ(fly({"panel_faults"}), 1);
+}
+
+TEST_F(SeededFault, ASwappedDesignIsFound) {
+    change("configs/designs/default.toml", "takeoff = \"takeoff\"", "takeoff = \"approach\"");
+    change("configs/designs/default.toml", "\napproach = \"approach\"", "\napproach = \"takeoff\"");
+    EXPECT_EQ(fly({"designs_without_scene"}), 1);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_verify

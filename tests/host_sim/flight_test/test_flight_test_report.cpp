@@ -1,0 +1,58 @@
+#include "host_sim/flight_test/flight_test_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tedavis::host_sim::test_flight_test_report {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::vector<FlownTest> sample_tests() {
+    FlownTest one;
+    one.test.path = "a.toml";
+    one.test.title = "A & B";
+    one.test.expectations.resize(2);
+    one.test.expectations[0].name = "first";
+    one.test.expectations[0].file = one.test.expectations[1].file = "a.toml";
+    one.test.expectations[1].name = "says \"<x>\"";
+    one.test.expectations[1].line = 7;
+    one.result.expectations.resize(2);
+    one.result.expectations[0].holds = true;
+    one.result.expectations[0].reached_s = 1.5;
+    one.result.expectations[1] = {false, std::nullopt, 2.5, "phase", "cruise", "ground", "why"};
+    one.picture = "out/a.png";
+    return {one};
+}
+
+TEST(FlightTestReport, TheTableHasCountsAndTheFirstFailure) {
+    const std::string text = flight_tests_text(sample_tests());
+    EXPECT_THAT(text, HasSubstr("a.toml             2     1       1\n"));
+    EXPECT_THAT(text, HasSubstr("a.toml:7: at 2.50 s phase: expected cruise, found ground (why)\n"));
+    EXPECT_THAT(text, HasSubstr("out/a.png shows it"));
+    EXPECT_THAT(text, HasSubstr("1 of 2 expectations hold"));
+}
+
+TEST(FlightTestReport, TheJsonHasAll) {
+    const auto json = flight_tests_json(sample_tests());
+    EXPECT_EQ(json["holds"], false);
+    const auto& expectations = json["tests"][0]["expectations"];
+    EXPECT_EQ(expectations[0]["reached_s"], 1.5);
+    EXPECT_FALSE(expectations[0].contains("found"));
+    EXPECT_EQ(expectations[1]["failed_s"], 2.5);
+    EXPECT_EQ(expectations[1]["found"], "ground");
+    EXPECT_EQ(json["tests"][0]["picture"], "out/a.png");
+}
+
+TEST(FlightTestReport, JUnitIsEscapedAndCounts) {
+    const std::string xml = flight_tests_junit(sample_tests());
+    EXPECT_THAT(xml, HasSubstr("<testsuite name=\"A &amp; B\" tests=\"2\" failures=\"1\" errors=\"0\">"));
+    EXPECT_THAT(xml, HasSubstr("name=\"first\" file=\"a.toml\" line=\"0\"/>"));
+    EXPECT_THAT(xml, HasSubstr("name=\"says &quot;&lt;x&gt;&quot;\""));
+    EXPECT_THAT(xml, HasSubstr("<failure message=\"at 2.50 s phase: expected cruise, found ground (why)\">"));
+    EXPECT_THAT(xml, Not(HasSubstr("<x>")));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_flight_test_report

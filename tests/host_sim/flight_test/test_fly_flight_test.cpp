@@ -1,0 +1,123 @@
+#include "host_sim/flight_test/fly_flight_test.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host_sim/commands/replay.hpp"
+#include "host_sim/flight_test/read_flight_test.hpp"
+#include "host_sim/flight_test/step_log.hpp"
+#include "host_sim/user_error.hpp"
+#include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/programs/command_run.hpp"
+#include "tests/support/programs/expect_user_error.hpp"
+
+namespace tedavis::host_sim::test_fly_flight_test {
+namespace {
+
+const std::string kSteps =
+    "[[step]]\nat_s = 0\nswitch = \"GROUND\"\n[[step]]\nat_s = 2\nswitch = \"CRUISE\"\n[[step]]\nat_s = 3\nstop = [\"pitch\"]\n";
+
+class FlyFlightTest : public ::testing::Test {
+protected:
+    FlightTest read(const std::string& expectations) {
+        ScriptFaults faults;
+        FlightTest test = read_flight_test(place_.write("a.toml", kSteps + expectations), {}, faults);
+        EXPECT_THAT(faults.sentences(), ::testing::IsEmpty());
+        return test;
+    }
+    FlightTestResult fly(const std::string& expectations) {
+        const FlyTestSettings settings{place_.path(), true, [this] { return is_stopped_; }};
+        return fly_flight_test(read(expectations), display_, settings);
+    }
+    test_support::TemporaryFolder place_;
+    TestDisplay display_;
+    bool is_stopped_ = false;
+};
+
+TEST_F(FlyFlightTest, WhatHoldsHolds) {
+    const FlightTestResult result = fly(
+        "[[expect]]\nat_s = 1\nphase = \"ground\"\nphase_source = \"switch\"\n[[expect]]\nafter_s = 2\nwithin_s = 0.2\nphase = "
+        "\"cruise\"\n[[expect]]\nat_s = 5\nsignals = { pitch = \"lost\", roll = \"valid\" }\nflags = [\"pitch.lost\"]\n");
+    EXPECT_TRUE(result.holds());
+    EXPECT_EQ(result.first_failure(), nullptr);
+    EXPECT_TRUE(result.picture.empty()) << "nothing is drawn";
+    ASSERT_TRUE(result.expectations[1].reached_s);
+    EXPECT_NEAR(*result.expectations[1].reached_s, 2.07, 0.07) << "30 ms of debouncing, a step of 20 ms, and the next frame";
+}
+
+/// The negative control: a wrong expectation fails at its instant, and the frame is drawn.
+TEST_F(FlyFlightTest, AWrongExpectationFailsAtItsFirstInstantWithItsPicture) {
+    const FlightTestResult result =
+        fly("[[expect]]\nfrom_s = 1\nto_s = 4\nphase = \"ground\"\n[[expect]]\nat_s = 3\nphase_source = \"can\"\n");
+    EXPECT_EQ(result.held(), 0u);
+    const ExpectationResult* const first = result.first_failure();
+    ASSERT_NE(first, nullptr);
+    EXPECT_NEAR(first->failed_s, 2.07, 0.07);
+    EXPECT_EQ(first->key, "phase");
+    EXPECT_EQ(first->found, "cruise");
+    EXPECT_EQ(result.picture.substr(1, 3), "PNG");
+    const auto record = nlohmann::json::parse(result.record);
+    EXPECT_NEAR(record["time_s"].get<double>(), first->failed_s, 1e-9);
+    EXPECT_EQ(record["phase"], "cruise");
+}
+
+/// A replay of the same logs is the oracle: its records say the same at the same times, and the picture has the same hash.
+TEST_F(FlyFlightTest, IsWhatAReplayShows) {
+    const FlightTest test = read("[[expect]]\nat_s = 3.5\nphase = \"ground\"\n");
+    FlightTestResult result;
+    {
+        TestDisplay own;  // gone before the replay starts another one
+        result = fly_flight_test(test, own, {place_.path(), true, nullptr});
+    }
+    const auto record = nlohmann::json::parse(result.record);
+    ReplayOptions replay;
+    replay.log = place_.file("steps.log");
+    replay.switches = place_.file("steps.switches");
+    replay.output = place_.file("run");
+    replay.picture.device = "es2-small";
+    replay.frames = FrameOutput::hash;
+    replay.to_s = 4;
+    ASSERT_EQ(test_support::run_command([&](Console& console) { return run_replay(replay, console); }).code, 0);
+    std::istringstream lines(place_.read("run/frames.jsonl"));
+    bool is_found = false;
+    for (std::string line; std::getline(lines, line);) {
+        const auto frame = nlohmann::json::parse(line);
+        if (std::abs(frame["time_s"].get<double>() - record["time_s"].get<double>()) > 1e-6) continue;
+        is_found = true;
+        EXPECT_EQ(frame["phase"], record["phase"]);
+        EXPECT_EQ(frame["flags"], record["flags"]);
+        EXPECT_EQ(frame["signals"], record["signals"]);
+    }
+    EXPECT_TRUE(is_found);
+}
+
+/// Tests that share a display are what they are on one of their own.
+TEST_F(FlyFlightTest, ASharedDisplayKeepsNothing) {
+    const std::string wrong = "[[expect]]\nat_s = 3.5\nphase = \"ground\"\n";
+    const std::string first = fly(wrong).record;
+    static_cast<void>(fly("[[expect]]\nfrom_s = 0\nto_s = 5\nphase_source = \"switch\"\n"));
+    const auto again = nlohmann::json::parse(fly(wrong).record), alone = nlohmann::json::parse(first);
+    EXPECT_EQ(again["hash"], alone["hash"]);
+    EXPECT_EQ(again["flags"], alone["flags"]);
+}
+
+TEST_F(FlyFlightTest, AnInterruptedTestHasNoResult) {
+    is_stopped_ = true;
+    EXPECT_THROW(static_cast<void>(fly("[[expect]]\nat_s = 3\nphase = \"cruise\"\n")), Interrupted);
+}
+
+TEST_F(FlyFlightTest, AnExpectationBeyondALogIsRefused) {
+    FlightTest test = read("[[expect]]\nat_s = 3\nphase = \"cruise\"\n");
+    static_cast<void>(fly_flight_test(test, display_, {place_.path(), false, nullptr}));
+    test.has_steps = false;
+    test.log = place_.file("steps.log");
+    test.expectations[0].from_s = test.expectations[0].to_s = 100;
+    test_support::expect_user_error(
+        [&] {
+            static_cast<void>(fly_flight_test(test, display_, {place_.path(), false, nullptr}));
+        },
+        "lies beyond the end of the input");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_fly_flight_test

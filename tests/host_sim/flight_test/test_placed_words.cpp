@@ -1,0 +1,66 @@
+#include "host_sim/flight_test/placed_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/draw/symbology_scene.hpp"
+
+namespace tedavis::host_sim::test_placed_words {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Not;
+
+class Words : public ::testing::Test {
+protected:
+    std::vector<std::string> texts() const {
+        std::vector<std::string> all;
+        for (const PlacedWords& words : placed_words(store_.batch, layout_)) all.push_back(words.text);
+        return all;
+    }
+    void write(const char* text, draw::Point at, float halo_px = 0) {
+        draw::TextStyle style;
+        style.color = {255, 255, 255, 255};
+        style.halo_px = halo_px;
+        EXPECT_TRUE(store_.batch.text(text, at, draw::TextAnchor::left, style));
+    }
+    draw::Layout layout_ = draw::make_layout(640, 480, 96);
+    test_support::BatchStore store_;
+};
+
+TEST_F(Words, AreReadBackWithoutBlanks) {
+    write("TERRAIN AHEAD", {40, 100});
+    write("123", {400, 200});
+    EXPECT_THAT(texts(), ElementsAre("TERRAINAHEAD", "123"));
+}
+
+TEST_F(Words, AHaloIsNoText) {
+    write("PITCH", {40, 100}, 2);
+    EXPECT_THAT(texts(), ElementsAre("PITCH"));
+}
+
+TEST_F(Words, OtherShapesAreNone) {
+    static_cast<void>(store_.batch.box({10, 10, 50, 50}, {255, 0, 0, 255}));
+    static_cast<void>(store_.batch.line({0, 0}, {100, 100}, 2, {255, 0, 0, 255}));
+    EXPECT_THAT(texts(), ElementsAre());
+}
+
+TEST_F(Words, TheirBoxIsThatOfTheLayout) {
+    const draw::Point top = layout_.annunciations.center(), left = layout_.airspeed.center();
+    write("A", top);
+    write("B", left);
+    const auto words = placed_words(store_.batch, layout_);
+    ASSERT_EQ(words.size(), 2u);
+    EXPECT_THAT(words[0].boxes, Contains("annunciations"));
+    EXPECT_THAT(words[0].boxes, Not(Contains("airspeed")));
+    EXPECT_THAT(words[1].boxes, Contains("airspeed"));
+}
+
+TEST_F(Words, BoxesHaveNames) {
+    EXPECT_THAT(layout_box_names(), Contains("annunciations"));
+    EXPECT_EQ(without_blanks(" A B "), "AB");
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_placed_words

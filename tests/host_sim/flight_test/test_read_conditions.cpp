@@ -1,0 +1,118 @@
+#include "host_sim/flight_test/read_conditions.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/host_sim/flight_test/read_samples.hpp"
+
+namespace tedavis::host_sim::test_read_conditions {
+namespace {
+
+using base::SignalState;
+using flight::Signal;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<FrameCondition> read(const std::string& text, std::vector<std::string>& faults) {
+    return test_support::read_sample(text, faults, [](ScriptTable& table, ScriptFaults& found) {
+        return read_conditions(table, {"default", "cruise"}, found);
+    });
+}
+
+/// Of the only condition of a text.
+bool holds(const std::string& text, const ObservedFrame& frame) {
+    std::vector<std::string> faults;
+    const auto conditions = read(text, faults);
+    EXPECT_THAT(faults, IsEmpty());
+    EXPECT_EQ(conditions.size(), 1u);
+    return conditions.size() == 1 && conditions[0].observe(frame).holds;
+}
+
+ObservedFrame sample_frame() {
+    ObservedFrame frame;
+    frame.record.phase = flight::stated_phase(flight::kApproachFinal, flight::PhaseSource::can);
+    frame.record.design = "cruise";
+    static_cast<void>(frame.record.flags.try_push_back("pitch.lost"));
+    frame.record.signals[static_cast<std::size_t>(Signal::pitch)] = SignalState::lost;
+    display::EffectRecord effect;
+    effect.name = "haze";
+    effect.state = display::EffectState::skipped;
+    static_cast<void>(frame.record.effects.try_push_back(effect));
+    frame.record.alerts.terrain = policy::TerrainAhead::caution;
+    frame.latency_frames = 1.5;
+    frame.words = {{"TERRAINAHEAD", 10, 10, {"annunciations"}}};
+    return frame;
+}
+
+/// Each holds in the sample, and its neighbour does not.
+TEST(ReadConditions, EachReadsItsEntryOfTheRecord) {
+    const ObservedFrame frame = sample_frame();
+    const std::pair<const char*, const char*> kPairs[] = {
+        {"phase = \"approach.final\"", "phase = \"approach.initial\""},
+        {"phase = \"approach\"", "phase = \"cruise\""},
+        {"phase_source = \"can\"", "phase_source = \"switch\""},
+        {"design = \"cruise\"", "design = \"default\""},
+        {"flags = [\"pitch.lost\"]", "flags = [\"roll.lost\"]"},
+        {"no_flags = [\"roll.lost\"]", "no_flags = [\"pitch.lost\"]"},
+        {"signals = { pitch = \"lost\" }", "signals = { pitch = \"valid\" }"},
+        {"effects = { haze = \"skipped\" }", "effects = { haze = \"run\" }"},
+        {"alert = \"caution\"", "alert = \"warning\""},
+        {"obstacle_alert = \"none\"", "obstacle_alert = \"caution\""},
+        {"latency_frames_at_most = 2", "latency_frames_at_most = 1"},
+        {"text = { says = \"TERRAIN AHEAD\", in = \"annunciations\" }", "text = { says = \"TERRAIN AHEAD\", in = \"heading\" }"},
+        {"text = { says = \"PULL UP\", there = false }", "text = { says = \"TERRAIN\", there = false }"},
+    };
+    for (const auto& [kept, broken] : kPairs) {
+        EXPECT_TRUE(holds(kept, frame)) << kept;
+        EXPECT_FALSE(holds(broken, frame)) << broken;
+    }
+}
+
+TEST(ReadConditions, AScenarioIsNoSubPhase) {
+    ObservedFrame frame = sample_frame();
+    frame.record.phase.phase = {flight::Scenario::approach, 0};
+    EXPECT_TRUE(holds("phase = \"approach\"", frame));
+    EXPECT_FALSE(holds("phase = \"approach.final\"", frame));
+}
+
+TEST(ReadConditions, SaysWhatWasFoundAndWhy) {
+    std::vector<std::string> faults;
+    const Observation found = read("phase_source = \"switch\"", faults)[0].observe(sample_frame());
+    EXPECT_EQ(found.found, "can");
+    EXPECT_EQ(found.reason, "phase approach.final of source can");
+}
+
+TEST(ReadConditions, AllThatIsWrongIsToldAtOnce) {
+    std::vector<std::string> faults;
+    static_cast<void>(
+        read("phase = \"aproach\"\nphase_source = \"swich\"\ndesign = \"cruse\"\nflags = [\"pitch.gone\"]\n"
+             "signals = { pich = \"lost\", roll = \"gone\" }\neffects = { haz = \"run\" }\nalert = \"red\"\n"
+             "text = { says = \"A\", in = \"top\" }\n",
+             faults));
+    EXPECT_THAT(faults, ElementsAre(HasSubstr("f.toml:1: 'phase': there is no 'aproach'; say approach"),
+                                    HasSubstr("f.toml:2: 'phase_source': there is no 'swich'; say switch"),
+                                    HasSubstr("f.toml:3: 'design': there is no 'cruse'; say cruise"),
+                                    HasSubstr("f.toml:4: 'flags': there is no 'pitch.gone'"),
+                                    HasSubstr("f.toml:5: 'signals': there is no 'pich'; say pitch"),
+                                    HasSubstr("f.toml:5: 'roll' must be missing"), HasSubstr("f.toml:6: 'effects'"),
+                                    HasSubstr("f.toml:7: 'alert'"), HasSubstr("f.toml:8: 'in'")));
+}
+
+TEST(ReadConditions, AnEmptyTableAsksForNothing) {
+    std::vector<std::string> faults;
+    static_cast<void>(read("", faults));
+    EXPECT_THAT(faults, ElementsAre(HasSubstr("asks for nothing")));
+}
+
+TEST(ReadConditions, PhaseNamesAreThoseOfTheCodes) {
+    EXPECT_EQ(phase_names().size(), 15u);
+    for (const std::string& name : phase_names()) {
+        const flight::ParsedPhase parsed = flight::phase_from_name(name);
+        EXPECT_TRUE(parsed.ok) << name;
+        EXPECT_EQ(phase_text(parsed.phase), name);
+    }
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_read_conditions

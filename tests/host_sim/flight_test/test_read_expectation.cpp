@@ -1,0 +1,76 @@
+#include "host_sim/flight_test/read_expectation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/host_sim/flight_test/read_samples.hpp"
+
+namespace tedavis::host_sim::test_read_expectation {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Expectation read(const std::string& text, std::vector<std::string>& faults) {
+    return test_support::read_sample(
+        text, faults, [](ScriptTable& table, ScriptFaults& found) { return read_expectation(table, {"default"}, found); });
+}
+Expectation read(const std::string& text) {
+    std::vector<std::string> faults;
+    Expectation expectation = read(text, faults);
+    EXPECT_THAT(faults, IsEmpty());
+    return expectation;
+}
+std::vector<std::string> faults_of(const std::string& text) {
+    std::vector<std::string> faults;
+    static_cast<void>(read(text, faults));
+    return faults;
+}
+
+TEST(ReadExpectation, ReadsTheThreeTimes) {
+    const Expectation at = read("at_s = 3\nphase = \"cruise\"\n"), during = read("from_s = 3\nto_s = 5\nphase = \"cruise\"\n"),
+                      within = read("after_s = 3\nwithin_s = 2\nphase = \"cruise\"\n");
+    EXPECT_EQ(at.kind, WindowKind::at);
+    EXPECT_EQ(during.kind, WindowKind::during);
+    EXPECT_EQ(within.kind, WindowKind::within);
+    EXPECT_EQ(within.to_s, 5);
+    EXPECT_EQ(at.name, "3 s: phase cruise");
+    EXPECT_EQ(during.name, "3 s to 5 s: phase cruise");
+    EXPECT_EQ(within.name, "within 2 s after 3 s: phase cruise");
+    EXPECT_EQ(read("at_s = 1\nname = \"mine\"\nphase = \"cruise\"\n").name, "mine");
+}
+
+TEST(ReadExpectation, RefusesOtherTimes) {
+    const std::string phase = "phase = \"cruise\"\n";
+    EXPECT_THAT(faults_of(phase), ElementsAre(HasSubstr("has one time")));
+    EXPECT_THAT(faults_of("at_s = 1\nfrom_s = 1\nto_s = 2\n" + phase), ElementsAre(HasSubstr("has one time")));
+    EXPECT_THAT(faults_of("from_s = 1\n" + phase), ElementsAre(HasSubstr("belong together")));
+    EXPECT_THAT(faults_of("from_s = 3\nto_s = 2\n" + phase), ElementsAre(HasSubstr("to_s lies before from_s")));
+    EXPECT_THAT(faults_of("after_s = 3\n" + phase), ElementsAre(HasSubstr("needs within_s")));
+    EXPECT_THAT(faults_of("at_s = -1\n" + phase), ElementsAre(HasSubstr("'at_s' must be 0 to")));
+}
+
+TEST(ReadExpectation, AFlagCannotBeThereAndNot) {
+    EXPECT_THAT(faults_of("at_s = 1\nflags = [\"pitch.lost\"]\nno_flags = [\"pitch.lost\"]\n"),
+                ElementsAre(HasSubstr("must be there and must not")));
+}
+
+std::size_t contradictions(const std::string& a, const std::string& b) {
+    ScriptFaults faults;
+    find_contradictions({read(a), read(b)}, faults);
+    return faults.count();
+}
+
+TEST(ReadExpectation, FindsContradictions) {
+    const std::string cruise = "from_s = 2\nto_s = 5\nphase = \"cruise\"\n";
+    EXPECT_EQ(contradictions(cruise, "at_s = 3\nphase = \"ground\"\n"), 1u);
+    EXPECT_EQ(contradictions(cruise, "at_s = 6\nphase = \"ground\"\n"), 0u) << "another time";
+    EXPECT_EQ(contradictions(cruise, "at_s = 3\nphase_source = \"can\"\n"), 0u) << "another key";
+    EXPECT_EQ(contradictions(cruise, "after_s = 3\nwithin_s = 1\nphase = \"ground\"\n"), 0u) << "no fixed time";
+    EXPECT_EQ(contradictions("at_s = 1\nphase = \"approach\"\n", "at_s = 1\nphase = \"approach.final\"\n"), 0u) << "a part";
+    EXPECT_EQ(contradictions("at_s = 1\nflags = [\"utc.lost\"]\n", "at_s = 1\nno_flags = [\"utc.lost\"]\n"), 1u);
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_read_expectation

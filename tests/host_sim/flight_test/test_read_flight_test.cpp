@@ -1,0 +1,102 @@
+#include "host_sim/flight_test/read_flight_test.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/files/temporary_folder.hpp"
+
+namespace tedavis::host_sim::test_read_flight_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string kExpect = "[[expect]]\nat_s = 3\nphase = \"cruise\"\n";
+
+class ReadTest : public ::testing::Test {
+protected:
+    FlightTest read(const std::string& text) {
+        faults_ = ScriptFaults();
+        return read_flight_test(place_.write("a.toml", text), {}, faults_);
+    }
+    std::vector<std::string> faults_of(const std::string& text) {
+        static_cast<void>(read(text));
+        return faults_.sentences();
+    }
+    test_support::TemporaryFolder place_;
+    ScriptFaults faults_;
+};
+
+TEST_F(ReadTest, HasDefaultsForAllButWhatIsExpected) {
+    const FlightTest test = read(kExpect);
+    EXPECT_THAT(faults_.sentences(), IsEmpty());
+    EXPECT_EQ(test.title, "a");
+    EXPECT_EQ(test.picture.device, "es2-small");
+    EXPECT_EQ(test.picture.design, "default");
+    EXPECT_TRUE(test.has_steps);
+    EXPECT_GT(test.end_s, 3) << "the bus goes on beyond the last expectation";
+    EXPECT_GT(test.start.speed_mps, 0);
+}
+
+TEST_F(ReadTest, TakesShippedNamesAndPathsFromItsFolder) {
+    place_.write("my_bus.toml", "protocol = \"canaerospace\"\n[phase]\nstatus_identifier = 1900\n");
+    const FlightTest test =
+        read("title = \"t\"\ndesign = \"cruise\"\nbus = \"./my_bus.toml\"\nswitches = \"coded_parity\"\naircraft = \"jet\"\n" +
+             kExpect);
+    EXPECT_THAT(faults_.sentences(), IsEmpty());
+    EXPECT_THAT(test.picture.design, EndsWith("configs/designs/cruise.toml"));
+    EXPECT_THAT(test.picture.bus, EndsWith("/my_bus.toml"));
+    EXPECT_EQ(test.bus.phase.status_identifier, 1900);
+    EXPECT_EQ(test.panel.lines.size(), 5u);
+}
+
+TEST_F(ReadTest, AnIncludedFileGivesWhatTheIncludingOneDoesNotSay) {
+    place_.write("base.toml", "title = \"base\"\ndesign = \"cruise\"\n[[step]]\nat_s = 2\nphase = \"cruise\"\n" + kExpect);
+    const FlightTest test =
+        read("title = \"own\"\ninclude = [\"base.toml\"]\n[[step]]\nat_s = 1\nphase = \"ground\"\n" + kExpect);
+    EXPECT_THAT(faults_.sentences(), IsEmpty());
+    EXPECT_EQ(test.title, "own");
+    EXPECT_THAT(test.picture.design, EndsWith("cruise.toml"));
+    ASSERT_EQ(test.steps.size(), 2u);
+    EXPECT_EQ(test.steps[0].at_s, 1) << "in order of time";
+    EXPECT_EQ(test.expectations.size(), 2u);
+}
+
+TEST_F(ReadTest, AllThatIsWrongIsToldAtOnce) {
+    EXPECT_THAT(
+        faults_of("titel = \"x\"\ndesign = \"cruse\"\n[[step]]\nat_s = 1\nswich = \"CRUISE\"\n" + kExpect + "flag = []\n"),
+        ElementsAre(HasSubstr("a.toml:1: unknown key 'titel'; say title"), HasSubstr("a.toml:2: 'design': there is no file"),
+                    HasSubstr("a.toml:2: 'design': "), HasSubstr("a.toml:5: unknown key 'swich'"),
+                    HasSubstr("a.toml:9: unknown key 'flag'")));
+}
+
+TEST_F(ReadTest, TimesBeyondTheInputAreFaults) {
+    EXPECT_THAT(faults_of("[input]\nlasts_s = 2\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:3: this [[expect]] lies beyond the end")));
+    EXPECT_THAT(faults_of("[[step]]\nat_s = 9\nphase = \"cruise\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:1: this [[step]] lies beyond the last expectation")));
+}
+
+TEST_F(ReadTest, InputsExcludeEachOther) {
+    place_.write("f.log", "");
+    EXPECT_THAT(faults_of("[input]\nlog = \"./f.log\"\nscenario = \"default\"\n" + kExpect),
+                ElementsAre(HasSubstr("a log and a scenario")));
+    EXPECT_THAT(faults_of("[input]\nscenario = \"default\"\n[[step]]\nat_s = 1\nphase = \"cruise\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:3: a [[step]] beside a log")));
+    EXPECT_THAT(faults_of(""), ElementsAre(HasSubstr("expects nothing")));
+}
+
+TEST_F(ReadTest, ContradictionsAreFaults) {
+    EXPECT_THAT(faults_of(kExpect + "[[expect]]\nfrom_s = 1\nto_s = 4\nphase = \"ground\"\n"),
+                ElementsAre(HasSubstr("phase ground contradicts phase cruise")));
+}
+
+TEST_F(ReadTest, AFaultyFileThatItNamesIsToldAtTheKey) {
+    place_.write("b.toml", "protocol = \"other\"\n");
+    EXPECT_THAT(faults_of("\nbus = \"./b.toml\"\n" + kExpect), ElementsAre(HasSubstr("a.toml:2: 'bus': ")));
+}
+
+}  // namespace
+}  // namespace tedavis::host_sim::test_read_flight_test
