@@ -54,52 +54,70 @@ bool SocketCanSource::ensure_open(base::Time now) {
 
 std::size_t SocketCanSource::read(base::Time until, base::Span<CanFrame> out) {
     std::size_t count = 0;
-    // Records that are no frames use up turns too, so that a flood of them cannot hold the caller.
+    // Batches without a frame use up turns too, so that a flood of other records cannot hold the caller.
     for (std::size_t turn = 0; turn < out.size(); ++turn) {
-        if (!has_waiting_) {
-            if (!ensure_open(until)) break;
-            const Received received = receive(waiting_);
-            if (received == Received::nothing) break;
-            if (received == Received::not_a_frame) continue;
-            has_waiting_ = true;
-        }
-        if (waiting_.time > until) break;
-        out[count++] = waiting_;
-        has_waiting_ = false;
+        if (batch_next_ == batch_end_ && (!ensure_open(until) || !receive())) break;
+        if (batch_next_ == batch_end_) continue;
+        if (batch_[batch_next_].time > until) break;
+        out[count++] = batch_[batch_next_++];
         ++statistics_.frames;
     }
     return count;
 }
 
-SocketCanSource::Received SocketCanSource::receive(CanFrame& frame) {
-    std::array<unsigned char, kKernelFdFrameBytes + 1> bytes{};
-    alignas(cmsghdr) std::array<unsigned char, kControlBytes> control{};
-    iovec place{bytes.data(), bytes.size()};
-    msghdr message{};
-    message.msg_iov = &place;
-    message.msg_iovlen = 1;
-    message.msg_control = control.data();
-    message.msg_controllen = control.size();
-    const ssize_t size = recvmsg(descriptor_, &message, MSG_DONTWAIT);
-    if (size <= 0) {
-        if (size == 0)
-            record_failure(ENODEV);
-        else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)
-            record_failure(errno);
-        return Received::nothing;
+/// Where the kernel writes the records of one call.
+struct SocketCanSource::Records {
+    std::array<std::array<unsigned char, kKernelFdFrameBytes + 1>, kMaxBatch> bytes;
+    alignas(cmsghdr) std::array<std::array<unsigned char, kControlBytes>, kMaxBatch> control;
+    std::array<iovec, kMaxBatch> places;
+    std::array<mmsghdr, kMaxBatch> messages;
+
+    Records() {
+        for (std::size_t n = 0; n < kMaxBatch; ++n) {
+            places[n] = {bytes[n].data(), bytes[n].size()};
+            messages[n] = {};
+            messages[n].msg_hdr.msg_iov = &places[n];
+            messages[n].msg_hdr.msg_iovlen = 1;
+            messages[n].msg_hdr.msg_control = control[n].data();
+            messages[n].msg_hdr.msg_controllen = control[n].size();
+        }
     }
+};
+
+bool SocketCanSource::receive() {
+    Records records;
+    batch_next_ = batch_end_ = 0;
+    const int count = recvmmsg(descriptor_, records.messages.data(), kMaxBatch, MSG_DONTWAIT, nullptr);
+    if (count < 0) {
+        if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) record_failure(errno);
+        return false;
+    }
+    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+        mmsghdr& message = records.messages[n];
+        // The end of the socket; what came before it is in the batch, and the next call finds the end again.
+        if (message.msg_len == 0 && n > 0) break;
+        if (message.msg_len == 0) record_failure(ENODEV);
+        if (message.msg_len == 0) return false;
+        take_record({records.bytes[n].data(), message.msg_len}, &message.msg_hdr);
+    }
+    return count > 0;
+}
+
+void SocketCanSource::take_record(base::Span<const unsigned char> bytes, void* opaque) {
+    auto* message = static_cast<msghdr*>(opaque);
+    CanFrame& frame = batch_[batch_end_];
     frame = CanFrame();
-    frame.time = monotonic_time(read_ancillary(&message));
-    if (!frame_from_kernel({bytes.data(), static_cast<std::size_t>(size)}, frame)) {
+    frame.time = monotonic_time(read_ancillary(message));
+    if (!frame_from_kernel(bytes, frame)) {
         ++statistics_.malformed;
-        return Received::not_a_frame;
+        return;
     }
-    frame.transmitted = (message.msg_flags & MSG_DONTROUTE) != 0;
+    frame.transmitted = (message->msg_flags & MSG_DONTROUTE) != 0;
     if (frame.kind == FrameKind::error)
         record_error_frame(frame);
     else
         health_ = SourceHealth::running;
-    return Received::frame;
+    ++batch_end_;
 }
 
 SocketCanSource::Stamp SocketCanSource::read_ancillary(void* opaque) {

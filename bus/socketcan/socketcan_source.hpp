@@ -1,13 +1,16 @@
 /// Frames from a live bus.
 ///
-/// Reading never blocks. Kernel stamps are wall-clock time and are converted once, at reading, to the monotonic clock. A stamp
-/// that the conversion puts into the future (the clock was set back) is replaced by the time of reading; one that it puts more
-/// than two seconds into the past (the program was halted, or the clock was set forward) by two seconds before it. Frames that
-/// the kernel drops are counted by its own counter. Bus-off and link-down are reported by health(); a socket that fails is closed
-/// and opened again, at most once in `reopen_interval`.
+/// Reading never blocks, and takes what waits in the kernel in batches: a full bus brings thousands of frames a second. Kernel
+/// stamps are wall-clock time and are converted once, at reading, to the monotonic clock. A stamp that the conversion puts into
+/// the future (the clock was set back) is replaced by the time of reading; one that it puts more than two seconds into the past
+/// (the program was halted, or the clock was set forward) by two seconds before it. Frames that the kernel drops are counted by
+/// its own counter. Bus-off and link-down are reported by health(); a socket that fails is closed and opened again, at most once
+/// in `reopen_interval`.
 ///
 /// Thread  one. Memory  fixed. Failure  health() and last_fault().
 #pragma once
+
+#include <array>
 
 #include "bus/frame/can_source.hpp"
 #include "bus/socketcan/can_socket_port.hpp"
@@ -42,13 +45,16 @@ public:
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
 private:
-    enum class Received : std::uint8_t { frame, not_a_frame, nothing };
+    static constexpr std::size_t kMaxBatch = 64;  ///< records of one system call
+    struct Records;
     struct Stamp {
         base::Time wall;
         bool present = false;
     };
     [[nodiscard]] bool ensure_open(base::Time now);
-    [[nodiscard]] Received receive(CanFrame& frame);
+    /// Into the batch; false where nothing has come.
+    [[nodiscard]] bool receive();
+    void take_record(base::Span<const unsigned char> bytes, void* message);
     [[nodiscard]] Stamp read_ancillary(void* message);
     [[nodiscard]] base::Time monotonic_time(Stamp stamp) const;
     void record_failure(int error);
@@ -66,9 +72,9 @@ private:
     base::Time last_attempt_;
     bool attempted_ = false;
     bool opened_before_ = false;
-    std::uint32_t kernel_drops_ = 0;  // the socket's cumulative counter as last seen
-    CanFrame waiting_;                // read, but later than the caller's `until`
-    bool has_waiting_ = false;
+    std::uint32_t kernel_drops_ = 0;         // the socket's cumulative counter as last seen
+    std::array<CanFrame, kMaxBatch> batch_;  // received, and from `batch_next_` on not given to the caller yet
+    std::size_t batch_next_ = 0, batch_end_ = 0;
 };
 
 }  // namespace tedavis::bus

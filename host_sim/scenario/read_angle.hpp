@@ -12,4 +12,10 @@ namespace tedavis::host_sim {
     return base::radians(section.number(key, low_deg, high_deg));
 }
 
+/// The key may be absent.
+[[nodiscard]] inline double read_angle(base::ConfigSection& section, std::string_view key, double low_deg, double high_deg,
+                                       double fallback_rad) {
+    return section.has(key) ? read_angle(section, key, low_deg, high_deg) : fallback_rad;
+}
+
 }  // namespace tedavis::host_sim

@@ -22,9 +22,7 @@ constexpr std::array<std::string_view, 3> kStatedBy = {"nobody", "can", "switche
 constexpr std::size_t kMaxLegs = 256;
 constexpr std::size_t kMaxTraffic = bus::kTrafficNumbers;
 
-double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa) {
-    return base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa);
-}
+constexpr std::string_view kStart = "2026-06-01T12:00:00Z";  // where the file states none
 
 LandingStrip read_strip(ConfigSection section) {
     LandingStrip strip;
@@ -32,32 +30,36 @@ LandingStrip read_strip(ConfigSection section) {
     strip.longitude_rad = read_angle(section, "longitude_deg", -180, 180);
     strip.heading_rad = read_angle(section, "heading_deg", 0, 360);
     strip.elevation_msl_m = section.number("elevation_msl_m", -500, 6000);
-    strip.length_m = section.number("length_m", 200, 6000);
-    strip.width_m = section.number("width_m", 5, 100);
+    strip.length_m = section.number("length_m", 200, 6000, strip.length_m);
+    strip.width_m = section.number("width_m", 5, 100, strip.width_m);
     return strip;
+}
+
+double pressure(ConfigSection& section, std::string_view key, double low_hpa, double high_hpa, double fallback_pa) {
+    return section.has(key) ? base::kPascalsPerHectopascal * section.number(key, low_hpa, high_hpa) : fallback_pa;
 }
 
 Environment read_environment(ConfigSection section) {
     Environment air;
-    air.qnh_pa = pressure(section, "qnh_hpa", 900, 1060);
-    air.qnh_spread_pa = pressure(section, "qnh_spread_hpa", 0, 20);
-    air.temperature_deviation_k = section.number("temperature_deviation_k", -40, 40);
-    air.temperature_spread_k = section.number("temperature_spread_k", 0, 20);
-    air.wind_speed_mps = section.number("wind_speed_mps", 0, 30);
-    air.wind_speed_spread_mps = section.number("wind_speed_spread_mps", 0, 10);
-    air.wind_from_rad = read_angle(section, "wind_from_deg", 0, 360);
-    air.wind_from_spread_rad = read_angle(section, "wind_from_spread_deg", 0, 180);
-    air.magnetic_variation_rad = read_angle(section, "magnetic_variation_deg", -60, 60);
-    air.turbulence = section.number("turbulence", 0, 1);
+    air.qnh_pa = pressure(section, "qnh_hpa", 900, 1060, air.qnh_pa);
+    air.qnh_spread_pa = pressure(section, "qnh_spread_hpa", 0, 20, air.qnh_spread_pa);
+    air.temperature_deviation_k = section.number("temperature_deviation_k", -40, 40, air.temperature_deviation_k);
+    air.temperature_spread_k = section.number("temperature_spread_k", 0, 20, air.temperature_spread_k);
+    air.wind_speed_mps = section.number("wind_speed_mps", 0, 30, air.wind_speed_mps);
+    air.wind_speed_spread_mps = section.number("wind_speed_spread_mps", 0, 10, air.wind_speed_spread_mps);
+    air.wind_from_rad = read_angle(section, "wind_from_deg", 0, 360, air.wind_from_rad);
+    air.wind_from_spread_rad = read_angle(section, "wind_from_spread_deg", 0, 180, air.wind_from_spread_rad);
+    air.magnetic_variation_rad = read_angle(section, "magnetic_variation_deg", -60, 60, air.magnetic_variation_rad);
+    air.turbulence = section.number("turbulence", 0, 1, air.turbulence);
     return air;
 }
 
 AircraftLimits read_aircraft(ConfigSection section) {
     AircraftLimits aircraft;
-    aircraft.antenna_height_m = section.number("antenna_height_m", 0, 20);
-    aircraft.bank_rad = read_angle(section, "bank_deg", 5, 60);
-    aircraft.roll_rate_radps = read_angle(section, "roll_rate_dps", 2, 90);
-    aircraft.acceleration_mps2 = section.number("acceleration_mps2", 0.1, 10);
+    aircraft.antenna_height_m = section.number("antenna_height_m", 0, 20, aircraft.antenna_height_m);
+    aircraft.bank_rad = read_angle(section, "bank_deg", 5, 60, aircraft.bank_rad);
+    aircraft.roll_rate_radps = read_angle(section, "roll_rate_dps", 2, 90, aircraft.roll_rate_radps);
+    aircraft.acceleration_mps2 = section.number("acceleration_mps2", 0.1, 10, aircraft.acceleration_mps2);
     return aircraft;
 }
 
@@ -167,13 +169,14 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     base::ConfigReader reader(text, file_name);
     ConfigSection root = reader.root();
     Scenario scenario;
-    scenario.name = std::string(root.text("name"));
+    scenario.name = std::string(root.text("name", std::filesystem::path(file_name).stem().string()));
     scenario.purpose = std::string(root.text("purpose", ""));
-    scenario.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
-    scenario.switch_config = std::string(root.text("switch_config"));
-    const auto start = parse_iso8601(root.text("start_utc"));
+    scenario.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
+    scenario.switch_config = std::string(root.text("switch_config", "one_hot"));
+    const auto start = parse_iso8601(root.text("start_utc", kStart));
     if (!start) root.fault("start_utc", "no time such as 2026-06-01T14:00:00Z");
     scenario.start = start.value_or(base::Time{});
+    if (!root.has("strip")) root.fault("strip", "there is no table [strip]; say where the flight takes off and lands");
     scenario.strip = read_strip(root.section("strip"));
     scenario.environment = read_environment(root.section("environment"));
     scenario.aircraft = read_aircraft(root.section("aircraft"));

@@ -21,7 +21,7 @@ struct LandingStrip {
     double latitude_rad = 0, longitude_rad = 0;  ///< of its centre
     double heading_rad = 0;                      ///< in which take-off and landing go
     double elevation_msl_m = 0;
-    double length_m = 0, width_m = 0;
+    double length_m = 1000, width_m = 30;
 };
 
 /// The air; the seed moves each value within its spread.

@@ -98,6 +98,25 @@ TEST_F(SocketCanSourceTest, OpensAtTheFirstReadAndDeliversInOrder) {
     EXPECT_EQ(source.statistics().frames, 10u);
 }
 
+/// More than a system call takes, broken records among them; what came before the end of the socket is not lost with it.
+TEST_F(SocketCanSourceTest, AFullSocketIsReadInOrderToItsEnd) {
+    (void)read();
+    for (std::uint32_t id = 1; id <= 150; ++id) {
+        port.deliver(classic(id));
+        if (id % 10 == 0) port.deliver(std::uint32_t{7});
+    }
+    port.hang_up();
+    std::uint32_t next = 1;
+    for (int reading = 0; reading < 40; ++reading) {
+        const std::size_t count = read();
+        for (std::size_t n = 0; n < count; ++n) ASSERT_EQ(frames[n].id, next++);
+    }
+    EXPECT_EQ(next, 151u);
+    EXPECT_EQ(source.statistics().frames, 150u);
+    EXPECT_EQ(source.statistics().malformed, 15u);
+    EXPECT_NE(source.last_fault().find("can0"), std::string_view::npos) << "and then the end is seen";
+}
+
 TEST_F(SocketCanSourceTest, ClassicAndFdRecordsAndBrokenOnes) {
     (void)read();
     canfd_frame fd{};

@@ -49,6 +49,44 @@ TEST(Scenario, NeedsNeitherSceneNorWeather) {
     EXPECT_FALSE(scenario.weather.has_value());
 }
 
+/// Take-off, a climb and the landing: what no default can say.
+TEST(Scenario, NeedsNoMoreThanAPlaceAndLegs) {
+    const std::string smallest = R"(
+[strip]
+latitude_deg = 47
+longitude_deg = 11
+heading_deg = 260
+elevation_msl_m = 580
+[[leg]]
+kind = "roll"
+phase = "takeoff.start"
+speed_mps = 48
+acceleration_mps2 = 3
+[[leg]]
+kind = "hold"
+phase = "takeoff.first_climb"
+heading_deg = 260
+altitude_msl_m = 900
+speed_mps = 60
+climb_mps = 8
+)";
+    const Scenario scenario = parse_scenario(smallest, "folder/evening.toml");
+    EXPECT_EQ(scenario.name, "evening");
+    EXPECT_EQ(scenario.seed, 1u);
+    EXPECT_EQ(scenario.switch_config, "one_hot");
+    EXPECT_EQ(scenario.start.ns, 1780315200 * std::int64_t{1'000'000'000});
+    EXPECT_EQ(scenario.strip.length_m, 1000);
+    EXPECT_EQ(scenario.environment.qnh_pa, 101325) << "the standard atmosphere";
+    EXPECT_EQ(scenario.environment.wind_speed_mps, 0);
+    EXPECT_EQ(scenario.aircraft.antenna_height_m, 2.5);
+    EXPECT_EQ(scenario.legs.size(), 2u);
+    test_support::expect_user_error([&] { (void)parse_scenario(smallest.substr(smallest.find("[[leg]]")), "s.toml"); },
+                                    "there is no table [strip]");
+    test_support::expect_user_error(
+        [&] { (void)parse_scenario(replaced(smallest, "heading_deg = 260\nelevation", "elevation"), "s.toml"); },
+        "'heading_deg' is missing");
+}
+
 TEST(Scenario, FindsASceneFileFromItsOwnFolder) {
     const test_support::TemporaryFolder place;
     place.write("own.toml", "");
@@ -70,7 +108,7 @@ TEST(Scenario, NamesFileAndLineOfAFault) {
     refused(replaced(shipped(), "turbulence = 0.5", "turbulences = 0.5"), "turbulence");
     refused(replaced(shipped(), "2026-06-01T14:00:00Z", "yesterday"), "no time such as");
     refused(replaced(shipped(), "duration_s = 3", "duration_s = 3\nspeed_mps = 20"), "speed_mps");
-    refused(shipped().substr(0, shipped().find("[[leg]]")), "[[leg]]");
+    refused(shipped().substr(0, shipped().find("\n[[leg]]")), "[[leg]]");
     refused(replaced(shipped(), "scene = \"jacksboro\"", "scene = \"nowhere\""),
             "configs/scenes/nowhere.toml; name a shipped one");
     refused(replaced(shipped(), "terrain = \"jacksboro_srtm3\"", "terrain = \"nowhere\""), "there is no raster");
