@@ -20,9 +20,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::uint8_t kEncodingNode = 9;
-constexpr base::Duration kEncodedFrameTime{125'000};  // 125 bits at 1 Mbit/s
-const std::vector<std::string> kPhaseOrigins = {"unknown", "fms", "pilot", "computed", "simulator"};
+const std::string kOriginKey = "phase_origin=";
 
 bus::BusSettings bus_of(const BusEncodeOptions& options) {
     const std::string path = resolve_config(options.bus, "buses");
@@ -31,11 +29,18 @@ bus::BusSettings bus_of(const BusEncodeOptions& options) {
     return settings.value();
 }
 
+void require_interface_name(const std::string& name) {
+    constexpr std::size_t kMaxLength = 15;
+    const bool has_strange = std::any_of(name.begin(), name.end(), [](char c) { return c <= ' ' || c > '~' || c == '/'; });
+    if (name.empty() || name.size() > kMaxLength || has_strange)
+        throw UserError("--interface " + name + ": a name has 1 to 15 characters without blanks; say for example can0");
+}
+
 class EncodedFrames {
 public:
     explicit EncodedFrames(const BusEncodeOptions& options)
         : bus_(bus_of(options)),
-          encoder_(bus_, kEncodingNode),
+          encoder_(bus_, kMadeFrameNode),
           interface_(options.interface_name),
           time_(base::Time{} + base::Duration::from_seconds(options.at_s)) {}
 
@@ -58,26 +63,37 @@ private:
 
     /// Stands for the phase, wherever it lies among the words.
     void take_origin(const std::vector<std::string>& values) {
-        const std::string key = "phase_source=";
+        const std::vector<std::string>& names = phase_origin_names();
+        const auto has = [&](const std::string& key) {
+            return std::count_if(values.begin(), values.end(),
+                                 [&](const std::string& word) { return word.compare(0, key.size(), key) == 0; });
+        };
         for (const std::string& word : values) {
-            if (word.compare(0, key.size(), key) != 0) continue;
-            const auto place = std::find(kPhaseOrigins.begin(), kPhaseOrigins.end(), word.substr(key.size()));
-            if (place == kPhaseOrigins.end())
+            if (word.compare(0, kOriginKey.size(), kOriginKey) != 0) continue;
+            const auto place = std::find(names.begin(), names.end(), word.substr(kOriginKey.size()));
+            if (place == names.end())
                 fault(word, "no sender of a phase; say unknown, fms, pilot, computed or simulator");
+            else if (has("phase=") == 0)
+                fault(word, "it belongs to a phase; say phase=cruise or the like, too");
+            else if (has(kOriginKey) > 1)
+                fault(word, "it is said more than once; remove one");
             else
-                origin_ = static_cast<bus::PhaseOrigin>(place - kPhaseOrigins.begin());
+                origin_ = static_cast<bus::PhaseOrigin>(place - names.begin());
         }
     }
 
     void add(const std::string& word, const std::string& key, const std::string& value) {
-        if (key == "phase_source") return;
+        if (key + "=" == kOriginKey) return;
         if (key == "phase") return add_phase(word, value);
         std::string sentence;
         const auto unit = read_signal_key(key, sentence);
         if (!unit) return faults_.push_back(word + ": " + sentence);
         char* end = nullptr;
         const double number = std::strtod(value.c_str(), &end);
-        if (value.empty() || *end != '\0' || !std::isfinite(number)) return fault(word, "'" + value + "' is no number");
+        const bool is_decimal = value.find_first_not_of("0123456789+-.eE") == std::string::npos;
+        if (value.empty() || *end != '\0' || !is_decimal || !std::isfinite(number))
+            return fault(word, "'" + value + "' is no decimal number");
+        if (const std::string wrong = fault_of_value(key, *unit, number); !wrong.empty()) return fault(word, wrong);
         add_signal(word, *unit, number);
     }
 
@@ -104,12 +120,11 @@ private:
     void put(std::size_t count) {
         for (std::size_t n = 0; n < count; ++n) {
             frames_[n].time = time_;
-            time_ = time_ + kEncodedFrameTime;
+            time_ = time_ + kMadeFrameTime;
             std::array<char, bus::kMaxCandumpLine> line;
             const std::size_t length =
                 bus::format_candump_line(frames_[n], interface_, bus::StampDigits::micro, false, {line.data(), line.size()});
-            if (length == 0)
-                throw UserError("--interface " + interface_ + ": a name has 1 to 15 characters; say for example can0");
+            TEDAVIS_CHECK(length > 0);  // the name has been checked
             lines_.emplace_back(line.data(), length - 1);
         }
     }
@@ -126,6 +141,7 @@ private:
 }  // namespace
 
 int run_bus_encode(const BusEncodeOptions& options, Console& console) {
+    require_interface_name(options.interface_name);
     EncodedFrames frames(options);
     frames.add(options.values);
     for (const std::string& sentence : frames.faults()) console.note("tedavis: " + sentence);

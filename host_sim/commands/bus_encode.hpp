@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 
 struct BusEncodeOptions {
-    std::vector<std::string> values;  ///< "indicated_airspeed_kt=90", "phase=approach.final", "phase_source=fms"
+    std::vector<std::string> values;  ///< "indicated_airspeed_kt=90", "phase=approach.final", "phase_origin=fms"
     std::string bus = "canaerospace";
     std::string interface_name = "can0";
     double at_s = 0;  ///< stamp of the first frame

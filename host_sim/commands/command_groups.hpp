@@ -20,6 +20,7 @@
 #include "host_sim/commands/evaluate.hpp"
 #include "host_sim/commands/fly.hpp"
 #include "host_sim/commands/kept_terrains.hpp"
+#include "host_sim/commands/record.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scenario.hpp"
 #include "host_sim/commands/scene.hpp"
@@ -60,6 +61,7 @@ struct CommandLine {
     EvaluateOptions evaluate;
     ContractOptions contract;
     VerifyOptions verify;
+    RecordOptions record;
     BusEncodeOptions bus_encode;
     CalibrateOptions calibrate;
     DevicePlanOptions device_plan;
@@ -110,7 +112,7 @@ void add_raster_options(CLI::App* command, TerrainBuildOptions& options);
 void add_flight_options(CLI::App* command, ConvertOptions& options);
 /// fly, which is made of commands of all groups.
 void add_fly(CLI::App& app, CommandLine& line);
-/// verify and bus, by which integrators test.
+/// verify, record and bus, by which integrators test.
 void add_tests(CLI::App& app, CommandLine& line);
 /// accuracy, which add_displays() adds among its own.
 void add_accuracy(CLI::App& app, CommandLine& line);

@@ -1,4 +1,5 @@
 #include "host_sim/commands/command_groups.hpp"
+#include "host_sim/flight_test/read_steps.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -18,6 +19,43 @@ void add_verify(CLI::App& app, CommandLine& line) {
                         "and the frame's record");
 }
 
+/// The log, and what a script can say of its display; defaults are those of scripts.
+void add_recorded_flight(CLI::App* command, RecordOptions& o) {
+    command
+        ->add_option("LOG", o.input,
+                     "candump log, folder of a replay or of a generated flight, or shipped scenario, such as default")
+        ->required();
+    command->add_option("--switches", o.switches, "switch log; default: none, or that of the folder");
+    command->add_option("--switch-config", o.switch_config, "panel, file or shipped name; default: one_hot");
+    command->add_option("--bus", o.bus, "bus file or shipped name: how the frames are read; default: canaerospace");
+    command->add_option("--design", o.design, "design file or shipped name; default: that of the replay, else default");
+    command->add_option("--device", o.device, "device file or shipped name; default: that of the replay, else es2-small");
+    command->add_option("--aircraft", o.aircraft, "aircraft file or shipped name; default: that of the replay, else none");
+    command->add_option("--terrain", o.terrain, "terrain database (.tdb), or jacksboro, which is built; default likewise");
+    command->add_option("--scene", o.scene, "scene database (.sdb); default: that of the replay or generated flight, else none");
+}
+
+void add_record(CLI::App& app, CommandLine& line) {
+    RecordOptions& o = line.record;
+    CLI::App* command = add_long_command(app, line, "record", "a flight as a flight test, which expects what it shows today",
+                                         [&o](Console& console) { return run_record(o, console); });
+    add_recorded_flight(command, o);
+    command->add_option("-o", o.output, "script to write (.toml), to be edited and flown by verify")->required();
+    CLI::Option* from = add_optional(command, "--from", o.from_s, "earliest frame, in seconds since the log's first; default: 0");
+    CLI::Option* to = add_optional(command, "--to", o.to_s, "latest frame; default: the log's end");
+    from->check(CLI::Range(0.0, kLatestTestTime_s));
+    to->check(CLI::Range(0.0, kLatestTestTime_s));
+    command->add_option("--at", o.at_s, "what is shown at this time alone, s; may be repeated")
+        ->allow_extra_args(false)
+        ->check(CLI::Range(0.0, kLatestTestTime_s))
+        ->excludes(from)
+        ->excludes(to);
+    command->add_option("--margin", o.margin_s, "seconds by which a change may come earlier or later (README.md of flight_tests)")
+        ->check(CLI::Range(0.0, 60.0))
+        ->capture_default_str();
+    command->add_flag("--yes", o.yes, "replaces a script that is there already");
+}
+
 void add_bus(CLI::App& app, CommandLine& line) {
     CLI::App* const bus = app.add_subcommand("bus", "frames of the aircraft's bus");
     bus->require_subcommand(1);
@@ -26,7 +64,7 @@ void add_bus(CLI::App& app, CommandLine& line) {
                                     [&o](Console& console) { return run_bus_encode(o, console); });
     command
         ->add_option("VALUE", o.values,
-                     "signal=value with the unit in the name (indicated_airspeed_kt=90), phase=approach.final, phase_source=fms")
+                     "signal=value with the unit in the name (indicated_airspeed_kt=90), phase=approach.final, phase_origin=fms")
         ->required();
     command->add_option("--at", o.at_s, "stamp of the first frame, s")->check(CLI::Range(0.0, 4e9))->capture_default_str();
     command->add_option("--interface", o.interface_name, "name of the interface")->capture_default_str();
@@ -37,6 +75,7 @@ void add_bus(CLI::App& app, CommandLine& line) {
 
 void add_tests(CLI::App& app, CommandLine& line) {
     add_verify(app, line);
+    add_record(app, line);
     add_bus(app, line);
 }
 

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <set>
 
 #include "host_sim/atomic_file.hpp"
-#include "host_sim/commands/own_ground.hpp"
+#include "host_sim/commands/built_inputs.hpp"
 #include "host_sim/flight_test/flight_test_report.hpp"
 #include "host_sim/flight_test/read_flight_test.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
+#include "host_sim/name_choices.hpp"
 #include "host_sim/new_folder.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/temporary_folder.hpp"
@@ -50,57 +51,7 @@ ScriptParameters stated_parameters(const std::vector<std::string>& words) {
     return parameters;
 }
 
-/// What tests name and a replay needs as files; each is built once.
-class BuiltInputs {
-public:
-    BuiltInputs(const std::string& folder, Console& console) : folder_(folder), console_(console) {}
-
-    void resolve(FlightTest& test) {
-        test.picture.terrain = terrain(test.picture.terrain);
-        if (!test.scenario.empty()) take_scenario(test);
-        test.picture.scene = scene(test.picture.scene);
-    }
-
-private:
-    static bool is_name(const std::string& text) { return !text.empty() && text.find_first_of("./") == std::string::npos; }
-
-    template <class Build>
-    std::string built(const std::string& name, Build build) {
-        const auto [place, is_new] = built_.try_emplace(name);
-        if (!is_new) return place->second;
-        const std::string folder = folder_ + "/" + std::to_string(built_.size());
-        make_folder(folder);
-        place->second = build(folder);
-        return place->second;
-    }
-
-    std::string terrain(const std::string& name) {
-        if (!is_name(name)) return name;
-        if (name != "jacksboro") throw UserError("terrain = \"" + name + "\": the shipped one is jacksboro; name it, or a .tdb");
-        return built("terrain", [&](const std::string& folder) {
-            return build_own_terrain({shipped_root() + kOwnRaster}, folder, console_);
-        });
-    }
-    std::string scene(const std::string& name) {
-        if (!is_name(name)) return name;
-        return built("scene " + name, [&](const std::string& folder) { return build_own_scene(name, folder, console_); });
-    }
-    void take_scenario(FlightTest& test) {
-        const std::string database = built("scenario " + test.scenario, [&](const std::string& folder) {
-            return build_own_scenario(test.scenario, folder, console_);
-        });
-        const std::string folder = fs::path(database).parent_path().string();
-        test.log = folder + "/flight.log";
-        test.switch_log = folder + "/flight.switches";
-        if (test.picture.scene.empty()) test.picture.scene = database;
-    }
-
-    std::string folder_;
-    Console& console_;
-    std::map<std::string, std::string> built_;
-};
-
-/// "GROUND" of "…/GROUND.toml"; a second one of a name gets a number.
+/// "loss_of_roll" of "…/loss_of_roll.toml"; a second one of a name gets a number.
 std::string picture_stem(const std::string& path, std::set<std::string>& taken) {
     const std::string stem = fs::path(path).stem().string();
     std::string free = stem;
@@ -114,11 +65,26 @@ void write_failures(std::vector<FlownTest>& tests, const std::string& output) {
     std::set<std::string> taken;
     for (FlownTest& one : tests) {
         const std::string path = output + "/" + picture_stem(one.test.path, taken);
+        std::error_code error;
+        for (const char* const suffix : {".png", ".json"}) fs::remove(path + suffix, error);  // of an earlier run
         if (one.result.picture.empty()) continue;
         write_file_atomically(path + ".png", one.result.picture);
         write_file_atomically(path + ".json", one.result.record + "\n");
         one.picture = path + ".png";
     }
+}
+
+/// Several scripts may share a command line: a parameter must be one of any of them.
+bool has_unknown_parameter(const std::vector<FlightTest>& tests, const ScriptParameters& parameters, Console& console) {
+    std::set<std::string> known;
+    for (const FlightTest& test : tests) known.insert(test.parameters.begin(), test.parameters.end());
+    bool has_unknown = false;
+    for (const auto& [name, value] : parameters) {
+        if (known.count(name) != 0) continue;
+        has_unknown = true;
+        console.note("tedavis: --set " + name + ": no script has such a parameter; there are: " + name_choices(known));
+    }
+    return has_unknown;
 }
 
 std::vector<FlightTest> read_tests(const VerifyOptions& options, Console& console, bool& is_faulty) {
@@ -127,7 +93,7 @@ std::vector<FlightTest> read_tests(const VerifyOptions& options, Console& consol
     ScriptFaults faults;
     for (const std::string& path : script_paths(options.scripts)) tests.push_back(read_flight_test(path, parameters, faults));
     for (const std::string& sentence : faults.sentences()) console.note("tedavis: " + sentence);
-    is_faulty = !faults.empty();
+    is_faulty = !faults.empty() || has_unknown_parameter(tests, parameters, console);
     return tests;
 }
 
@@ -140,16 +106,27 @@ void resolve(FlightTest& test, BuiltInputs& inputs) {
     }
 }
 
+/// A line each, with the place of the input unless they say a place.
+std::string with_place(const FlightTest& test, const std::string& sentences) {
+    const bool has_place = sentences.compare(0, test.path.size() + 1, test.path + ":") == 0;
+    return has_place ? sentences : test.path + ":" + std::to_string(test.input_line) + ": " + sentences;
+}
+
+/// Tests whose input cannot be played are told in `faults`, and the others are flown.
 std::vector<FlownTest> fly_tests(std::vector<FlightTest>& tests, bool draws_failures, const std::string& folder,
-                                 const InterruptGuard& interrupt, Console& console) {
+                                 const InterruptGuard& interrupt, Console& console, std::vector<std::string>& faults) {
     BuiltInputs inputs(folder, console);
     TestDisplay display;
     std::vector<FlownTest> flown;
     const FlyTestSettings settings{folder, draws_failures, [&] { return interrupt.requested(); }};
     for (FlightTest& test : tests) {
-        resolve(test, inputs);
-        FlightTestResult result = fly_flight_test(test, display, settings);
-        flown.push_back({std::move(test), std::move(result), ""});
+        try {
+            resolve(test, inputs);
+            FlightTestResult result = fly_flight_test(test, display, settings);
+            flown.push_back({std::move(test), std::move(result), ""});
+        } catch (const UserError& error) {
+            faults.push_back(with_place(test, error.what()));
+        }
         console.progress("flight tests", flown.size(), tests.size());
     }
     console.progress_done();
@@ -175,9 +152,15 @@ int run_verify(const VerifyOptions& options, Console& console) {
     const TemporaryFolder work;
     std::optional<NewFolder> folder;
     if (!options.output.empty()) folder.emplace(options.output);
-    std::vector<FlownTest> flown = fly_tests(tests, !options.output.empty(), work.path(), interrupt, console);
+    std::optional<AtomicFile> junit;
+    if (!options.junit.empty()) junit.emplace(options.junit);
+    std::vector<std::string> faults;
+    std::vector<FlownTest> flown = fly_tests(tests, !options.output.empty(), work.path(), interrupt, console, faults);
+    for (const std::string& sentence : faults) console.note("tedavis: " + sentence);
+    if (!faults.empty()) return kFaultyInputExitCode;
     write_failures(flown, options.output);
-    if (!options.junit.empty()) write_file_atomically(options.junit, flight_tests_junit(flown));
+    if (junit) junit->stream() << flight_tests_junit(flown);
+    if (junit) junit->commit();
     if (folder) folder->keep();
     const nlohmann::ordered_json json = flight_tests_json(flown);
     console.result(flight_tests_text(flown), json_text(json));

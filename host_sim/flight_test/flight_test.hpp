@@ -14,6 +14,7 @@
 #include "bus/canaerospace/message_encoder.hpp"
 #include "bus/frame/can_frame.hpp"
 #include "bus/switches/switch_config.hpp"
+#include "host_sim/flight_log/signal_sample.hpp"
 #include "host_sim/flight_test/placed_words.hpp"
 #include "host_sim/options/picture_options.hpp"
 #include "render_core/display/planner/frame_record.hpp"
@@ -25,6 +26,8 @@ struct ObservedFrame {
     double time_s = 0;
     display::FrameRecord record;
     double latency_frames = 0;       ///< age of the newest message, in frames of the device
+    bool has_obstacles = false;      ///< data of obstacles ahead, of which there could be an alert
+    SignalSample values;             ///< that the display was given, SI
     std::vector<PlacedWords> words;  ///< where a condition of the test asks for a text
 };
 
@@ -43,7 +46,7 @@ struct FrameCondition {
 enum class WindowKind : std::uint8_t {
     at,      ///< in the first frame at or after from_s
     during,  ///< in every frame from from_s to to_s
-    within,  ///< in one frame from from_s to to_s
+    within,  ///< not in the first frame from from_s on, but in a later one up to to_s
 };
 
 struct Expectation {
@@ -51,6 +54,7 @@ struct Expectation {
     std::size_t line = 0;
     WindowKind kind = WindowKind::at;
     double from_s = 0, to_s = 0;
+    bool stays = false;                      ///< of one that must be reached: it holds from then to to_s
     std::vector<FrameCondition> conditions;  ///< all of them, in one frame
 
     [[nodiscard]] bool reads_text() const {
@@ -69,6 +73,8 @@ struct LineBounce {
     std::size_t line = 0;     ///< of the panel
     std::uint32_t times = 0;  ///< changes of level
     double gap_s = 0;         ///< between them
+
+    [[nodiscard]] double lasts_s() const { return (times - 1) * gap_s; }
 };
 
 struct LineLevel {
@@ -114,6 +120,8 @@ struct FlightTest {
     bus::BusSettings bus;            ///< as the bus file says
     bus::SwitchConfig panel;         ///< as the panel's file says
     std::vector<std::string> files;  ///< that it was read from
+    std::vector<std::string> parameters;
+    std::size_t input_line = 1;  ///< where `path` says its log or scenario
 };
 
 }  // namespace tedavis::host_sim

@@ -23,9 +23,10 @@ std::string padded(const std::string& text, std::size_t width) {
     return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
 }
 
-/// Where the expectation whose result this is stands.
-const Expectation& expectation_of(const FlownTest& one, const ExpectationResult& result) {
-    return one.test.expectations[static_cast<std::size_t>(&result - one.result.expectations.data())];
+/// Of one that must be reached.
+std::string words_of_window(const Expectation& expectation) {
+    if (expectation.kind != WindowKind::within) return {};
+    return "; it was to be reached from " + with_seconds(expectation.from_s) + " to " + with_seconds(expectation.to_s);
 }
 
 std::string place_of_expectation(const Expectation& expectation) {
@@ -67,7 +68,7 @@ std::string junit_case(const FlownTest& one, std::size_t n) {
     std::string xml = "    <testcase classname=\"" + escaped(one.test.path) + "\" name=\"" + escaped(expectation.name) +
                       "\" file=\"" + escaped(expectation.file) + "\" line=\"" + std::to_string(expectation.line) + "\"";
     if (result.holds) return xml + "/>\n";
-    const std::string words = escaped(words_of_failure(result));
+    const std::string words = escaped(words_of_failure(result) + words_of_window(expectation));
     return xml + ">\n      <failure message=\"" + words + "\">" + escaped(place_of_expectation(expectation)) + ": " + words +
            "</failure>\n    </testcase>\n";
 }
@@ -85,9 +86,10 @@ std::string flight_tests_text(const std::vector<FlownTest>& tests) {
         text += padded(one.test.path, width) + counts;
         held += kept;
         all += count;
-        const ExpectationResult* const failure = one.result.first_failure();
-        if (failure == nullptr) continue;
-        text += "  " + place_of_expectation(expectation_of(one, *failure)) + ": " + words_of_failure(*failure) + "\n";
+        for (std::size_t n = 0; n < count; ++n)
+            if (const ExpectationResult& result = one.result.expectations[n]; !result.holds)
+                text += "  " + place_of_expectation(one.test.expectations[n]) + ": " + words_of_failure(result) +
+                        words_of_window(one.test.expectations[n]) + "\n";
         if (!one.picture.empty()) text += "  " + one.picture + " shows it\n";
     }
     return text + std::to_string(held) + " of " + std::to_string(all) + " expectations hold\n";

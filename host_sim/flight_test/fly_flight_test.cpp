@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "host_sim/atomic_file.hpp"
+#include "host_sim/flight_test/read_steps.hpp"
 #include "host_sim/flight_test/step_log.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
@@ -39,6 +41,17 @@ PlayerFiles input_files(const FlightTest& test, const std::string& folder) {
     return files;
 }
 
+/// Those that the display warns of.
+bool scene_has_obstacles(const display::SpatialData& data) {
+    if (!data.has_scene()) return false;
+    const base::Span<const scene::Layer> layers = data.scene().layers();
+    return std::any_of(layers.begin(), layers.end(), [](const scene::Layer& layer) {
+        const scene::LayerShape shape = layer.entry->shape;
+        return layer.entry->role == scene::LayerRole::obstacle &&
+               (shape == scene::LayerShape::points || shape == scene::LayerShape::lines);
+    });
+}
+
 class TestFlight {
 public:
     TestFlight(const FlightTest& test, DisplaySession& session, FlightPlayer& player, const FlyTestSettings& settings)
@@ -52,11 +65,11 @@ public:
                                   [](const Expectation& expectation) { return expectation.reads_text(); });
         preroll_.set_told([this](std::uint64_t, std::uint64_t) { return !is_interrupted(); });
         session_.display().memory().frames = 0;
+        has_obstacles_ = scene_has_obstacles(session.display().planner().data());
     }
 
     FlightTestResult fly() {
-        const double end_s = (player_.last() - player_.first()).to_seconds();
-        const auto last = static_cast<std::int64_t>(std::floor(end_s * rate_hz_ + kSmallPart));
+        const std::int64_t last = last_frame();
         for (std::int64_t n = 0; n <= last; ++n) {
             const double time_s = static_cast<double>(n) / rate_hz_;
             const bool is_wanted = std::any_of(judges_.begin(), judges_.end(),
@@ -68,8 +81,45 @@ public:
         return std::move(result_);
     }
 
+    WatchedFlight watch(const WatchedTimes& times, const FrameWatcher& watcher) {
+        const std::vector<std::int64_t> frames = watched_frames(times);
+        std::uint64_t done = 0;
+        for (const std::int64_t n : frames) {
+            if (is_interrupted()) throw Interrupted(kStoppedWords);
+            watcher.take(plan(static_cast<double>(n) / rate_hz_));
+            if (watcher.told) watcher.told(++done, frames.size());
+        }
+        return {rate_hz_, frames.size()};
+    }
+
 private:
     static constexpr double kSmallPart = 1e-4;  // of a frame, by which the log's end may miss it
+
+    [[nodiscard]] double end_s() const { return (player_.last() - player_.first()).to_seconds(); }
+    [[nodiscard]] std::int64_t last_frame() const {
+        return static_cast<std::int64_t>(std::floor(end_s() * rate_hz_ + kSmallPart));
+    }
+
+    [[nodiscard]] std::int64_t frame_at_or_after(double time_s) const {
+        const auto frame = static_cast<std::int64_t>(std::ceil(time_s * rate_hz_ - kSmallPart));
+        if (frame <= last_frame()) return frame;
+        char words[128];
+        std::snprintf(words, sizeof words, "%g s: there is no frame, since the input ends after %.3f s; say an earlier time",
+                      time_s, end_s());
+        throw UserError(words);
+    }
+
+    [[nodiscard]] std::vector<std::int64_t> watched_frames(const WatchedTimes& times) const {
+        std::vector<std::int64_t> frames;
+        for (const double time_s : times.at_s) frames.push_back(frame_at_or_after(time_s));
+        if (!times.at_s.empty()) return frames;
+        const std::int64_t first = frame_at_or_after(times.from_s);
+        if (times.to_s) static_cast<void>(frame_at_or_after(*times.to_s));
+        const double to_s = std::min(times.to_s.value_or(end_s()), kLatestTestTime_s);
+        const auto last = static_cast<std::int64_t>(std::floor(to_s * rate_hz_ + kSmallPart));
+        for (std::int64_t n = first; n <= last; ++n) frames.push_back(n);
+        return frames;
+    }
 
     [[nodiscard]] bool is_interrupted() const { return settings_.is_interrupted && settings_.is_interrupted(); }
 
@@ -103,6 +153,9 @@ private:
         latency_s_ = (time - player_.newest_frame()).to_seconds();
         frame.latency_frames = latency_s_ * rate_hz_;
         if (reads_text_) frame.words = words_of(input);
+        frame.has_obstacles = has_obstacles_;
+        for (std::size_t n = 0; n < flight::kSignalCount; ++n)
+            frame.values.values[n] = input.state[static_cast<flight::Signal>(n)].value_or(std::nan(""));
         return frame;
     }
 
@@ -135,18 +188,27 @@ private:
     FramePreroll preroll_;
     std::vector<ExpectationJudge> judges_;
     FlightTestResult result_;
-    bool has_failed_ = false, is_drawn_ = false, reads_text_ = false;
+    bool has_failed_ = false, is_drawn_ = false, reads_text_ = false, has_obstacles_ = false;
     double latency_s_ = 0;
 };
 
-/// Of recorded and generated flights, whose length only the player knows.
+/// Nothing is written beside the logs of a test.
+IndexPolicy test_index_policy() {
+    IndexPolicy policy;
+    policy.smallest_kept_log = std::numeric_limits<std::uint64_t>::max();
+    return policy;
+}
+
+/// Of recorded and generated flights, whose length only the player knows. A line a fault.
 void require_within(const FlightTest& test, double end_s) {
     std::string sentences;
-    for (const Expectation& one : test.expectations)
-        if (one.to_s > end_s)
-            sentences += (sentences.empty() ? "" : "\n") + one.file + ":" + std::to_string(one.line) +
-                         ": this [[expect]] lies beyond the end of the input, which lasts " + std::to_string(end_s) +
-                         " s; say an earlier time";
+    for (const Expectation& one : test.expectations) {
+        if (one.to_s <= end_s) continue;
+        char words[96];
+        std::snprintf(words, sizeof words, ": this [[expect]] lies beyond the end of the input, which lasts %.1f s", end_s);
+        sentences +=
+            (sentences.empty() ? "" : "\n") + one.file + ":" + std::to_string(one.line) + words + "; say an earlier time";
+    }
     if (!sentences.empty()) throw UserError(sentences);
 }
 
@@ -177,11 +239,17 @@ DisplaySession& TestDisplay::session_for(const PictureOptions& picture, bool is_
 FlightTestResult fly_flight_test(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings) {
     const PlayerFiles files = input_files(test, settings.folder);
     DisplaySession& session = display.session_for(test.picture, test.has_steps || is_generated_flight(files.log));
-    IndexPolicy policy;
-    policy.smallest_kept_log = std::numeric_limits<std::uint64_t>::max();
-    FlightPlayer player(files, session.display(), nullptr, policy);
+    FlightPlayer player(files, session.display(), nullptr, test_index_policy());
     require_within(test, (player.last() - player.first()).to_seconds());
     return TestFlight(test, session, player, settings).fly();
+}
+
+WatchedFlight watch_flight(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings,
+                           const WatchedTimes& times, const FrameWatcher& watcher) {
+    const PlayerFiles files = input_files(test, settings.folder);
+    DisplaySession& session = display.session_for(test.picture, test.has_steps || is_generated_flight(files.log));
+    FlightPlayer player(files, session.display(), nullptr, test_index_policy());
+    return TestFlight(test, session, player, settings).watch(times, watcher);
 }
 
 }  // namespace tedavis::host_sim

@@ -2,8 +2,10 @@
 /// and drawn only at the first failing instant.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,5 +45,26 @@ struct FlyTestSettings {
 /// The test has a log, or steps. Throws UserError where the input cannot be played or an expectation lies beyond its end, and
 /// Interrupted.
 [[nodiscard]] FlightTestResult fly_flight_test(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings);
+
+/// Frames to be watched, by seconds since the first of the input: all of a span, or single ones.
+struct WatchedTimes {
+    double from_s = 0;
+    std::optional<double> to_s;  ///< nothing: the end of the input, or of a script's times
+    std::vector<double> at_s;    ///< not empty: for each of these times, in their order, the first frame at or after it
+};
+
+struct FrameWatcher {
+    std::function<void(const ObservedFrame&)> take;
+    std::function<void(std::uint64_t done, std::uint64_t total)> told;  ///< may be empty
+};
+
+struct WatchedFlight {
+    double rate_hz = 0;  ///< frames of the device a second
+    std::uint64_t frames = 0;
+};
+
+/// Plans frames as fly_flight_test() does, and judges none. Throws UserError where no frame lies at such times, and Interrupted.
+[[nodiscard]] WatchedFlight watch_flight(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings,
+                                         const WatchedTimes& times, const FrameWatcher& watcher);
 
 }  // namespace tedavis::host_sim

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "host_sim/flight_test/script_table.hpp"
 #include "host_sim/input_file.hpp"
-#include "host_sim/name_choices.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -18,7 +18,9 @@ public:
 
     void read(const std::string& path, const std::string& text) {
         open_.push_back(identity_of(path));
+        const std::size_t before = faults_.count();
         ScriptValue tree = parse_script_value(text, path, faults_);
+        scripts_.is_broken = scripts_.is_broken || faults_.count() != before;
         ScriptTable table(tree, faults_);
         for (const std::string& name : table.texts("include")) include(table, path_from(path, name));
         take_parameters(table);
@@ -29,8 +31,12 @@ public:
     }
 
     IncludedScripts take(const ScriptParameters& stated) {
-        for (const auto& [name, value] : stated) set_stated(name, value);
-        for (ScriptValue& tree : scripts_.files) put_parameters(tree, parameters_, faults_);
+        for (const auto& [name, parameter] : parameters_) scripts_.parameters.push_back(name);
+        for (const auto& [name, value] : stated)
+            if (parameters_.count(name) != 0) parameters_[name] = value;
+        std::set<std::string> used;
+        for (ScriptValue& tree : scripts_.files) put_parameters(tree, parameters_, faults_, used);
+        if (!scripts_.is_broken) find_unused(used);
         return std::move(scripts_);
     }
 
@@ -39,6 +45,16 @@ private:
         std::error_code error;
         const auto canonical = std::filesystem::weakly_canonical(path, error);
         return error ? path : canonical.string();
+    }
+
+    /// Parameters of an included file may be for others.
+    void find_unused(const std::set<std::string>& used) {
+        const ScriptValue* const own = scripts_.files.back().find("parameters");
+        if (own == nullptr) return;
+        for (const auto& [name, value] : own->entries)
+            if (parameters_.count(name) != 0 && used.count(name) == 0)
+                faults_.add(value.file, value.line,
+                            "nothing uses the parameter '" + name + "'; write \"$" + name + "\", or remove it");
     }
 
     void include(ScriptTable& from, const std::string& path) {
@@ -64,17 +80,6 @@ private:
             else
                 parameters_[entry->first] = entry->second;
         }
-    }
-
-    void set_stated(const std::string& name, const ScriptValue& value) {
-        if (parameters_.count(name) != 0) {
-            parameters_[name] = value;
-            return;
-        }
-        std::vector<std::string> names;
-        for (const auto& [known, parameter] : parameters_) names.push_back(known);
-        faults_.add(scripts_.paths.back(), 1,
-                    "--set " + name + ": the script has no such parameter; it has: " + name_choices(names));
     }
 
     ScriptFaults& faults_;

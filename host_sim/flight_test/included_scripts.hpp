@@ -11,10 +11,12 @@ namespace tedavis::host_sim {
 struct IncludedScripts {
     std::vector<ScriptValue> files;  ///< the included ones before those that include them; each once
     std::vector<std::string> paths;
+    std::vector<std::string> parameters;  ///< names
+    bool is_broken = false;               ///< a file is no TOML; what it would say is not known
 };
 
 /// A parameter of an including file comes before the same of an included one, and `stated` before all. Cycles, files that cannot
-/// be read and stated parameters that no file has are faults. Throws UserError where `path` itself cannot be read.
+/// be read and parameters of `path` that no file uses are faults. Throws UserError where `path` itself cannot be read.
 [[nodiscard]] IncludedScripts read_included_scripts(const std::string& path, const ScriptParameters& stated,
                                                     ScriptFaults& faults);
 

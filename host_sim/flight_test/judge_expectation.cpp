@@ -27,20 +27,37 @@ void ExpectationJudge::note_failure(const ObservedFrame& frame, const FrameCondi
 }
 
 bool ExpectationJudge::take(const ObservedFrame& frame) {
+    const bool is_first = !has_frame_;
     has_frame_ = true;
-    bool holds = true;
+    const bool holds = observe(frame);
+    if (expectation_.kind == WindowKind::within) return take_of_reach(frame, holds, is_first);
+    is_settled_ = !holds || is_last(frame.time_s);
+    result_.holds = is_settled_ && holds;
+    return is_settled_ && !holds;
+}
+
+bool ExpectationJudge::observe(const ObservedFrame& frame) {
     for (const FrameCondition& condition : expectation_.conditions) {
         const Observation observation = condition.observe(frame);
         if (observation.holds) continue;
-        holds = false;
         note_failure(frame, condition, observation);
-        break;
+        return false;
     }
-    const bool is_reach = expectation_.kind == WindowKind::within;
-    if (is_reach && holds) result_.reached_s = frame.time_s;
-    is_settled_ = is_reach ? holds || is_last(frame.time_s) : !holds || is_last(frame.time_s);
-    result_.holds = is_settled_ && holds;
-    return is_settled_ && !holds;
+    return true;
+}
+
+bool ExpectationJudge::take_of_reach(const ObservedFrame& frame, bool holds, bool is_first) {
+    const bool has_left = !holds && result_.reached_s.has_value();
+    const bool held_before = holds && is_first;
+    if (holds && !held_before && !result_.reached_s) result_.reached_s = frame.time_s;
+    if (held_before)
+        note_failure(frame, {"after_s", "a frame in which it does not hold yet", {}},
+                     {false, "already held at after_s", "the state before passes; say from_s and to_s, or an earlier after_s"});
+    if (has_left) result_.reason += " (it was reached before, and did not stay)";
+    const bool is_over = is_last(frame.time_s) || (result_.reached_s && !expectation_.stays);
+    is_settled_ = held_before || has_left || is_over;
+    result_.holds = is_settled_ && holds && !held_before;
+    return is_settled_ && !result_.holds;
 }
 
 ExpectationResult ExpectationJudge::result() const {

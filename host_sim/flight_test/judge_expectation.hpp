@@ -32,6 +32,9 @@ public:
 
 private:
     [[nodiscard]] bool is_last(double time_s) const;
+    /// Whether all conditions hold in it.
+    bool observe(const ObservedFrame& frame);
+    bool take_of_reach(const ObservedFrame& frame, bool holds, bool is_first);
     void note_failure(const ObservedFrame& frame, const FrameCondition& condition, const Observation& observation);
 
     const Expectation& expectation_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "render_core/draw/font_atlas.hpp"
 
@@ -10,36 +11,56 @@ namespace tedavis::host_sim {
 namespace {
 
 struct PlacedGlyph {
-    char character = 0;
-    draw::Point at;
+    const draw::Glyph* glyph = nullptr;  // null: none of the atlas
+    draw::Point at;                      // its middle
     float em_px = 0;
     std::uint8_t rgb[3] = {};
+    float right_em = 0, down_em = 0;  // of its middle, from the pen
 };
 
-char character_at(float u, float v) {
-    const draw::FontAtlas& atlas = draw::font_atlas();
-    const float x = u * static_cast<float>(atlas.width), y = v * static_cast<float>(atlas.height);
-    for (const draw::Glyph& glyph : atlas.glyphs)
-        if (x > glyph.u && x < glyph.u + glyph.width && y > glyph.v && y < glyph.v + glyph.height)
-            return glyph.code_point < 128 ? static_cast<char>(glyph.code_point) : '?';
-    return '?';
+const draw::Glyph* glyph_at(float x, float y) {
+    for (const draw::Glyph& glyph : draw::font_atlas().glyphs)
+        if (x > glyph.u && x < glyph.u + glyph.width && y > glyph.v && y < glyph.v + glyph.height) return &glyph;
+    return nullptr;
 }
 
 /// Of a quad's first and third corner. Nothing for a halo, which repeats its character.
-std::optional<PlacedGlyph> glyph_of(const draw::QuadVertex& a, const draw::QuadVertex& c) {
+std::optional<PlacedGlyph> placed_glyph(const draw::QuadVertex& a, const draw::QuadVertex& c) {
     constexpr float kGlyphItself = -1;  // QuadBatch: less for halos
     if (a.extent_x != kGlyphItself) return std::nullopt;
-    const float em_px = a.extent_y / (2 * draw::font_atlas().spread_em);
-    return PlacedGlyph{character_at((a.u + c.u) / 2, (a.v + c.v) / 2),
-                       {(a.x + c.x) / 2, (a.y + c.y) / 2},
-                       em_px,
-                       {a.rgba[0], a.rgba[1], a.rgba[2]}};
+    const draw::FontAtlas& atlas = draw::font_atlas();
+    const float x = (a.u + c.u) / 2 * static_cast<float>(atlas.width), y = (a.v + c.v) / 2 * static_cast<float>(atlas.height);
+    PlacedGlyph placed;
+    placed.glyph = glyph_at(x, y);
+    placed.at = {(a.x + c.x) / 2, (a.y + c.y) / 2};
+    placed.em_px = a.extent_y / (2 * atlas.spread_em);
+    std::copy(std::begin(a.rgba), std::begin(a.rgba) + 3, std::begin(placed.rgb));
+    if (placed.glyph == nullptr) return placed;
+    placed.right_em = (x - static_cast<float>(placed.glyph->u - placed.glyph->left)) / atlas.texels_per_em;
+    placed.down_em = (y - static_cast<float>(placed.glyph->v - placed.glyph->top)) / atlas.texels_per_em;
+    return placed;
 }
 
-bool goes_on(const PlacedGlyph& last, const PlacedGlyph& next) {
-    constexpr float kReach_em = 1.4f;  // between the middles of two wide letters with a blank between them
-    return std::equal(std::begin(last.rgb), std::end(last.rgb), std::begin(next.rgb)) && last.em_px == next.em_px &&
-           next.at.x > last.at.x && std::hypot(next.at.x - last.at.x, next.at.y - last.at.y) <= kReach_em * next.em_px;
+/// Blanks between two characters, by how much farther apart they are than neighbors; nothing where they are not of one text.
+std::optional<int> blanks_between(const PlacedGlyph& last, const PlacedGlyph& next) {
+    constexpr float kMaxBlanks = 1;
+    if (last.glyph == nullptr || next.glyph == nullptr || last.em_px != next.em_px || next.at.x <= last.at.x ||
+        !std::equal(std::begin(last.rgb), std::end(last.rgb), std::begin(next.rgb)))
+        return std::nullopt;
+    const float neighbors_em = std::hypot(last.glyph->advance_em - last.right_em + next.right_em, next.down_em - last.down_em);
+    const float apart_em = std::hypot(next.at.x - last.at.x, next.at.y - last.at.y) / last.em_px;
+    const float blanks = std::round((apart_em - neighbors_em) / draw::glyph_of(' ').advance_em);
+    return blanks <= kMaxBlanks ? std::optional<int>(blanks > 0 ? 1 : 0) : std::nullopt;
+}
+
+void append_code_point(std::uint32_t code_point, std::string& utf8) {
+    const auto last_bits = [](std::uint32_t bits) { return static_cast<char>(0x80u | (bits & 0x3fu)); };
+    if (code_point < 0x80)
+        utf8 += static_cast<char>(code_point);
+    else if (code_point < 0x800)
+        utf8 += {static_cast<char>(0xc0u | code_point >> 6), last_bits(code_point)};
+    else
+        utf8 += {static_cast<char>(0xe0u | code_point >> 12), last_bits(code_point >> 6), last_bits(code_point)};
 }
 
 std::vector<std::string> boxes_at(draw::Point at, const draw::Layout& layout) {
@@ -57,12 +78,14 @@ std::vector<PlacedWords> placed_words(const draw::QuadBatch& batch, const draw::
     const auto vertices = batch.vertices();
     const auto indices = batch.indices();
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const auto glyph = glyph_of(vertices[indices[i]], vertices[indices[i + 2]]);
+        const auto glyph = placed_glyph(vertices[indices[i]], vertices[indices[i + 2]]);
         const bool is_first_half = i + 5 < indices.size() && indices[i + 3] == indices[i];
         if (!glyph || !is_first_half) continue;
         i += 3;  // a quad's second triangle begins with the first corner of its first one
-        if (!last || !goes_on(*last, *glyph)) words.push_back({"", glyph->at.x, glyph->at.y, boxes_at(glyph->at, layout)});
-        words.back().text += glyph->character;
+        const std::optional<int> blanks = last ? blanks_between(*last, *glyph) : std::nullopt;
+        if (!blanks) words.push_back({"", glyph->at.x, glyph->at.y, boxes_at(glyph->at, layout)});
+        if (blanks.value_or(0) > 0) words.back().text += ' ';
+        append_code_point(glyph->glyph != nullptr ? glyph->glyph->code_point : '?', words.back().text);
         last = glyph;
     }
     return words;
@@ -74,10 +97,31 @@ std::vector<std::string> layout_box_names() {
     return names;
 }
 
-std::string without_blanks(const std::string& text) {
+std::string with_single_blanks(const std::string& text) {
     std::string kept;
-    std::copy_if(text.begin(), text.end(), std::back_inserter(kept), [](char c) { return c != ' '; });
+    for (const char c : text)
+        if (c != ' ' || (!kept.empty() && kept.back() != ' ')) kept += c;
+    if (!kept.empty() && kept.back() == ' ') kept.pop_back();
     return kept;
+}
+
+bool has_words(const std::string& text, const std::string& words) {
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+        const std::size_t end = at + words.size();
+        if ((at == 0 || text[at - 1] == ' ') && (end == text.size() || text[end] == ' ')) return !words.empty();
+    }
+    return false;
+}
+
+std::string unwritable_character(const std::string& text) {
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::string_view before = rest;
+        const std::uint32_t code_point = draw::take_code_point(rest);
+        if (draw::glyph_of(code_point).code_point != code_point)
+            return std::string(before.substr(0, before.size() - rest.size()));
+    }
+    return {};
 }
 
 }  // namespace tedavis::host_sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "host_sim/flight_test/nearest_names.hpp"
@@ -20,7 +21,10 @@ constexpr std::array<PhaseSource, 5> kTestedSources = {PhaseSource::none, PhaseS
                                                        PhaseSource::can, PhaseSource::switches};
 constexpr std::array<SignalState, 5> kTestedStates = {SignalState::missing, SignalState::valid, SignalState::stale,
                                                       SignalState::lost, SignalState::invalid};
-const std::vector<std::string> kAlertNames = {"none", "caution", "warning"};
+const std::vector<std::string> kAlertNames = {"none", "caution", "warning", "not_watching"};
+constexpr std::size_t kNoAlert = 0, kNotWatching = 3;
+/// Boxes whose numbers move past a value.
+const std::vector<std::string> kBoxesWithMarks = {"", "airspeed", "altitude", "vertical_speed", "heading", "attitude"};
 const std::vector<std::string> kEffectStateNames = {"run", "replaced", "skipped"};
 
 template <class Values>
@@ -78,18 +82,10 @@ void read_design_condition(ScriptTable& table, const std::vector<std::string>& d
                           }});
 }
 
-/// "airspeed.stale" of a signal, or one of the policy's.
-bool is_flag_name(const std::string& name, const std::vector<std::string>& known) {
-    return std::find(known.begin(), known.end(), name) != known.end();
-}
-
 void read_flag_conditions(ScriptTable& table, const char* key, bool is_there, Conditions& conditions) {
     const std::vector<std::string> known = record_flag_names();
     for (const std::string& name : table.texts(key)) {
-        if (!is_flag_name(name, known)) {
-            static_cast<void>(place_among(table, key, name, known));
-            continue;
-        }
+        if (!place_among(table, key, name, known)) continue;
         conditions.push_back({key, name, [name, is_there](const ObservedFrame& frame) {
                                   return Observation{has_flag(frame.record, name) == is_there, list_of_flags(frame.record),
                                                      words_of_phase(frame.record.phase)};
@@ -145,24 +141,81 @@ void read_effect_conditions(ScriptTable& table, ScriptFaults& faults, Conditions
     }
 }
 
-std::string words_of_watch(const display::AlertRecord& alerts) {
-    if (!alerts.is_watching) return "no terrain alert is possible here";
+std::string words_of_watch(const ObservedFrame& frame, bool is_watching) {
+    const display::AlertRecord& alerts = frame.record.alerts;
+    if (!alerts.is_watching)
+        return "no alert is possible here: standing, at a runway, high above, or without position or terrain";
+    if (!is_watching) return "no alert is possible here: the scene has no obstacles";
     char text[96];
     std::snprintf(text, sizeof text, "%.0f m above the terrain, %.0f m must be kept", alerts.height_above_terrain_m,
                   alerts.clearance_m);
     return text;
 }
 
-void read_alert_condition(ScriptTable& table, const char* key, policy::TerrainAhead display::AlertRecord::*alert,
-                          Conditions& conditions) {
-    const auto name = table.text(key);
-    if (!name) return;
-    const auto level = place_among(table, key, *name, kAlertNames);
-    if (!level) return;
-    conditions.push_back({key, *name, [level = *level, alert](const ObservedFrame& frame) {
-                              const auto found = static_cast<std::size_t>(frame.record.alerts.*alert);
-                              return Observation{found == level, kAlertNames[found], words_of_watch(frame.record.alerts)};
-                          }});
+/// "none" is said of a display that watches; without data, or where it does not, there could be no other.
+Observation observe_alert(const ObservedFrame& frame, policy::TerrainAhead level, bool is_watching, std::size_t wanted) {
+    const auto stated = static_cast<std::size_t>(level);
+    const std::size_t found = stated == kNoAlert && !is_watching ? kNotWatching : stated;
+    return {found == wanted, kAlertNames[found], words_of_watch(frame, is_watching)};
+}
+
+void read_alert_conditions(ScriptTable& table, Conditions& conditions) {
+    const auto read = [&](const char* key, auto observe) {
+        const auto name = table.text(key);
+        if (!name) return;
+        if (const auto wanted = place_among(table, key, *name, kAlertNames))
+            conditions.push_back(
+                {key, *name, [observe, wanted = *wanted](const ObservedFrame& frame) { return observe(frame, wanted); }});
+    };
+    read("alert", [](const ObservedFrame& frame, std::size_t wanted) {
+        const display::AlertRecord& alerts = frame.record.alerts;
+        return observe_alert(frame, alerts.terrain, alerts.is_watching, wanted);
+    });
+    read("obstacle_alert", [](const ObservedFrame& frame, std::size_t wanted) {
+        const display::AlertRecord& alerts = frame.record.alerts;
+        return observe_alert(frame, alerts.obstacle, alerts.is_watching && frame.has_obstacles, wanted);
+    });
+}
+
+/// The two numbers of "[89, 91]", SI, the lower one first.
+std::optional<std::pair<double, double>> read_limits(const ScriptValue::Entry& entry, const StatedSignalUnit& unit) {
+    const std::vector<ScriptValue>& items = entry.second.items;
+    const bool are_two = entry.second.kind == ScriptValue::Kind::list && items.size() == 2 &&
+                         items[0].kind == ScriptValue::Kind::number && items[1].kind == ScriptValue::Kind::number &&
+                         items[0].number <= items[1].number;
+    if (!are_two) return std::nullopt;
+    return std::pair(unit.to_si(items[0].number), unit.to_si(items[1].number));
+}
+
+Observation observe_value(const ObservedFrame& frame, const StatedSignalUnit& unit, double low, double high) {
+    const double value = frame.values[unit.signal];
+    const SignalState state = frame.record.signals[static_cast<std::size_t>(unit.signal)];
+    const bool is_shown = state == SignalState::valid || state == SignalState::stale;
+    char found[48] = "no value";
+    if (is_shown && !std::isnan(value)) std::snprintf(found, sizeof found, "%.6g", (value - unit.offset) / unit.factor);
+    return {is_shown && value >= low && value <= high, found, std::string("the signal is ") + base::to_string(state)};
+}
+
+/// values = { indicated_airspeed_kt = [89, 91] }.
+void read_value_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
+    for (const ScriptValue::Entry* const entry : table.entries("values")) {
+        std::string sentence;
+        const auto unit = read_signal_key(entry->first, sentence);
+        const auto limits = unit ? read_limits(*entry, *unit) : std::nullopt;
+        if (!unit) {
+            faults.add(entry->second.file, entry->second.line, sentence);
+        } else if (!limits) {
+            faults.add(entry->second.file, entry->second.line,
+                       "'" + entry->first + "' must be two numbers, the lowest and the highest value: [89, 91]");
+        } else {
+            char expected[96];
+            std::snprintf(expected, sizeof expected, " %g to %g", entry->second.items[0].number, entry->second.items[1].number);
+            conditions.push_back(
+                {"values", entry->first + expected, [unit = *unit, limits = *limits](const ObservedFrame& frame) {
+                     return observe_value(frame, unit, limits.first, limits.second);
+                 }});
+        }
+    }
 }
 
 void read_latency_condition(ScriptTable& table, Conditions& conditions) {
@@ -184,24 +237,39 @@ Observation observe_text(const ObservedFrame& frame, const std::string& says, co
     bool has = false;
     for (const PlacedWords& words : frame.words) {
         if (!box.empty() && std::find(words.boxes.begin(), words.boxes.end(), box) == words.boxes.end()) continue;
-        has = has || words.text.find(without_blanks(says)) != std::string::npos;
-        found += (found.empty() ? "" : " ") + words.text;
+        has = has || has_words(words.text, says);
+        found += (found.empty() ? "\"" : ", \"") + words.text + "\"";
     }
     return {has == is_there, found.empty() ? "no text" : found, list_of_flags(frame.record)};
 }
 
+/// What is wrong with a text that is asked for; empty where nothing is.
+std::string fault_of_text(const std::string& says, const std::string& box) {
+    if (says.empty()) return "'text' needs says, such as { says = \"TERRAIN AHEAD\" }";
+    if (const std::string strange = unwritable_character(says); !strange.empty())
+        return "'says': the display's typeface has no '" + strange + "'; remove it";
+    const bool is_number = says.find_first_not_of("0123456789+-. ") == std::string::npos;
+    if (is_number && std::find(kBoxesWithMarks.begin(), kBoxesWithMarks.end(), box) != kBoxesWithMarks.end())
+        return "'says': \"" + says + "\" may be a mark of a scale; say values = { indicated_airspeed_kt = [89, 91] } or the like";
+    return {};
+}
+
 /// text = { says = "TERRAIN AHEAD", in = "annunciations", there = true }, or a list of such.
 void read_text_condition(const ScriptValue& value, ScriptFaults& faults, Conditions& conditions) {
+    if (value.kind != ScriptValue::Kind::table)
+        return faults.add(value.file, value.line, "'text' must be a table such as { says = \"TERRAIN AHEAD\" }");
     ScriptTable text(value, faults);
-    const auto says = text.text("says");
+    const std::size_t before = faults.count();
+    const std::string says = with_single_blanks(text.text("says").value_or(""));
     const std::string box = text.text("in").value_or("");
     const bool is_there = text.boolean("there").value_or(true);
     text.finish();
-    if (!says || says->empty()) return text.fault("says", "'text' needs says, such as { says = \"TERRAIN AHEAD\" }");
     if (!box.empty() && !place_among(text, "in", box, layout_box_names())) return;
+    if (faults.count() != before) return;
+    if (const std::string sentence = fault_of_text(says, box); !sentence.empty()) return text.fault("says", sentence);
     conditions.push_back(
-        {"text", (is_there ? "\"" : "no \"") + *says + "\"" + (box.empty() ? "" : " in " + box),
-         [says = *says, box, is_there](const ObservedFrame& frame) { return observe_text(frame, says, box, is_there); }});
+        {"text", (is_there ? "\"" : "no \"") + says + "\"" + (box.empty() ? "" : " in " + box),
+         [says, box, is_there](const ObservedFrame& frame) { return observe_text(frame, says, box, is_there); }});
 }
 
 void read_text_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
@@ -209,6 +277,17 @@ void read_text_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& 
     if (value == nullptr) return;
     if (value->kind != ScriptValue::Kind::list) return read_text_condition(*value, faults, conditions);
     for (const ScriptValue& one : value->items) read_text_condition(one, faults, conditions);
+}
+
+/// What asks for nothing would hold always.
+void refuse_empty(ScriptTable& table) {
+    for (const char* const key : {"flags", "no_flags", "signals", "effects", "values", "text"}) {
+        const ScriptValue* const value = table.take(key);
+        if (value == nullptr || !value->items.empty() || !value->entries.empty()) continue;
+        const bool is_table = value->kind == ScriptValue::Kind::table && std::string_view(key) != "text";
+        if (is_table || value->kind == ScriptValue::Kind::list)
+            table.fault(key, std::string("'") + key + "' is empty and asks for nothing; remove it, or say what is expected");
+    }
 }
 
 }  // namespace
@@ -245,10 +324,11 @@ std::vector<FrameCondition> read_conditions(ScriptTable& table, const std::vecto
     read_flag_conditions(table, "no_flags", false, conditions);
     read_signal_conditions(table, faults, conditions);
     read_effect_conditions(table, faults, conditions);
-    read_alert_condition(table, "alert", &display::AlertRecord::terrain, conditions);
-    read_alert_condition(table, "obstacle_alert", &display::AlertRecord::obstacle, conditions);
+    read_value_conditions(table, faults, conditions);
+    read_alert_conditions(table, conditions);
     read_latency_condition(table, conditions);
     read_text_conditions(table, faults, conditions);
+    refuse_empty(table);
     if (conditions.empty() && faults.count() == before)
         table.fault("", "this [[expect]] asks for nothing; say phase, phase_source, design, flags, signals or the like");
     return conditions;

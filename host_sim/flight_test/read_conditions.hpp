@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-/// Reads phase, phase_source, design, flags, no_flags, signals, effects, alert, obstacle_alert,
+/// Reads phase, phase_source, design, flags, no_flags, signals, effects, values, alert, obstacle_alert,
 /// latency_frames_at_most and text.
 /// A table without any of them is a fault. `designs` are the names that a frame's design can have.
 [[nodiscard]] std::vector<FrameCondition> read_conditions(ScriptTable& table, const std::vector<std::string>& designs,

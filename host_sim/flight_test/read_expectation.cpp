@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "host_sim/flight_test/read_conditions.hpp"
 #include "host_sim/flight_test/read_steps.hpp"
@@ -24,6 +26,9 @@ void read_window(ScriptTable& table, Expectation& expectation) {
     const auto at = table.number("at_s", 0, kLatestTestTime_s), from = table.number("from_s", 0, kLatestTestTime_s),
                to = table.number("to_s", 0, kLatestTestTime_s), after = table.number("after_s", 0, kLatestTestTime_s),
                within = table.number("within_s", 0, kLatestTestTime_s);
+    const auto stays = table.boolean("stays");
+    if (stays && !table.has("within_s")) table.fault("stays", "'stays' belongs to after_s and within_s; say from_s and to_s");
+    expectation.stays = stays.value_or(false);
     const int forms = (table.has("at_s") ? 1 : 0) + (table.has("from_s") || table.has("to_s") ? 1 : 0) +
                       (table.has("after_s") || table.has("within_s") ? 1 : 0);
     if (forms != 1) return table.fault("at_s", "an [[expect]] has one time: at_s, or from_s and to_s, or after_s and within_s");
@@ -49,17 +54,71 @@ bool is_part_of(std::string_view phase, std::string_view other) {
            (phase.size() > other.size() && phase.substr(0, other.size()) == other && phase[other.size()] == '.');
 }
 
+/// "pitch valid" in two words.
+std::pair<std::string_view, std::string_view> subject_and_state(std::string_view expected) {
+    const std::size_t blank = expected.rfind(' ');
+    return {expected.substr(0, blank), expected.substr(blank + 1)};
+}
+
+/// "pitch.lost" as {"pitch", "lost"}; a flag that is not of a signal has a subject that no signal has.
+std::pair<std::string_view, std::string_view> subject_and_state_of_flag(std::string_view flag) {
+    const std::size_t dot = flag.rfind('.');
+    if (dot == std::string_view::npos || flight::signal_from_name(flag.substr(0, dot)) == flight::Signal::count_)
+        return {flag, {}};
+    return {flag.substr(0, dot), flag.substr(dot + 1)};
+}
+
+/// Of conditions that say a subject and its state; nothing of others.
+std::optional<std::pair<std::string_view, std::string_view>> stated_by(const FrameCondition& condition) {
+    if (condition.key == "signals" || condition.key == "effects") return subject_and_state(condition.expected);
+    if (condition.key == "flags") return subject_and_state_of_flag(condition.expected);
+    return std::nullopt;
+}
+
+bool are_opposite_texts(const FrameCondition& a, const FrameCondition& b) {
+    return a.key == "text" && b.key == "text" && (a.expected == "no " + b.expected || b.expected == "no " + a.expected);
+}
+
 bool can_both_hold(const FrameCondition& a, const FrameCondition& b) {
     const bool is_flag_pair = (a.key == "flags" && b.key == "no_flags") || (a.key == "no_flags" && b.key == "flags");
     if (is_flag_pair) return a.expected != b.expected;
+    if (are_opposite_texts(a, b)) return false;
+    const auto of_a = stated_by(a), of_b = stated_by(b);
+    if (of_a && of_b) return of_a->first != of_b->first || of_a->second == of_b->second;
     const bool is_single = std::find(kSingleKeys.begin(), kSingleKeys.end(), a.key) != kSingleKeys.end();
     if (a.key != b.key || !is_single) return true;
     return is_part_of(a.expected, b.expected) || is_part_of(b.expected, a.expected);
 }
 
+bool lies_in(const Expectation& inner, const Expectation& outer) {
+    return outer.kind == WindowKind::during && outer.from_s <= inner.from_s && inner.to_s <= outer.to_s;
+}
+
+/// Whether both must hold in one frame. One that must be reached must hold somewhere in its time, and in its last frame if it
+/// stays.
 bool overlap(const Expectation& a, const Expectation& b) {
-    const bool are_fixed = a.kind != WindowKind::within && b.kind != WindowKind::within;
-    return are_fixed && a.from_s <= b.to_s && b.from_s <= a.to_s;
+    const auto must_hold_at_once = [](const Expectation& reached, const Expectation& other) {
+        const bool has_its_end =
+            reached.stays && other.kind != WindowKind::within && other.from_s <= reached.to_s && other.to_s >= reached.to_s;
+        return lies_in(reached, other) || has_its_end;
+    };
+    if (a.kind == WindowKind::within) return must_hold_at_once(a, b);
+    if (b.kind == WindowKind::within) return must_hold_at_once(b, a);
+    return a.from_s <= b.to_s && b.from_s <= a.to_s;
+}
+
+/// Two conditions of one expectation.
+void find_own_contradictions(const Expectation& expectation, ScriptTable& table) {
+    for (std::size_t n = 1; n < expectation.conditions.size(); ++n)
+        for (std::size_t before = 0; before < n; ++before) {
+            const FrameCondition &a = expectation.conditions[n], &b = expectation.conditions[before];
+            if (can_both_hold(a, b)) continue;
+            if (a.key == "no_flags" || b.key == "no_flags")
+                table.fault("no_flags", "'" + a.expected + "' must be there and must not; remove it from flags or no_flags");
+            else
+                table.fault(a.key,
+                            a.key + " " + a.expected + " contradicts " + b.key + " " + b.expected + "; correct one of them");
+        }
 }
 
 void find_contradiction(const Expectation& later, const Expectation& earlier, ScriptFaults& faults) {
@@ -82,10 +141,7 @@ Expectation read_expectation(ScriptTable& table, const std::vector<std::string>&
     expectation.conditions = read_conditions(table, designs, faults);
     table.finish();
     if (expectation.name.empty()) expectation.name = words_of_expectation(expectation);
-    for (const FrameCondition& a : expectation.conditions)
-        for (const FrameCondition& b : expectation.conditions)
-            if (a.key == "flags" && !can_both_hold(a, b))
-                table.fault("no_flags", "'" + a.expected + "' must be there and must not; remove it from flags or no_flags");
+    find_own_contradictions(expectation, table);
     return expectation;
 }
 
@@ -93,7 +149,8 @@ std::string words_of_expectation(const Expectation& expectation) {
     std::string words = seconds_text(expectation.from_s);
     if (expectation.kind == WindowKind::during) words += " to " + seconds_text(expectation.to_s);
     if (expectation.kind == WindowKind::within)
-        words = "within " + seconds_text(expectation.to_s - expectation.from_s) + " after " + words;
+        words = std::string(expectation.stays ? "from within " : "within ") +
+                seconds_text(expectation.to_s - expectation.from_s) + " after " + words;
     std::string what;
     for (const FrameCondition& condition : expectation.conditions)
         what += (what.empty() ? ": " : ", ") + condition.key + " " + condition.expected;

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string_view>
 
 #include "host_sim/flight_test/included_scripts.hpp"
 #include "host_sim/flight_test/read_expectation.hpp"
 #include "host_sim/flight_test/read_steps.hpp"
+#include "host_sim/flight_test/stepped_aircraft.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/shipped_files.hpp"
@@ -20,6 +23,7 @@ public:
         for (const ScriptValue& tree : scripts.files) tables_.emplace_back(tree, faults);
         test_.path = scripts.paths.back();
         test_.files = scripts.paths;
+        test_.parameters = scripts.parameters;
         test_.picture.device = "es2-small";
         test_.switch_config = "one_hot";
     }
@@ -44,16 +48,35 @@ public:
     }
 
 private:
-    /// The name of a file that a key states: a bare one is left as it is where the key's folder is empty.
+    /// The name of a file that a key states. A bare one is that of a shipped file, where the key has a folder of `configs`.
     void read_file_name(ScriptTable& table, const char* key, const std::string& folder, std::string& target) {
         const auto name = table.text(key);
         if (!name) return;
-        const bool is_bare = name->find_first_of("./") == std::string::npos;
-        target = is_bare && folder.empty() ? *name : stated_config(*name, folder, table.file());
+        target = folder.empty() ? path_from(table.file(), *name) : stated_config(*name, folder, table.file());
         std::error_code error;
-        if ((!is_bare || !folder.empty()) && !std::filesystem::is_regular_file(target, error))
-            table.fault(key, std::string("'") + key + "': there is no file " + target +
-                                 "; name a shipped one, or a path from this file's folder");
+        missing_.erase(key);
+        if (std::filesystem::is_regular_file(target, error)) return;
+        missing_.insert(key);
+        table.fault(key, std::string("'") + key + "': there is no file " + target +
+                             (folder.empty() ? "; name a path from this file's folder"
+                                             : "; name a shipped one, or a path from this file's folder"));
+    }
+
+    /// The shipped one of a bare name is built; `folder` of `configs` has it, or it is "jacksboro".
+    void read_built_name(ScriptTable& table, const char* key, const char* folder, std::string& target) {
+        const auto name = table.text(key);
+        if (!name) return;
+        if (name->find_first_of("./") != std::string::npos) return read_file_name(table, key, "", target);
+        target = *name;
+        if (std::string_view(folder).empty()) {
+            static_cast<void>(place_among(table, key, *name, {"jacksboro"}));
+            return;
+        }
+        try {
+            static_cast<void>(resolve_config(*name, folder));
+        } catch (const UserError& error) {
+            table.fault(key, std::string("'") + key + "': " + error.what());
+        }
     }
 
     void read_settings(ScriptTable& table) {
@@ -63,13 +86,14 @@ private:
         read_file_name(table, "bus", "buses", test_.picture.bus);
         read_file_name(table, "switches", "switches", test_.switch_config);
         read_file_name(table, "aircraft", "aircraft", test_.picture.aircraft);
-        read_file_name(table, "terrain", "", test_.picture.terrain);
-        read_file_name(table, "scene", "", test_.picture.scene);
+        read_built_name(table, "terrain", "", test_.picture.terrain);
+        read_built_name(table, "scene", "scenes", test_.picture.scene);
     }
 
     /// A sentence of a file that a script names is one of the script's.
     template <class Load>
     void load(const char* key, Load load_it) {
+        if (missing_.count(key) != 0) return;
         try {
             load_it();
         } catch (const UserError& error) {
@@ -104,19 +128,32 @@ private:
     }
 
     void read_input(ScriptTable& table) {
-        if (const ScriptValue* const start = table.take("start"); start != nullptr) {
-            ScriptTable section(*start, faults_);
-            test_.start = read_start(section);
-            has_start_ = true;
-        }
+        if (const ScriptValue* const start = table.take("start"); start != nullptr) add_start(*start);
         const ScriptValue* const value = table.take("input");
         if (value == nullptr) return;
         ScriptTable input(*value, faults_);
         read_file_name(input, "log", "", test_.log);
         read_file_name(input, "switch_log", "", test_.switch_log);
-        if (const auto scenario = input.text("scenario")) test_.scenario = *scenario;
+        read_built_name(input, "scenario", "scenarios", test_.scenario);
+        if (table.file() == test_.path) test_.input_line = value->line;
         if (const auto lasts = input.number("lasts_s", 0.1, kLatestTestTime_s)) lasts_s_ = *lasts;
         input.finish();
+    }
+
+    /// A key takes the place of an included one, in whatever unit that was.
+    void add_start(const ScriptValue& start) {
+        const auto quantity = [](const std::string& key) { return key.substr(0, key.rfind('_')); };
+        std::vector<ScriptValue::Entry> kept;
+        for (const ScriptValue::Entry& before : start_.entries)
+            if (std::none_of(start.entries.begin(), start.entries.end(),
+                             [&](const ScriptValue::Entry& own) { return quantity(own.first) == quantity(before.first); }))
+                kept.push_back(before);
+        const bool is_table = start.kind == ScriptValue::Kind::table;
+        if (!is_table) faults_.add(start.file, start.line, "'start' must be a table, [start]");
+        start_ = start;
+        start_.kind = ScriptValue::Kind::table;
+        start_.entries.insert(start_.entries.end(), kept.begin(), kept.end());
+        has_start_ = true;
     }
 
     void read_steps(ScriptTable& table) {
@@ -142,14 +179,47 @@ private:
             faults_.add(test_.steps.front().file, test_.steps.front().line,
                         "a [[step]] beside a log or a scenario; remove [input] or the steps");
         if (test_.expectations.empty()) own.fault("", "the script expects nothing; add an [[expect]]");
-        if (!has_start_) {
-            const ScriptValue empty;
-            ScriptTable section(empty, faults_);
-            test_.start = read_start(section);
-        }
+        if (!test_.has_steps && has_start_)
+            faults_.add(start_.file, start_.line,
+                        "[start] belongs to steps, and this script flies a log or a scenario; remove one");
+        if (!test_.has_steps && lasts_s_ > 0)
+            own.fault("input", "'lasts_s' belongs to steps; a log and a scenario have their own length; remove it");
+        ScriptTable start(start_, faults_);
+        test_.start = read_start(start);
         std::stable_sort(test_.steps.begin(), test_.steps.end(),
                          [](const TestStep& a, const TestStep& b) { return a.at_s < b.at_s; });
-        if (test_.has_steps) end_steps();
+        if (!test_.has_steps) return;
+        end_steps();
+        check_bounces();
+        check_ramps();
+    }
+
+    /// While a contact bounces nothing else changes the panel: its levels would be those of neither.
+    void check_bounces() {
+        const TestStep* bounce = nullptr;
+        for (const TestStep& step : test_.steps) {
+            const bool changes = !step.lines.empty() || step.bounce;
+            if (changes && bounce != nullptr && step.at_s < bounce->at_s + bounce->bounce->lasts_s())
+                faults_.add(step.file, step.line,
+                            "the bounce of " + bounce->file + ":" + std::to_string(bounce->line) +
+                                " still goes on at this time; say a later one, or fewer times");
+            if (step.bounce) bounce = &step;
+        }
+    }
+
+    void check_ramps() {
+        SteppedAircraft aircraft(test_.start);
+        for (const TestStep& step : test_.steps) {
+            if (step.ramp.empty() && step.hold.empty()) continue;
+            aircraft.advance_to(step.at_s);
+            const SignalSample now = aircraft.sample();
+            for (const SignalTarget& target : step.ramp)
+                if (!now.has(target.signal))
+                    faults_.add(step.file, step.line,
+                                std::string("the ramp of '") + flight::to_string(target.signal) +
+                                    "' begins where it has no value; hold one in an earlier step");
+            aircraft.take(step, step.at_s);
+        }
     }
 
     /// The bus goes on until the last expectation, or as long as the script says.
@@ -173,6 +243,8 @@ private:
     std::vector<ScriptTable> tables_;
     FlightTest test_;
     std::vector<std::string> designs_;
+    std::set<std::string> missing_;  ///< keys whose file is not there, as has been told
+    ScriptValue start_;              ///< of all files
     bool has_start_ = false;
     double lasts_s_ = 0;
 };
@@ -181,6 +253,7 @@ private:
 
 FlightTest read_flight_test(const std::string& path, const ScriptParameters& stated, ScriptFaults& faults) {
     const IncludedScripts scripts = read_included_scripts(path, stated, faults);
+    if (scripts.is_broken) return {};
     return FlightTestReader(scripts, faults).read();
 }
 

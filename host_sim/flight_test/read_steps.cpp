@@ -8,13 +8,13 @@
 #include "host_sim/calendar_time.hpp"
 #include "host_sim/flight_test/nearest_names.hpp"
 #include "host_sim/flight_test/read_conditions.hpp"
+#include "host_sim/flight_test/sent_message.hpp"
 #include "host_sim/flight_test/signal_value.hpp"
 #include "render_core/base/units.hpp"
 
 namespace tedavis::host_sim {
 namespace {
 
-const std::vector<std::string> kOriginNames = {"unknown", "fms", "pilot", "computed", "simulator"};
 constexpr const char* kPhaseGroup = "phase";
 constexpr const char* kClockGroup = "clock";
 
@@ -41,10 +41,15 @@ std::optional<double> number_of_units(ScriptTable& table, const std::string& nam
     return value;
 }
 
-double finite_number(const ScriptValue::Entry& entry, ScriptFaults& faults) {
-    if (entry.second.kind == ScriptValue::Kind::number && std::isfinite(entry.second.number)) return entry.second.number;
-    faults.add(entry.second.file, entry.second.line, "'" + entry.first + "' must be a finite number");
-    return 0;
+/// The value in SI; nothing after a fault.
+std::optional<double> read_target_value(const ScriptValue::Entry& entry, const StatedSignalUnit& unit, ScriptFaults& faults) {
+    const ScriptValue& value = entry.second;
+    const bool is_number = value.kind == ScriptValue::Kind::number && std::isfinite(value.number);
+    const std::string sentence =
+        is_number ? fault_of_value(entry.first, unit, value.number) : "'" + entry.first + "' must be a finite number";
+    if (!sentence.empty()) faults.add(value.file, value.line, sentence + (is_number ? "; send them with frame = \"...\"" : ""));
+    if (!sentence.empty()) return std::nullopt;
+    return unit.to_si(value.number);
 }
 
 std::vector<SignalTarget> read_targets(ScriptTable& table, std::string_view key, const bus::BusSettings& bus,
@@ -53,16 +58,49 @@ std::vector<SignalTarget> read_targets(ScriptTable& table, std::string_view key,
     for (const ScriptValue::Entry* const entry : table.entries(key)) {
         std::string sentence;
         const auto unit = read_signal_key(entry->first, sentence);
-        const double number = finite_number(*entry, faults);
-        if (!unit)
+        if (unit && is_stated(bus.messages, unit->signal))
+            sentence = "the bus file states a [[message]] of its own for '" + entry->first + "'; send it with frame = \"...\"";
+        if (unit &&
+            std::any_of(targets.begin(), targets.end(), [&](const SignalTarget& one) { return one.signal == unit->signal; }))
+            sentence = "'" + entry->first + "' says what another key of '" + std::string(key) + "' says; remove one";
+        if (!sentence.empty())
             faults.add(entry->second.file, entry->second.line, sentence);
-        else if (is_stated(bus.messages, unit->signal))
-            faults.add(entry->second.file, entry->second.line,
-                       "the bus file states a [[message]] of its own for '" + entry->first + "'; send it with frame = \"...\"");
-        else
-            targets.push_back({unit->signal, unit->to_si(number)});
+        else if (const auto si = read_target_value(*entry, *unit, faults))
+            targets.push_back({unit->signal, *si});
     }
     return targets;
+}
+
+bool has_signal(const std::vector<flight::Signal>& signals, flight::Signal signal) {
+    return std::find(signals.begin(), signals.end(), signal) != signals.end();
+}
+
+std::string twice(flight::Signal signal, const char* a, const char* b) {
+    return std::string("'") + flight::to_string(signal) + "' is in " + a + " and in " + b + " of one [[step]]; remove one";
+}
+
+/// One signal of which a step says two things that exclude each other; told once for each pair of keys.
+void find_signals_twice(ScriptTable& table, const TestStep& step) {
+    const std::pair<const char*, const std::vector<flight::Signal>*> kLists[] = {
+        {"stop", &step.stop}, {"send", &step.send}, {"invalid", &step.invalid}};
+    for (std::size_t n = 1; n < std::size(kLists); ++n)
+        for (std::size_t before = 0; before < n; ++before)
+            for (const flight::Signal signal : *kLists[n].second)
+                if (has_signal(*kLists[before].second, signal)) {
+                    table.fault(kLists[n].first, twice(signal, kLists[before].first, kLists[n].first));
+                    break;
+                }
+    const auto compare = [&](const char* key, const std::vector<SignalTarget>& targets) {
+        for (const SignalTarget& target : targets)
+            if (has_signal(step.stop, target.signal)) table.fault(key, twice(target.signal, key, "stop"));
+    };
+    compare("hold", step.hold);
+    compare("ramp", step.ramp);
+    for (const SignalTarget& held : step.hold)
+        for (const SignalTarget& ramp : step.ramp)
+            if (held.signal == ramp.signal) table.fault("ramp", twice(held.signal, "hold", "ramp"));
+    if (step.stops_clock && step.sends_clock) table.fault("send", "'clock' is in stop and in send of one [[step]]; remove one");
+    if (step.stops_phase && step.phase) table.fault("phase", "'phase' is stated and stopped in one [[step]]; remove one");
 }
 
 std::vector<flight::Signal> read_signal_names(ScriptTable& table, const char* key, bool* phase, bool* clock) {
@@ -82,7 +120,7 @@ std::vector<flight::Signal> read_signal_names(ScriptTable& table, const char* ke
 void read_phase_message(ScriptTable& table, TestStep& step) {
     step.phase_valid = table.boolean("phase_valid").value_or(true);
     if (const auto origin = table.text("phase_origin"))
-        if (const auto place = place_among(table, "phase_origin", *origin, kOriginNames))
+        if (const auto place = place_among(table, "phase_origin", *origin, phase_origin_names()))
             step.phase_origin = static_cast<bus::PhaseOrigin>(*place);
     const auto name = table.text("phase");
     if (!name && (table.has("phase_valid") || table.has("phase_origin")))
@@ -138,6 +176,7 @@ void read_bounce(ScriptTable& table, const bus::SwitchConfig& panel, ScriptFault
     const auto times = bounce.number("times", 1, kMaxTimes);
     const auto gap_ms = bounce.number("gap_ms", 0.1, kMaxGap_ms);
     bounce.finish();
+    if (times && *times != std::floor(*times)) return bounce.fault("times", "'times' must be a whole number");
     if (!name || !times || !gap_ms)
         return bounce.fault("", "'bounce' says a line, times and gap_ms: { line = \"CRUISE\", times = 5, gap_ms = 3 }");
     if (const auto line = read_line_name(bounce, "line", *name, panel))
@@ -201,7 +240,7 @@ TestStart read_start(ScriptTable& table) {
     start.ground_msl_m = number_of_units(table, "ground_msl", kLengths, kLowest_m, kHighest_m);
     if (const auto time = table.text("utc")) {
         const auto parsed = parse_iso8601(*time);
-        if (!parsed) table.fault("utc", "'utc' must be a time such as 2026-06-01T14:00:00Z");
+        if (!parsed) table.fault("utc", "'utc' must be a time in quotes such as \"2026-06-01T14:00:00Z\"");
         start.time = parsed.value_or(start.time);
     }
     table.finish();
@@ -225,6 +264,7 @@ TestStep read_step(ScriptTable& table, const bus::BusSettings& bus, const bus::S
     read_bounce(table, panel, faults, step);
     read_frames(table, step);
     table.finish();
+    find_signals_twice(table, step);
     return step;
 }
 

@@ -30,7 +30,7 @@ const ScriptValue* ScriptTable::take(std::string_view key) {
 
 bool ScriptTable::is_kind(const ScriptValue& value, ScriptValue::Kind kind, std::string_view key, const char* words) {
     if (value.kind == kind) return true;
-    faults_.add(value.file, value.line, quoted_key(key) + " must be " + words);
+    if (value.kind != ScriptValue::Kind::faulty) faults_.add(value.file, value.line, quoted_key(key) + " must be " + words);
     return false;
 }
 
@@ -78,13 +78,14 @@ std::vector<const ScriptValue::Entry*> ScriptTable::entries(std::string_view key
     const ScriptValue* const value = take(key);
     std::vector<const ScriptValue::Entry*> all;
     if (value == nullptr || !is_kind(*value, ScriptValue::Kind::table, key, "a table { name = value, ... }")) return all;
-    for (const ScriptValue::Entry& entry : value->entries) all.push_back(&entry);
+    for (const ScriptValue::Entry& entry : value->entries)
+        if (entry.second.kind != ScriptValue::Kind::faulty) all.push_back(&entry);
     return all;
 }
 
 void ScriptTable::fault(std::string_view key, const std::string& sentence) {
     const ScriptValue* const value = value_.find(key);
-    faults_.add(value_.file, value != nullptr ? value->line : value_.line, sentence);
+    faults_.add(value != nullptr ? value->file : value_.file, value != nullptr ? value->line : value_.line, sentence);
 }
 
 void ScriptTable::finish() {

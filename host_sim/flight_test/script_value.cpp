@@ -52,9 +52,11 @@ std::string plain_number(double number) {
 struct ParameterWriter {
     const ScriptParameters& parameters;
     ScriptFaults& faults;
+    std::set<std::string>& used;
 
     /// Null where there is no such parameter; `from` has the place of the fault.
     [[nodiscard]] const ScriptValue* find(const std::string& name, const ScriptValue& from) const {
+        used.insert(name);
         const auto found = parameters.find(name);
         if (found != parameters.end()) return &found->second;
         std::vector<std::string> names;
@@ -109,12 +111,12 @@ ScriptValue parse_script_value(std::string_view text, const std::string& file, S
     return nothing;
 }
 
-void put_parameters(ScriptValue& value, const ScriptParameters& parameters, ScriptFaults& faults) {
-    const ParameterWriter writer{parameters, faults};
-    for (ScriptValue& item : value.items) put_parameters(item, parameters, faults);
+void put_parameters(ScriptValue& value, const ScriptParameters& parameters, ScriptFaults& faults, std::set<std::string>& used) {
+    const ParameterWriter writer{parameters, faults, used};
+    for (ScriptValue& item : value.items) put_parameters(item, parameters, faults, used);
     for (ScriptValue::Entry& entry : value.entries) {
         entry.first = writer.with_parameters(entry.first, entry.second);
-        put_parameters(entry.second, parameters, faults);
+        put_parameters(entry.second, parameters, faults, used);
     }
     if (value.kind != ScriptValue::Kind::text) return;
     if (value.text.size() < 2 || value.text.front() != '$' || value.text[1] == '{') {
@@ -122,8 +124,8 @@ void put_parameters(ScriptValue& value, const ScriptParameters& parameters, Scri
         return;
     }
     const ScriptValue* const found = writer.find(value.text.substr(1), value);
+    value.kind = found == nullptr ? ScriptValue::Kind::faulty : found->kind;
     if (found == nullptr) return;
-    value.kind = found->kind;
     value.text = found->text;
     value.number = found->number;
 }

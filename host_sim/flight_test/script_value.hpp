@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,7 +34,7 @@ private:
 
 /// A value as the file states it. Whole numbers are numbers.
 struct ScriptValue {
-    enum class Kind : std::uint8_t { text, number, boolean, list, table };
+    enum class Kind : std::uint8_t { text, number, boolean, list, table, faulty };  // the last: a fault of it has been told
     using Entry = std::pair<std::string, ScriptValue>;
 
     Kind kind = Kind::table;
@@ -56,7 +57,8 @@ using ScriptParameters = std::map<std::string, ScriptValue>;
 [[nodiscard]] ScriptValue parse_script_value(std::string_view text, const std::string& file, ScriptFaults& faults);
 
 /// Replaces each text "$name" by the parameter of this name, and "${name}" within texts and keys; an unknown name is a fault.
-void put_parameters(ScriptValue& value, const ScriptParameters& parameters, ScriptFaults& faults);
+/// Names that the texts have are added to `used`.
+void put_parameters(ScriptValue& value, const ScriptParameters& parameters, ScriptFaults& faults, std::set<std::string>& used);
 
 /// The value of "--set name=value": a number where it is one, else a text.
 [[nodiscard]] ScriptValue stated_parameter(const std::string& text);

@@ -22,6 +22,11 @@ std::uint16_t identifier_at(std::uint16_t place, const bus::GuidanceSettings& gu
 
 }  // namespace
 
+const std::vector<std::string>& phase_origin_names() {
+    static const std::vector<std::string> kNames = {"unknown", "fms", "pilot", "computed", "simulator"};
+    return kNames;
+}
+
 std::optional<ScheduledMessage> sent_message(flight::Signal signal, const bus::BusSettings& bus) {
     for (const ScheduledMessage& scheduled : message_schedule()) {
         if (scheduled.signal != signal) continue;

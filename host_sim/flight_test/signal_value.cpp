@@ -1,5 +1,7 @@
 #include "host_sim/flight_test/signal_value.hpp"
 
+#include <cstdio>
+
 #include "bus/canaerospace/identifier_table.hpp"
 #include "host_sim/flight_test/nearest_names.hpp"
 #include "render_core/base/units.hpp"
@@ -108,6 +110,23 @@ std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::strin
             return StatedSignalUnit{signal, unit.factor, unit.offset};
     sentence = "'" + std::string(key) + "' does not say the unit; say " + keys_of(signal);
     return std::nullopt;
+}
+
+std::string fault_of_value(const std::string& key, const StatedSignalUnit& unit, double number) {
+    constexpr double kRounding = 1e-9;  // of the range, as degrees and radians are converted
+    const bus::IdentifierEntry& entry = bus::entry_at(bus::place_of_signal(unit.signal));
+    const double si = unit.to_si(number), slack = kRounding * (entry.high - entry.low);
+    if (si >= entry.low - slack && si <= entry.high + slack) return {};
+    char range[80];
+    std::snprintf(range, sizeof range, "%.6g to %.6g", (entry.low - unit.offset) / unit.factor,
+                  (entry.high - unit.offset) / unit.factor);
+    return "'" + key + "' must be " + range + "; other values are refused by their receiver";
+}
+
+bool is_direction(Signal signal) {
+    constexpr double kFullTurn = 0.99 * 2 * base::kPi;  // no other angle goes so far
+    return is_on_bus(signal) && quantity_of(signal) == BusUnit::degree &&
+           bus::entry_at(bus::place_of_signal(signal)).high > kFullTurn;
 }
 
 std::vector<Signal> signals_named(std::string_view name) {

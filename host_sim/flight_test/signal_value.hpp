@@ -25,6 +25,12 @@ struct StatedSignalUnit {
 /// says what is wrong, with the nearest names.
 [[nodiscard]] std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::string& sentence);
 
+/// What is wrong with a value that a key states: "'pitch_deg' must be -90 to 90". Empty where the bus can carry it and its
+/// receiver takes it.
+[[nodiscard]] std::string fault_of_value(const std::string& key, const StatedSignalUnit& unit, double number);
+/// Directions start again at 360 degrees.
+[[nodiscard]] bool is_direction(flight::Signal signal);
+
 /// Signals of a name: a signal, or a group of them such as "position", "attitude" or "all"; empty for another name.
 [[nodiscard]] std::vector<flight::Signal> signals_named(std::string_view name);
 /// Names that signals_named() knows.

@@ -15,9 +15,7 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr base::Duration kStepFrameTime{125'000};  // 125 bits at 1 Mbit/s
 constexpr std::int64_t kStepMillisecond_ns = 1'000'000, kStepSecond_ms = 1000;
-constexpr std::uint8_t kStepNode = 9;
 constexpr std::uint32_t kMeansNothing = 2031;  // a node service, which no bus file gives a meaning
 
 class StepSink final : public bus::TextSink {
@@ -37,7 +35,7 @@ public:
         : test_(test),
           name_(name),
           aircraft_(test.start),
-          encoder_(test.bus, kStepNode),
+          encoder_(test.bus, kMadeFrameNode),
           sink_(stream),
           writer_(sink_, {names_.data(), names_.size()}, bus::StampDigits::micro, false) {
         for (std::size_t n = 0; n < flight::kSignalCount; ++n)
@@ -53,7 +51,7 @@ public:
                 if (ms % message.period_ms == message.offset_ms) send_signal(message, ms);
             if (ms % kStepSecond_ms == 0) send_clock();
             send_phase(ms);
-            if (ms == last && !has_frame_) send_nothing();
+            if ((ms == 0 || ms == last) && !has_frame_) send_nothing();  // expectations count from the log's first frame
         }
     }
 
@@ -80,6 +78,8 @@ private:
         const auto set = [this](const std::vector<flight::Signal>& signals, Sending sending) {
             for (const flight::Signal signal : signals) sending_[static_cast<std::size_t>(signal)] = sending;
         };
+        for (const auto* const targets : {&step.hold, &step.ramp})
+            for (const SignalTarget& target : *targets) sending_[static_cast<std::size_t>(target.signal)] = Sending::normal;
         set(step.stop, Sending::stopped);
         set(step.send, Sending::normal);
         set(step.invalid, Sending::invalid);
@@ -146,7 +146,7 @@ private:
     }
     void send(bus::CanFrame& frame) {
         frame.time = stamp_;
-        stamp_ = stamp_ + kStepFrameTime;
+        stamp_ = stamp_ + kMadeFrameTime;
         has_frame_ = true;
         if (!writer_.write(frame)) throw UserError(name_ + ": could not be written to its end; check the free space");
     }

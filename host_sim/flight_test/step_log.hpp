@@ -9,8 +9,9 @@
 namespace tedavis::host_sim {
 
 /// Writes the bus from 0 to end_s: each signal at its message's period, the clock and a phase that is stated each second and on
-/// change, and the frames of the steps. The last millisecond always has a frame, if need be one that means nothing, so that the
-/// log ends there. Throws UserError where a value cannot be sent, with its step's line, or the stream fails.
+/// change, and the frames of the steps. The first and the last millisecond always have a frame, if need be one that means
+/// nothing, so that the log begins and ends there. Throws UserError where a value cannot be sent, with its step's line, or the
+/// stream fails.
 void write_step_log(const FlightTest& test, std::ostream& stream, const std::string& name);
 
 /// The panel's edges; empty where no step throws a switch. Before the first of them the panel leaves the phase to the other

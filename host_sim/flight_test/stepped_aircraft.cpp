@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host_sim/flight_log/pressure_altitude.hpp"
+#include "host_sim/flight_test/signal_value.hpp"
 #include "host_sim/scenario/local_plane.hpp"
 #include "render_core/base/units.hpp"
 #include "render_core/earth/geodetic.hpp"
@@ -20,6 +21,12 @@ constexpr double kPositionAccuracy_m = 3;
 double relative_density(double altitude_m) {
     return standard_pressure_pa(altitude_m) / standard_pressure_pa(0) * standard_temperature_k(0) /
            standard_temperature_k(altitude_m);
+}
+
+/// [0, 2 pi).
+double full_turn(double angle_rad) {
+    const double turned = std::fmod(angle_rad, 2 * base::kPi);
+    return turned < 0 ? turned + 2 * base::kPi : turned;
 }
 
 }  // namespace
@@ -57,7 +64,8 @@ void SteppedAircraft::take(const TestStep& step, double time_s) {
     for (const SignalTarget& target : step.ramp) {
         const auto place = static_cast<std::size_t>(target.signal);
         const double from = now.has(target.signal) ? now[target.signal] : target.si;
-        ramps_[place] = Ramp{from, target.si, time_s, step.over_s};
+        const double way = is_direction(target.signal) ? std::remainder(target.si - from, 2 * base::kPi) : target.si - from;
+        ramps_[place] = Ramp{from, from + way, time_s, step.over_s};
         values_[target.signal] = from;
         is_held_[place] = true;
     }
@@ -67,7 +75,8 @@ void SteppedAircraft::follow_ramps() {
     for (std::size_t n = 0; n < flight::kSignalCount; ++n) {
         if (!ramps_[n]) continue;
         const double share = std::clamp((time_s_ - ramps_[n]->begin_s) / ramps_[n]->over_s, 0.0, 1.0);
-        values_.values[n] = ramps_[n]->from + share * (ramps_[n]->to - ramps_[n]->from);
+        const double value = ramps_[n]->from + share * (ramps_[n]->to - ramps_[n]->from);
+        values_.values[n] = is_direction(static_cast<Signal>(n)) ? full_turn(value) : value;
         if (share >= 1) ramps_[n].reset();
     }
 }

@@ -18,7 +18,8 @@ class SteppedAircraft {
 public:
     explicit SteppedAircraft(const TestStart& start);
 
-    /// Holds and ramps of a step, from `time_s` on.
+    /// Holds and ramps of a step, from `time_s` on. A ramp of a direction turns the shorter way; one of a signal without a value
+    /// begins at its end.
     void take(const TestStep& step, double time_s);
     /// Moves on to a time, which never decreases.
     void advance_to(double time_s);

@@ -31,30 +31,44 @@ TEST(BusEncode, WritesCandumpLines) {
 
 TEST(BusEncode, WritesPhases) {
     EXPECT_THAT(encode({"phase=approach.final"}).results, HasSubstr("726#091000002B0001FF")) << "2B hex: 43; FMS";
-    EXPECT_THAT(encode({"phase=approach.final", "phase_source=pilot"}).results, HasSubstr("726#091000002B0002FF"));
+    EXPECT_THAT(encode({"phase=approach.final", "phase_origin=pilot"}).results, HasSubstr("726#091000002B0002FF"));
     EXPECT_EQ(encode({"phase=cruise"}, true).json()["lines"].size(), 1u);
 }
 
 TEST(BusEncode, AllThatIsWrongIsToldAtOnceAndNothingIsPrinted) {
     const auto run =
-        encode({"airsped_kt=90", "pitch=5", "pitch_deg=x", "roll_deg", "phase=aproach", "phase_source=me", "roll_deg=1"});
+        encode({"airsped_kt=90", "pitch=5", "pitch_deg=x", "roll_deg", "phase=aproach", "phase_origin=me", "roll_deg=1"});
     EXPECT_EQ(run.code, 2);
     EXPECT_EQ(run.results, "");
     EXPECT_THAT(run.notes, HasSubstr("say indicated_airspeed"));
     EXPECT_THAT(run.notes, HasSubstr("pitch_deg or pitch_rad"));
-    EXPECT_THAT(run.notes, HasSubstr("'x' is no number"));
+    EXPECT_THAT(run.notes, HasSubstr("'x' is no decimal number"));
     EXPECT_THAT(run.notes, HasSubstr("roll_deg: no signal=value"));
     EXPECT_THAT(run.notes, HasSubstr("no such phase; say approach"));
-    EXPECT_THAT(run.notes, HasSubstr("phase_source=me: no sender"));
+    EXPECT_THAT(run.notes, HasSubstr("phase_origin=me: no sender"));
+}
+
+/// Nothing that a receiver refuses is printed.
+TEST(BusEncode, ImpossibleValuesAreFaults) {
+    for (const char* const word : {"pitch_deg=1e300", "pitch_deg=500", "latitude_deg=120", "true_heading_deg=400",
+                                   "ground_speed_mps=-4", "baro_setting_hpa=0x10", "phase_origin=fms"}) {
+        const auto run = encode({word});
+        EXPECT_EQ(run.code, 2) << word;
+        EXPECT_EQ(run.results, "") << word;
+        EXPECT_THAT(run.notes, HasSubstr(word));
+    }
+    EXPECT_EQ(encode({"phase=cruise", "phase_origin=fms", "phase_origin=pilot"}).code, 2);
 }
 
 TEST(BusEncode, AnInterfaceHasAName) {
-    BusEncodeOptions options;
-    options.values = {"pitch_deg=1"};
-    options.interface_name = "an_interface_name_too_long";
-    test_support::expect_user_error(
-        [&] { static_cast<void>(test_support::run_command([&](Console& c) { return run_bus_encode(options, c); })); },
-        "--interface");
+    for (const char* const name : {"an_interface_name_too_long", "a b", "", "a/b"}) {
+        BusEncodeOptions options;
+        options.values = {"pitch_deg=1"};
+        options.interface_name = name;
+        test_support::expect_user_error(
+            [&] { static_cast<void>(test_support::run_command([&](Console& c) { return run_bus_encode(options, c); })); },
+            "--interface");
+    }
 }
 
 }  // namespace

@@ -35,5 +35,28 @@ TEST_F(FlightTestCommands, BusEncodeTakesValues) {
 
 TEST_F(FlightTestCommands, BusEncodeNeedsAValue) { EXPECT_THROW(parse({"bus", "encode"}), CLI::ParseError); }
 
+TEST_F(FlightTestCommands, RecordTakesALogAndWhatItIsShownWith) {
+    parse({"record",   "a.log",  "--switches", "a.switches", "--switch-config", "coded",  "--bus",     "b.toml",
+           "--design", "cruise", "--device",   "es3-mid",    "--aircraft",      "glider", "--terrain", "t.tdb",
+           "--scene",  "s.sdb",  "-o",         "s.toml",     "--from",          "2",      "--to",      "9",
+           "--margin", "0.2",    "--yes"});
+    const RecordOptions& o = line.record;
+    EXPECT_THAT((std::vector<std::string>{o.input, o.switches, o.switch_config, o.bus, o.design, o.device, o.aircraft, o.terrain,
+                                          o.scene, o.output}),
+                ElementsAre("a.log", "a.switches", "coded", "b.toml", "cruise", "es3-mid", "glider", "t.tdb", "s.sdb", "s.toml"));
+    EXPECT_EQ(o.from_s, 2.0);
+    EXPECT_EQ(o.to_s, 9.0);
+    EXPECT_EQ(o.margin_s, 0.2);
+    EXPECT_TRUE(o.yes);
+}
+
+TEST_F(FlightTestCommands, RecordTakesTimesOrASpan) {
+    parse({"record", "a.log", "-o", "s.toml", "--at", "3", "--at", "4"});
+    EXPECT_THAT(line.record.at_s, ElementsAre(3, 4));
+    EXPECT_THROW(parse({"record", "a.log", "-o", "s.toml", "--at", "3", "--to", "4"}), CLI::ParseError);
+    EXPECT_THROW(parse({"record", "-o", "s.toml"}), CLI::ParseError);
+    EXPECT_THROW(parse({"record", "a.log"}), CLI::ParseError);
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_flight_test_commands

@@ -61,6 +61,17 @@ TEST_F(Verify, WhatDoesNotHoldEndsWithOneAndItsPicture) {
     EXPECT_THAT(place_.read("r.xml"), HasSubstr("<failure message="));
 }
 
+/// The times of expectations are those of the steps, also on a bus that is dead at first.
+TEST_F(Verify, ADeadBusAtTheStartIsNotValidYet) {
+    const std::string steps =
+        "[input]\nlasts_s = 30\n[[step]]\nat_s = 0\nstop = [\"all\"]\n[[step]]\nat_s = 5\nsend = [\"all\"]\n";
+    EXPECT_EQ(verify_text(steps + "[[expect]]\nat_s = 1\nsignals = { pitch = \"missing\" }\n[[expect]]\nat_s = 6\nsignals = "
+                                  "{ pitch = \"valid\" }\n")
+                  .code,
+              0);
+    EXPECT_EQ(verify_text(steps + "[[expect]]\nat_s = 1\nsignals = { pitch = \"valid\" }\n").code, 1);
+}
+
 TEST_F(Verify, FaultsAreAllToldAndNothingIsWritten) {
     const CommandRun run = verify_text("titel = \"x\"\n[[expect]]\nat_s = 1\nphase = \"crus\"\n");
     EXPECT_EQ(run.code, 2);
@@ -80,9 +91,42 @@ TEST_F(Verify, ParametersComeFromTheCommandLine) {
     options.parameters = {"wanted=ground"};
     EXPECT_EQ(verify(options).code, 1);
     options.parameters = {"other=ground"};
-    EXPECT_THAT(verify(options).notes, HasSubstr("--set other: the script has no such parameter"));
+    EXPECT_THAT(verify(options).notes, HasSubstr("--set other: no script has such a parameter; there are: wanted"));
     options.parameters = {"wanted"};
     test_support::expect_user_error([&] { static_cast<void>(verify(options)); }, "--set wanted");
+}
+
+/// Each is told with its script and line, and none hides another.
+TEST_F(Verify, InputsThatCannotBePlayedAreAllTold) {
+    place_.write("empty.log", "");
+    const std::string expect = "[[expect]]\nat_s = 1\nphase = \"cruise\"\n";
+    VerifyOptions options;
+    options.junit = place_.file("r.xml");
+    options.scripts = {place_.write("a.toml", "\n[input]\nlog = \"empty.log\"\n" + expect), place_.write("b.toml", kCruise),
+                       place_.write("c.toml", "[input]\nlog = \"empty.log\"\n" + expect)};
+    const CommandRun run = verify(options);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, HasSubstr("a.toml:2: "));
+    EXPECT_THAT(run.notes, HasSubstr("c.toml:1: "));
+    EXPECT_FALSE(has("r.xml"));
+}
+
+TEST_F(Verify, AParameterIsOneOfAnyScript) {
+    VerifyOptions options;
+    options.scripts = {place_.write("a.toml",
+                                    "[parameters]\nwanted = \"ground\"\n[[step]]\nat_s = 1\nphase = \"cruise\"\n"
+                                    "[[expect]]\nat_s = 3\nphase = \"$wanted\"\n"),
+                       place_.write("b.toml", kCruise)};
+    options.parameters = {"wanted=cruise"};
+    EXPECT_EQ(verify(options).code, 0);
+}
+
+TEST_F(Verify, AnEarlierPictureIsNotLeft) {
+    EXPECT_EQ(verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"switch\"\n").code, 1);
+    EXPECT_TRUE(has("out/a.png"));
+    EXPECT_EQ(verify_text(kCruise).code, 0);
+    EXPECT_FALSE(has("out/a.png"));
+    EXPECT_FALSE(has("out/a.json"));
 }
 
 TEST_F(Verify, AFolderStandsForItsScripts) {
@@ -113,7 +157,9 @@ TEST_F(Verify, AnInterruptedRunHasNotPassed) {
 TEST(ShippedFlightTests, AllHold) {
     const CommandRun run = verify({}, true);
     EXPECT_EQ(run.code, 0);
-    for (const auto& test : run.json()["tests"])
+    const auto result = run.json();
+    ASSERT_FALSE(result["tests"].empty());
+    for (const auto& test : result["tests"])
         for (const auto& expectation : test["expectations"]) {
             EXPECT_TRUE(expectation["holds"].get<bool>())
                 << test["script"] << " line " << expectation["line"] << ": " << expectation.dump();
@@ -203,6 +249,29 @@ TEST_F(SeededFault, ADoubledTimeOutOfThePhaseIsFound) {
 TEST_F(SeededFault, ARemovedDebounceIsFound) {
     change("configs/switches/one_hot.toml", "debounce_ms = 30", "debounce_ms = 0");
     EXPECT_EQ(fly({"panel_bounce"}), 1);
+}
+
+TEST_F(SeededFault, AShorterOrLongerDebounceIsFound) {
+    change("configs/switches/one_hot.toml", "debounce_ms = 30", "debounce_ms = 12");
+    EXPECT_EQ(fly({"panel_bounce"}), 1);
+    change("configs/switches/one_hot.toml", "debounce_ms = 12", "debounce_ms = 90");
+    EXPECT_EQ(fly({"switch_phases"}), 1);
+}
+
+TEST_F(SeededFault, ASlightlyOtherFreshnessIsFound) {
+    change("configs/buses/canaerospace.toml", "pitch = [0.3, 1.0]", "pitch = [0.22, 1.08]");
+    EXPECT_EQ(fly({"loss_of_pitch"}), 1);
+    change("configs/buses/canaerospace.toml", "pitch = [0.22, 1.08]", "pitch = [0.3, 1.08]");
+    EXPECT_EQ(fly({"loss_of_pitch"}), 1);
+}
+
+TEST_F(SeededFault, ALongerTimeOutOfTheClockIsFound) {
+    EXPECT_EQ(fly({"silent_bus"}), 0);
+    const std::string bus = place_.read("configs/buses/canaerospace.toml");
+    const std::size_t at = bus.find("timeout_s = 10");
+    ASSERT_NE(at, std::string::npos);
+    change("configs/buses/canaerospace.toml", "timeout_s = 10", "timeout_s = 14");
+    EXPECT_EQ(fly({"silent_bus"}), 1);
 }
 
 TEST_F(SeededFault, ADoubledSettlingOfThePanelIsFound) {

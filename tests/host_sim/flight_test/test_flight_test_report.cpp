@@ -34,6 +34,18 @@ TEST(FlightTestReport, TheTableHasCountsAndTheFirstFailure) {
     EXPECT_THAT(text, HasSubstr("1 of 2 expectations hold"));
 }
 
+TEST(FlightTestReport, EachFailureIsToldWithItsTime) {
+    auto tests = sample_tests();
+    tests[0].test.expectations[0].kind = WindowKind::within;
+    tests[0].test.expectations[0].from_s = 1;
+    tests[0].test.expectations[0].to_s = 3;
+    tests[0].result.expectations[0] = {false, std::nullopt, 3, "design", "cruise", "default", ""};
+    const std::string text = flight_tests_text(tests);
+    EXPECT_THAT(text,
+                HasSubstr("at 3.00 s design: expected cruise, found default; it was to be reached from 1.00 s to 3.00 s\n"));
+    EXPECT_THAT(text, HasSubstr("a.toml:7: at 2.50 s phase"));
+}
+
 TEST(FlightTestReport, TheJsonHasAll) {
     const auto json = flight_tests_json(sample_tests());
     EXPECT_EQ(json["holds"], false);

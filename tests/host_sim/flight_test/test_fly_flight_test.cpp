@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/commands/replay.hpp"
+#include "host_sim/flight_test/read_conditions.hpp"
 #include "host_sim/flight_test/read_flight_test.hpp"
 #include "host_sim/flight_test/step_log.hpp"
 #include "host_sim/user_error.hpp"
@@ -99,6 +100,34 @@ TEST_F(FlyFlightTest, ASharedDisplayKeepsNothing) {
     const auto again = nlohmann::json::parse(fly(wrong).record), alone = nlohmann::json::parse(first);
     EXPECT_EQ(again["hash"], alone["hash"]);
     EXPECT_EQ(again["flags"], alone["flags"]);
+}
+
+/// Whoever watches sees the frames that are judged.
+TEST_F(FlyFlightTest, FramesAreWatchedInASpanOrAtTimes) {
+    const FlightTest test = read("[[expect]]\nat_s = 6\nphase = \"cruise\"\n");
+    const FlyTestSettings settings{place_.path(), false, [this] { return is_stopped_; }};
+    std::vector<double> times;
+    std::string phases;
+    const FrameWatcher watcher{[&](const ObservedFrame& frame) {
+                                   times.push_back(frame.time_s);
+                                   phases += phase_text(frame.record.phase.phase) + " ";
+                               },
+                               nullptr};
+    const WatchedFlight span = watch_flight(test, display_, settings, {1, 1.5, {}}, watcher);
+    ASSERT_EQ(times.size(), span.frames);
+    EXPECT_EQ(times.size(), static_cast<std::size_t>(std::lround(0.5 * span.rate_hz)) + 1);
+    EXPECT_NEAR(times.front(), 1, 1e-9);
+    EXPECT_NEAR(times.back(), 1.5, 1e-9);
+    phases.clear();
+    static_cast<void>(watch_flight(test, display_, settings, {0, std::nullopt, {1, 4}}, watcher));
+    EXPECT_EQ(phases, "ground cruise ");
+    test_support::expect_user_error(
+        [&] {
+            static_cast<void>(watch_flight(test, display_, settings, {0, 90, {}}, watcher));
+        },
+        "90 s: there is no frame");
+    is_stopped_ = true;
+    EXPECT_THROW(static_cast<void>(watch_flight(test, display_, settings, {}, watcher)), Interrupted);
 }
 
 TEST_F(FlyFlightTest, AnInterruptedTestHasNoResult) {

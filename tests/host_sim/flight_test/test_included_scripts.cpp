@@ -35,6 +35,13 @@ TEST_F(Included, ParametersOfTheIncludingFileAndTheCommandLineComeFirst) {
     EXPECT_THAT(faults_.sentences(), IsEmpty());
 }
 
+TEST_F(Included, ParametersOfAnIncludedFileMayBeForOthers) {
+    place_.write("base.toml", "[parameters]\np = 1\n");
+    place_.write("a.toml", "include = [\"base.toml\"]\n");
+    static_cast<void>(read("a.toml"));
+    EXPECT_THAT(faults_.sentences(), IsEmpty());
+}
+
 TEST_F(Included, AFileIsTakenOnce) {
     place_.write("d.toml", "");
     place_.write("b.toml", "include = [\"d.toml\"]\n");
@@ -52,9 +59,9 @@ TEST_F(Included, ACircleIsAFault) {
 
 TEST_F(Included, MissingFilesAndParametersAreFaults) {
     place_.write("a.toml", "include = [\"no.toml\"]\n[parameters]\np = [1]\nq = 1\n");
-    static_cast<void>(read("a.toml", {{"r", stated_parameter("3")}}));
-    EXPECT_THAT(faults_.sentences(), ElementsAre(HasSubstr("a.toml:1: 'include': "), HasSubstr("--set r: the script has no such"),
-                                                 HasSubstr("a.toml:3: 'p': a parameter is")));
+    EXPECT_THAT(read("a.toml").parameters, ElementsAre("q"));
+    EXPECT_THAT(faults_.sentences(), ElementsAre(HasSubstr("a.toml:1: 'include': "), HasSubstr("a.toml:3: 'p': a parameter is"),
+                                                 HasSubstr("a.toml:4: nothing uses the parameter 'q'")));
     test_support::expect_user_error([&] { static_cast<void>(read("nothing.toml")); }, "nothing.toml");
 }
 

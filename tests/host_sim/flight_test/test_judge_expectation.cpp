@@ -52,11 +52,34 @@ TEST(JudgeExpectation, DuringFailsAtTheFirstFrame) {
 TEST(JudgeExpectation, WithinSaysWhenItWasReached) {
     const Expectation within = of_latency(WindowKind::within, 2, 4);
     EXPECT_DOUBLE_EQ(*judged(within, 3, 3.1).reached_s, 3);
-    EXPECT_DOUBLE_EQ(*judged(within, 0, 10).reached_s, 2);
     const ExpectationResult late = judged(within, 4.1, 9);
     EXPECT_FALSE(late.holds);
     EXPECT_FALSE(late.reached_s);
     EXPECT_DOUBLE_EQ(late.failed_s, 4) << "the last frame in which it could have been reached";
+}
+
+/// The state from before the event is not its effect.
+TEST(JudgeExpectation, WhatAlreadyHoldsIsNotReached) {
+    const ExpectationResult before = judged(of_latency(WindowKind::within, 2, 4), 0, 10);
+    EXPECT_FALSE(before.holds);
+    EXPECT_FALSE(before.reached_s);
+    EXPECT_DOUBLE_EQ(before.failed_s, 2);
+    EXPECT_EQ(before.found, "already held at after_s");
+    EXPECT_TRUE(judged(of_latency(WindowKind::within, 2, 4), 2.1, 10).holds) << "not in its first frame";
+}
+
+TEST(JudgeExpectation, WhatStaysHoldsToTheEndOfItsTime) {
+    Expectation stays = of_latency(WindowKind::within, 2, 4);
+    EXPECT_TRUE(judged(stays, 3, 3.1).holds) << "one frame is enough without it";
+    stays.stays = true;
+    EXPECT_TRUE(judged(stays, 3, 4.1).holds);
+    EXPECT_DOUBLE_EQ(*judged(stays, 3, 4.1).reached_s, 3);
+    const ExpectationResult flickers = judged(stays, 3, 3.1);
+    EXPECT_FALSE(flickers.holds);
+    EXPECT_DOUBLE_EQ(flickers.failed_s, 3.1);
+    EXPECT_EQ(flickers.reason, "why (it was reached before, and did not stay)");
+    EXPECT_FALSE(judged(stays, 1, 10).holds) << "before its time";
+    EXPECT_FALSE(judged(stays, 5, 10).holds) << "never";
 }
 
 TEST(JudgeExpectation, WhatNoFrameShowsDoesNotHold) {

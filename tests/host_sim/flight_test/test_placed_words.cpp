@@ -29,10 +29,33 @@ protected:
     test_support::BatchStore store_;
 };
 
-TEST_F(Words, AreReadBackWithoutBlanks) {
+TEST_F(Words, AreReadBackAsTheyWereWritten) {
     write("TERRAIN AHEAD", {40, 100});
     write("123", {400, 200});
-    EXPECT_THAT(texts(), ElementsAre("TERRAINAHEAD", "123"));
+    write("-5 \u00b0C, i W .", {40, 300});
+    EXPECT_THAT(texts(), ElementsAre("TERRAIN AHEAD", "123", "-5 \u00b0C, i W ."));
+}
+
+TEST_F(Words, AreReadBackFromATurnedText) {
+    draw::TextStyle style;
+    style.color = {255, 255, 255, 255};
+    EXPECT_TRUE(store_.batch.text("AV 12", {40, 100}, draw::TextAnchor::left, style, 0.5f));
+    EXPECT_THAT(texts(), ElementsAre("AV 12"));
+}
+
+TEST_F(Words, AreFoundWhole) {
+    EXPECT_TRUE(has_words("TERRAIN AHEAD", "AHEAD"));
+    EXPECT_TRUE(has_words("TERRAIN AHEAD", "TERRAIN AHEAD"));
+    EXPECT_TRUE(has_words("AAHEAD AHEAD", "AHEAD"));
+    EXPECT_FALSE(has_words("TERRAIN AHEAD", "HEAD"));
+    EXPECT_FALSE(has_words("120", "2"));
+    EXPECT_FALSE(has_words("TERRAIN", ""));
+    EXPECT_EQ(with_single_blanks("  A   B "), "A B");
+}
+
+TEST_F(Words, WhatTheTypefaceLacksIsNamed) {
+    EXPECT_EQ(unwritable_character("5 \u00b0C?"), "");
+    EXPECT_EQ(unwritable_character("A\u4e2dB"), "\u4e2d");
 }
 
 TEST_F(Words, AHaloIsNoText) {
@@ -57,10 +80,7 @@ TEST_F(Words, TheirBoxIsThatOfTheLayout) {
     EXPECT_THAT(words[1].boxes, Contains("airspeed"));
 }
 
-TEST_F(Words, BoxesHaveNames) {
-    EXPECT_THAT(layout_box_names(), Contains("annunciations"));
-    EXPECT_EQ(without_blanks(" A B "), "AB");
-}
+TEST_F(Words, BoxesHaveNames) { EXPECT_THAT(layout_box_names(), Contains("annunciations")); }
 
 }  // namespace
 }  // namespace tedavis::host_sim::test_placed_words

@@ -41,7 +41,11 @@ ObservedFrame sample_frame() {
     static_cast<void>(frame.record.effects.try_push_back(effect));
     frame.record.alerts.terrain = policy::TerrainAhead::caution;
     frame.latency_frames = 1.5;
-    frame.words = {{"TERRAINAHEAD", 10, 10, {"annunciations"}}};
+    frame.record.alerts.is_watching = true;
+    frame.has_obstacles = true;
+    frame.values[Signal::indicated_airspeed] = 46.3;  // 90 kt
+    frame.record.signals[static_cast<std::size_t>(Signal::indicated_airspeed)] = SignalState::valid;
+    frame.words = {{"TERRAIN AHEAD", 10, 10, {"annunciations"}}};
     return frame;
 }
 
@@ -62,10 +66,54 @@ TEST(ReadConditions, EachReadsItsEntryOfTheRecord) {
         {"latency_frames_at_most = 2", "latency_frames_at_most = 1"},
         {"text = { says = \"TERRAIN AHEAD\", in = \"annunciations\" }", "text = { says = \"TERRAIN AHEAD\", in = \"heading\" }"},
         {"text = { says = \"PULL UP\", there = false }", "text = { says = \"TERRAIN\", there = false }"},
+        {"text = { says = \"AHEAD\" }", "text = { says = \"HEAD\" }"},
+        {"values = { indicated_airspeed_kt = [89.9, 90.1] }", "values = { indicated_airspeed_kt = [90.1, 91] }"},
     };
     for (const auto& [kept, broken] : kPairs) {
         EXPECT_TRUE(holds(kept, frame)) << kept;
         EXPECT_FALSE(holds(broken, frame)) << broken;
+    }
+}
+
+/// A display that cannot alert has no alert, but that says nothing.
+TEST(ReadConditions, NoAlertNeedsAWatch) {
+    ObservedFrame frame = sample_frame();
+    frame.record.alerts.terrain = policy::TerrainAhead::none;
+    EXPECT_TRUE(holds("alert = \"none\"", frame));
+    EXPECT_FALSE(holds("alert = \"not_watching\"", frame));
+    frame.has_obstacles = false;
+    EXPECT_FALSE(holds("obstacle_alert = \"none\"", frame)) << "no data of obstacles";
+    EXPECT_TRUE(holds("obstacle_alert = \"not_watching\"", frame));
+    frame.has_obstacles = true;
+    frame.record.alerts.is_watching = false;
+    EXPECT_FALSE(holds("alert = \"none\"", frame));
+    EXPECT_TRUE(holds("alert = \"not_watching\"", frame));
+    EXPECT_FALSE(holds("obstacle_alert = \"none\"", frame));
+}
+
+TEST(ReadConditions, AValueThatIsLostIsNone) {
+    ObservedFrame frame = sample_frame();
+    frame.record.signals[static_cast<std::size_t>(Signal::indicated_airspeed)] = SignalState::lost;
+    EXPECT_FALSE(holds("values = { indicated_airspeed_kt = [89, 91] }", frame));
+}
+
+/// Each of them would hold whatever the display shows.
+TEST(ReadConditions, WhatAsksForNothingIsAFault) {
+    const std::pair<const char*, const char*> kPairs[] = {
+        {"text = { says = \"  \", there = false }", "'text' needs says"},
+        {"text = { says = \"\u4e2d\", there = false }", "typeface has no"},
+        {"text = { says = \"90\", in = \"airspeed\" }", "may be a mark of a scale"},
+        {"text = { says = \"90\" }", "may be a mark of a scale"},
+        {"text = []", "'text' is empty"},
+        {"signals = {}", "'signals' is empty"},
+        {"flags = []", "'flags' is empty"},
+        {"values = { indicated_airspeed_kt = 90 }", "two numbers"},
+        {"values = { indicated_airspeed_kt = [91, 89] }", "two numbers"},
+    };
+    for (const auto& [text, sentence] : kPairs) {
+        std::vector<std::string> faults;
+        static_cast<void>(read(text, faults));
+        EXPECT_THAT(faults, ElementsAre(HasSubstr(sentence))) << text;
     }
 }
 

@@ -56,6 +56,18 @@ TEST(ReadExpectation, AFlagCannotBeThereAndNot) {
                 ElementsAre(HasSubstr("must be there and must not")));
 }
 
+TEST(ReadExpectation, OneExpectationCannotContradictItself) {
+    EXPECT_THAT(faults_of("at_s = 1\nflags = [\"pitch.lost\"]\nsignals = { pitch = \"valid\" }\n"),
+                ElementsAre(HasSubstr("signals pitch valid contradicts flags pitch.lost")));
+    EXPECT_THAT(faults_of("at_s = 1\ntext = [{ says = \"A\" }, { says = \"A\", there = false }]\n"),
+                ElementsAre(HasSubstr("text no \"A\" contradicts text \"A\"")));
+}
+
+TEST(ReadExpectation, OnlyWhatIsReachedCanStay) {
+    EXPECT_TRUE(read("after_s = 3\nwithin_s = 2\nstays = true\nphase = \"cruise\"\n").stays);
+    EXPECT_THAT(faults_of("at_s = 1\nstays = true\nphase = \"cruise\"\n"), ElementsAre(HasSubstr("'stays' belongs to")));
+}
+
 std::size_t contradictions(const std::string& a, const std::string& b) {
     ScriptFaults faults;
     find_contradictions({read(a), read(b)}, faults);
@@ -67,9 +79,25 @@ TEST(ReadExpectation, FindsContradictions) {
     EXPECT_EQ(contradictions(cruise, "at_s = 3\nphase = \"ground\"\n"), 1u);
     EXPECT_EQ(contradictions(cruise, "at_s = 6\nphase = \"ground\"\n"), 0u) << "another time";
     EXPECT_EQ(contradictions(cruise, "at_s = 3\nphase_source = \"can\"\n"), 0u) << "another key";
-    EXPECT_EQ(contradictions(cruise, "after_s = 3\nwithin_s = 1\nphase = \"ground\"\n"), 0u) << "no fixed time";
+    EXPECT_EQ(contradictions(cruise, "after_s = 3\nwithin_s = 1\nphase = \"ground\"\n"), 1u)
+        << "it can only be reached against the other one";
+    EXPECT_EQ(contradictions(cruise, "after_s = 4\nwithin_s = 2\nphase = \"ground\"\n"), 0u) << "it may be reached later";
+    EXPECT_EQ(contradictions("after_s = 1\nwithin_s = 2\nstays = true\nphase = \"ground\"\n", cruise), 1u) << "it stays to 3 s";
     EXPECT_EQ(contradictions("at_s = 1\nphase = \"approach\"\n", "at_s = 1\nphase = \"approach.final\"\n"), 0u) << "a part";
     EXPECT_EQ(contradictions("at_s = 1\nflags = [\"utc.lost\"]\n", "at_s = 1\nno_flags = [\"utc.lost\"]\n"), 1u);
+    const std::pair<const char*, const char*> kOpposites[] = {
+        {"signals = { pitch = \"valid\" }\n", "signals = { pitch = \"lost\" }\n"},
+        {"effects = { haze = \"run\" }\n", "effects = { haze = \"skipped\" }\n"},
+        {"text = { says = \"A\" }\n", "text = { says = \"A\", there = false }\n"},
+        {"signals = { pitch = \"valid\" }\n", "flags = [\"pitch.lost\"]\n"},
+        {"flags = [\"pitch.stale\"]\n", "flags = [\"pitch.lost\"]\n"},
+    };
+    for (const auto& [a, b] : kOpposites) {
+        const std::string at = "at_s = 1\n";
+        EXPECT_EQ(contradictions(at + a, at + b), 1u) << a << b;
+        EXPECT_EQ(contradictions(at + a, at + a), 0u) << a;
+    }
+    EXPECT_EQ(contradictions("at_s = 1\nsignals = { pitch = \"valid\" }\n", "at_s = 1\nflags = [\"roll.lost\"]\n"), 0u);
 }
 
 }  // namespace

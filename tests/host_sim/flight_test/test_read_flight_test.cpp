@@ -64,12 +64,52 @@ TEST_F(ReadTest, AnIncludedFileGivesWhatTheIncludingOneDoesNotSay) {
     EXPECT_EQ(test.expectations.size(), 2u);
 }
 
+TEST_F(ReadTest, AStartIsMergedKeyByKey) {
+    place_.write("base.toml", "[start]\naltitude_msl_m = 1000\nspeed_kt = 90\nheading_deg = 90\n");
+    const FlightTest test = read("include = [\"base.toml\"]\n[start]\nspeed_mps = 50\n" + kExpect);
+    EXPECT_THAT(faults_.sentences(), IsEmpty());
+    EXPECT_EQ(test.start.altitude_msl_m, 1000);
+    EXPECT_EQ(test.start.speed_mps, 50) << "in whatever unit the included one was";
+    EXPECT_NEAR(test.start.heading_rad, 1.5707963, 1e-6);
+    place_.write("base.toml", "\n[start]\nheading_deg = 900\n");
+    EXPECT_THAT(faults_of("include = [\"base.toml\"]\n[start]\nspeed_mps = 50\n" + kExpect),
+                ElementsAre(HasSubstr("base.toml:3: 'heading_deg'")));
+}
+
+TEST_F(ReadTest, ARampBeginsAtAValue) {
+    const std::string ramp = "[[step]]\nat_s = 2\nramp = { radio_height_m = 100 }\nover_s = 1\n" + kExpect;
+    EXPECT_THAT(faults_of(ramp), ElementsAre(HasSubstr("a.toml:1: the ramp of 'radio_height' begins where it has no value")));
+    EXPECT_THAT(faults_of("[[step]]\nat_s = 1\nhold = { radio_height_m = 50 }\n" + ramp), IsEmpty());
+}
+
+TEST_F(ReadTest, NothingChangesThePanelWhileAContactBounces) {
+    const std::string bounce = "[[step]]\nat_s = 1\nbounce = { line = \"CRUISE\", times = 101, gap_ms = 10 }\n";
+    EXPECT_THAT(faults_of(bounce + "[[step]]\nat_s = 1.5\nswitch = \"GROUND\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:4: the bounce of ")));
+    EXPECT_THAT(faults_of(bounce + "[[step]]\nat_s = 2\nswitch = \"GROUND\"\n" + kExpect), IsEmpty());
+}
+
 TEST_F(ReadTest, AllThatIsWrongIsToldAtOnce) {
     EXPECT_THAT(
         faults_of("titel = \"x\"\ndesign = \"cruse\"\n[[step]]\nat_s = 1\nswich = \"CRUISE\"\n" + kExpect + "flag = []\n"),
         ElementsAre(HasSubstr("a.toml:1: unknown key 'titel'; say title"), HasSubstr("a.toml:2: 'design': there is no file"),
-                    HasSubstr("a.toml:2: 'design': "), HasSubstr("a.toml:5: unknown key 'swich'"),
-                    HasSubstr("a.toml:9: unknown key 'flag'")));
+                    HasSubstr("a.toml:5: unknown key 'swich'"), HasSubstr("a.toml:9: unknown key 'flag'")));
+}
+
+TEST_F(ReadTest, AFaultIsToldOnce) {
+    EXPECT_THAT(faults_of("title = \n" + kExpect), ElementsAre(HasSubstr("a.toml:1: ")));
+    EXPECT_THAT(faults_of("[[step]]\nat_s = \"$t\"\nhold = { pitch_deg = \"$p\" }\nphase = \"cruise\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:2: '$t' is no parameter"), HasSubstr("a.toml:3: '$p' is no parameter")));
+    EXPECT_THAT(faults_of("bus = \"none\"\nswitches = \"none\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:1: 'bus'"), HasSubstr("a.toml:2: 'switches'")));
+}
+
+TEST_F(ReadTest, FilesOfItsInputAreThere) {
+    EXPECT_THAT(faults_of("terrain = \"nowhere\"\nscene = \"nope\"\n[input]\nscenario = \"nope\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:1: 'terrain'"), HasSubstr("a.toml:2: 'scene'"), HasSubstr("a.toml:4: 'scenario'")));
+    EXPECT_THAT(faults_of("[input]\nlog = \"nolog\"\n" + kExpect), ElementsAre(HasSubstr("a.toml:2: 'log': there is no file")));
+    place_.write("flight", "x");
+    EXPECT_EQ(read("[input]\nlog = \"flight\"\n" + kExpect).log, place_.file("flight")) << "from the script's folder";
 }
 
 TEST_F(ReadTest, TimesBeyondTheInputAreFaults) {
@@ -86,6 +126,8 @@ TEST_F(ReadTest, InputsExcludeEachOther) {
     EXPECT_THAT(faults_of("[input]\nscenario = \"default\"\n[[step]]\nat_s = 1\nphase = \"cruise\"\n" + kExpect),
                 ElementsAre(HasSubstr("a.toml:3: a [[step]] beside a log")));
     EXPECT_THAT(faults_of(""), ElementsAre(HasSubstr("expects nothing")));
+    EXPECT_THAT(faults_of("[input]\nscenario = \"default\"\nlasts_s = 9\n[start]\nspeed_mps = 3\n" + kExpect),
+                ElementsAre(HasSubstr("'lasts_s' belongs to steps"), HasSubstr("a.toml:4: [start] belongs to steps")));
 }
 
 TEST_F(ReadTest, ContradictionsAreFaults) {

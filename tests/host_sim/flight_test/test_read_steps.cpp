@@ -92,6 +92,29 @@ TEST(ReadSteps, AllThatIsWrongIsToldAtOnce) {
                                     HasSubstr("8: 'frame': '12#X' is no frame"), HasSubstr("9: unknown key 'hop'")));
 }
 
+TEST(ReadSteps, ContradictionsAndImpossibleValuesAreFaults) {
+    const std::pair<const char*, const char*> kPairs[] = {
+        {"hold = { pitch_deg = 1, pitch_rad = 1 }", "'pitch_rad' says what another key"},
+        {"hold = { pitch_deg = 1 }\nramp = { pitch_deg = 2 }\nover_s = 1", "'pitch' is in hold and in ramp"},
+        {"stop = [\"position\"]\nsend = [\"latitude\"]", "'latitude' is in stop and in send"},
+        {"stop = [\"all\"]\ninvalid = [\"attitude\"]", "'pitch' is in stop and in invalid"},
+        {"hold = { pitch_deg = 1 }\nstop = [\"attitude\"]", "'pitch' is in hold and in stop"},
+        {"stop = [\"clock\"]\nsend = [\"clock\"]", "'clock' is in stop and in send"},
+        {"stop = [\"phase\"]\nphase = \"cruise\"", "'phase' is stated and stopped"},
+        {"bounce = { line = \"CRUISE\", times = 2.7, gap_ms = 3 }", "'times' must be a whole number"},
+        {"hold = { pitch_deg = 500 }", "'pitch_deg' must be -90 to 90"},
+        {"hold = { latitude_deg = 120 }", "'latitude_deg' must be -90 to 90"},
+        {"hold = { outside_temperature_c = -400 }", "'outside_temperature_c' must be -123.15 to"},
+        {"hold = { indicated_airspeed_kt = 1e300 }", "'indicated_airspeed_kt' must be"},
+    };
+    for (const auto& [text, sentence] : kPairs) {
+        std::vector<std::string> faults;
+        static_cast<void>(read(std::string("at_s = 1\n") + text, faults));
+        EXPECT_THAT(faults, ElementsAre(HasSubstr(sentence))) << text;
+    }
+    EXPECT_EQ(read("at_s = 1\nhold = { true_track_deg = 360, pitch_deg = -90 }\n").hold.size(), 2u) << "the ends belong to it";
+}
+
 TEST(ReadSteps, SignalsThatTheBusStatesItselfAreRefused) {
     const std::string bus_text = "[[message]]\nsignal = \"radio_height\"\nidentifier = 1860\nunit = \"ft\"\n";
     const bus::BusSettings bus = bus::load_bus_settings(bus_text, "b.toml").value();

@@ -31,7 +31,8 @@ TEST(ScriptValue, AFileThatIsNoTomlIsOneFault) {
 TEST(ScriptValue, ParametersStandForTextsPartsAndKeys) {
     ScriptFaults faults;
     ScriptValue tree = parse_script_value("a = \"$n\"\nb = \"${s}.lost\"\nc = { \"${s}\" = \"$s\" }\n", "f.toml", faults);
-    put_parameters(tree, {{"n", stated_parameter("2.5")}, {"s", stated_parameter("pitch")}}, faults);
+    std::set<std::string> used;
+    put_parameters(tree, {{"n", stated_parameter("2.5")}, {"s", stated_parameter("pitch")}}, faults, used);
     ASSERT_TRUE(faults.empty());
     EXPECT_EQ(tree.find("a")->kind, Kind::number);
     EXPECT_EQ(tree.find("a")->number, 2.5);
@@ -42,7 +43,8 @@ TEST(ScriptValue, ParametersStandForTextsPartsAndKeys) {
 TEST(ScriptValue, AnUnknownParameterIsAFaultAtItsLine) {
     ScriptFaults faults;
     ScriptValue tree = parse_script_value("a = 1\nb = \"$no\"\nc = \"${none}\"\n", "f.toml", faults);
-    put_parameters(tree, {{"n", stated_parameter("1")}}, faults);
+    std::set<std::string> used;
+    put_parameters(tree, {{"n", stated_parameter("1")}}, faults, used);
     EXPECT_THAT(faults.sentences(), ElementsAre("f.toml:2: '$no' is no parameter; [parameters] has: n",
                                                 "f.toml:3: '$none' is no parameter; [parameters] has: n"));
 }

@@ -108,8 +108,24 @@ TEST(StepLog, ASilentBusLastsToTheEnd) {
     EXPECT_EQ(bus.state(Signal::roll, 9), SignalState::lost);
 }
 
+/// Expectations count from the first frame.
+TEST(StepLog, ABusThatIsSilentFromTheStartBeginsAtZero) {
+    const Received bus("[[step]]\nat_s = 0\nstop = [\"all\"]\n[[step]]\nat_s = 5\nsend = [\"all\"]\n");
+    EXPECT_NEAR(bus.length_s(), 10.5, 0.01);
+    EXPECT_EQ(bus.state(Signal::pitch, 1), SignalState::missing);
+    EXPECT_EQ(bus.state(Signal::pitch, 6), SignalState::valid);
+}
+
+TEST(StepLog, AHoldSendsAgain) {
+    const Received bus("[[step]]\nat_s = 1\nstop = [\"pitch\", \"roll\"]\n[[step]]\nat_s = 5\nhold = { pitch_deg = 4 }\n");
+    EXPECT_EQ(bus.state(Signal::pitch, 4), SignalState::lost);
+    EXPECT_EQ(bus.state(Signal::pitch, 6), SignalState::valid);
+    EXPECT_EQ(bus.state(Signal::roll, 6), SignalState::lost) << "control";
+}
+
 TEST(StepLog, AValueThatTheBusCannotCarryNamesItsStep) {
-    const FlightTest test = test_of("[[step]]\nat_s = 2\nhold = { navigation_source = 999 }\n");
+    FlightTest test = test_of("[[step]]\nat_s = 2\nhold = { navigation_source = 1 }\n");
+    test.steps[0].hold[0].si = 999;
     std::ostringstream stream;
     test_support::expect_user_error([&] { write_step_log(test, stream, "log"); }, ":1: the value of 'navigation_source'");
 }

@@ -79,6 +79,20 @@ TEST(SteppedAircraft, TheRadioAltimeterMeasuresFlatGround) {
     EXPECT_EQ(aircraft.sample()[Signal::radio_height], 0) << "never below the ground";
 }
 
+TEST(SteppedAircraft, ADirectionTurnsTheShorterWay) {
+    SteppedAircraft aircraft(start_at(350, 60, 0));
+    aircraft.take(step_with({}, {{Signal::true_track, base::radians(10)}}, 10), 0);
+    aircraft.advance_to(2.5);
+    EXPECT_NEAR(base::degrees(aircraft.sample()[Signal::true_track]), 355, 0.05);
+    aircraft.advance_to(7.5);
+    EXPECT_NEAR(base::degrees(aircraft.sample()[Signal::true_track]), 5, 0.05);
+    aircraft.advance_to(20);
+    EXPECT_NEAR(base::degrees(aircraft.sample()[Signal::true_track]), 10, 1e-9);
+    aircraft.take(step_with({}, {{Signal::roll, base::radians(170)}}, 10), 20);
+    aircraft.advance_to(25);
+    EXPECT_NEAR(base::degrees(aircraft.sample()[Signal::roll]), 85, 0.2) << "no direction";
+}
+
 TEST(SteppedAircraft, DoesNotDependOnHowOftenItIsAsked) {
     SteppedAircraft often(start_at(60, 60, 3)), once(start_at(60, 60, 3));
     for (int ms = 0; ms <= 10000; ms += 20) often.advance_to(ms / 1000.0);

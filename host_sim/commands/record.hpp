@@ -1,0 +1,13 @@
+/// `tedavis record LOG -o SCRIPT.toml`: plays a flight and writes a flight test that expects what it shows today, to be edited.
+#pragma once
+
+#include "host_sim/commands/record_input.hpp"
+#include "host_sim/console.hpp"
+
+namespace tedavis::host_sim {
+
+/// Returns 0. Throws UserError, also where the script is there already and `options.yes` does not say to replace it, and
+/// Interrupted; then nothing is written.
+[[nodiscard]] int run_record(const RecordOptions& options, Console& console);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,31 @@
+/// What `tedavis record` plays: a candump log, the folder of a run, the folder of a generated flight, or a shipped scenario.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/flight_test/flight_test.hpp"
+
+namespace tedavis::host_sim {
+
+struct RecordOptions {
+    std::string input;           ///< a file, a folder, or the name of a scenario
+    std::string switches;        ///< switch log; empty: none, or what the folder has
+    std::string switch_config;   ///< empty: one_hot
+    std::string bus;             ///< empty: canaerospace
+    std::string design, device;  ///< empty: those of the run, else what a script without them has
+    std::string aircraft;        ///< empty: of the run, else none
+    std::string terrain, scene;  ///< the same; names stand for what is built, as in a script
+    std::string output;          ///< script to write
+    std::optional<double> from_s, to_s;
+    std::vector<double> at_s;  ///< instead of all frames between these two
+    double margin_s = 0.5;
+    bool yes = false;  ///< replaces a script that is there already
+};
+
+/// The test that plays it, without expectations: names and paths are those of the options, which come first, and of the folder.
+/// Throws UserError where there is no such input, or a run's files are gone.
+[[nodiscard]] FlightTest recorded_input(const RecordOptions& options);
+
+}  // namespace tedavis::host_sim

@@ -1,0 +1,71 @@
+/// What a flight showed that an [[expect]] can ask for, as spans of frames in which it did not change.
+///
+/// Times are seconds since the first frame of the input.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "host_sim/flight_test/flight_test.hpp"
+
+namespace tedavis::host_sim {
+
+/// The more important ones first.
+enum class FactKind : std::uint8_t { phase, phase_source, design, alert, obstacle_alert, signal, flag, effect };
+
+inline constexpr const char* kFlagThere = "there";
+inline constexpr const char* kFlagGone = "gone";
+
+struct RecordedFact {
+    FactKind kind = FactKind::phase;
+    std::string name;   ///< of the signal, flag or effect; else empty
+    std::string value;  ///< as a script states it; of a flag kFlagThere or kFlagGone
+};
+
+struct WatchedAlerts {
+    bool terrain = false, obstacles = false;
+};
+
+/// What one frame shows. Flags that only repeat the state of a signal, signals that are missing and what no script can name are
+/// left out, as are flags that are not there.
+[[nodiscard]] std::vector<RecordedFact> facts_of(const ObservedFrame& frame, const WatchedAlerts& alerts);
+
+struct FactSpan {
+    RecordedFact fact;
+    double first_s = 0, last_s = 0;           ///< the first and the last frame that show it
+    bool from_start = false, to_end = false;  ///< of the recording
+};
+
+/// Takes frames in the order of time. A signal has spans where it is missing only beside others; a flag that comes and goes has
+/// spans where it is gone; an effect has none while no design asks for it.
+class FactTracks {
+public:
+    explicit FactTracks(const WatchedAlerts& alerts) : alerts_(alerts) {}
+
+    void take(const ObservedFrame& frame);
+    /// In the order of kinds, names and times.
+    [[nodiscard]] std::vector<FactSpan> spans() const;
+    [[nodiscard]] double first_s() const { return first_s_; }
+    [[nodiscard]] double last_s() const { return last_s_; }
+
+private:
+    struct Track {
+        std::vector<FactSpan> spans;
+        std::uint64_t last_frame = 0;  ///< that the last span was seen in
+    };
+    using Key = std::tuple<FactKind, std::string>;
+    void extend(const RecordedFact& fact, double time_s);
+    void begin(Track& track, const RecordedFact& fact, double time_s);
+    void end_unseen(double time_s);
+
+    WatchedAlerts alerts_;
+    std::map<Key, Track> tracks_;
+    std::uint64_t frames_ = 0;
+    double first_s_ = 0, last_s_ = 0;
+};
+
+}  // namespace tedavis::host_sim
