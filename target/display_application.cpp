@@ -119,7 +119,7 @@ void DisplayApplication::start_records() {
 void DisplayApplication::hand_out_record() {
     if (!records_.has_readers()) return;
     write_record(display().record(), delivery_, record_line_);
-    records_.send(record_line_.line());
+    if (!record_line_.cut()) records_.send(record_line_.line());
 }
 
 bool DisplayApplication::wants_picture(bool is_last) {

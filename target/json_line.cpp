@@ -57,7 +57,7 @@ JsonLine& JsonLine::number(std::string_view key, std::uint64_t value) {
 
 JsonLine& JsonLine::number(std::string_view key, double value) {
     char digits[32] = "null";  // JSON has no infinity and no NaN
-    if (std::isfinite(value)) std::snprintf(digits, sizeof digits, "%.9g", value);
+    if (std::isfinite(value)) std::snprintf(digits, sizeof digits, "%.15g", value);
     begin(key);
     text_.append(digits);
     return *this;

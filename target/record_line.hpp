@@ -15,7 +15,7 @@ namespace tedavis::target {
 struct FrameDelivery {
     base::Time run_begun;       ///< `time_s` counts from here; the monotonic clock's
     base::Duration took;        ///< of planning and drawing
-    bool is_on_screen = false;  ///< false: unplugged, taken away, or not confirmed yet
+    bool is_on_screen = false;  ///< false: unplugged, taken away, or not confirmed yet; off-screen always true
     std::optional<base::Duration>
         can_to_screen;  ///< of the oldest bus frame that is first seen in it; nothing: it holds no new one
 };

@@ -29,12 +29,12 @@ struct Address {
 
 int packet_socket() { return ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0); }
 
-/// Whether a program listens there.
-bool is_served(const Address& address) {
+/// Whether it is known that no program listens there: one of another kind, or of another user, is not ours to remove.
+bool is_left(const Address& address) {
     const int caller = packet_socket();
-    const bool is_taken = caller >= 0 && (::connect(caller, address.get(), sizeof address.value) == 0 || errno == EAGAIN);
+    const bool is_refused = caller >= 0 && ::connect(caller, address.get(), sizeof address.value) != 0 && errno == ECONNREFUSED;
     if (caller >= 0) ::close(caller);
-    return is_taken;
+    return is_refused;
 }
 
 /// Takes a socket away that nobody serves.
@@ -43,16 +43,17 @@ base::Error clear_place(const Path& path, const Address& address) {
     if (::lstat(path.c_str(), &found) != 0) return {};
     if (!S_ISSOCK(found.st_mode))
         return base::make_error({kKey, path.view(), "': is a file of another kind; name another place"});
-    if (is_served(address))
+    if (!is_left(address))
         return base::make_error({kKey, path.view(), "': is in use by another program; stop that one, or name another place"});
-    ::unlink(path.c_str());
-    return {};
+    if (::unlink(path.c_str()) == 0) return {};
+    return base::make_error({kKey, path.view(), "': was left by an ended program and cannot be removed: ", std::strerror(errno),
+                             "; remove it, or name another place"});
 }
 
 }  // namespace
 
 RecordSocket::~RecordSocket() {
-    for (std::size_t n = 0; n < count_; ++n) ::close(readers_[n]);
+    for (std::size_t n = 0; n < count_; ++n) ::close(readers_[n].descriptor);
     if (!is_started()) return;
     ::close(listener_);
     ::unlink(path_.c_str());
@@ -95,20 +96,27 @@ bool RecordSocket::has_readers() {
         if (count_ == kMaxReaders)
             ::close(reader);
         else
-            readers_[count_++] = reader;
+            readers_[count_++] = {reader, 0};
     }
     return count_ > 0;
 }
 
+bool RecordSocket::takes(Reader& reader, std::string_view record) {
+    if (::send(reader.descriptor, record.data(), record.size(), MSG_DONTWAIT | MSG_NOSIGNAL) >= 0) {
+        reader.missed = 0;
+        return true;
+    }
+    const bool is_full = errno == EAGAIN || errno == EWOULDBLOCK || errno == ENOBUFS;
+    return is_full && ++reader.missed < kMaxMissed;
+}
+
 void RecordSocket::send(std::string_view record) {
     for (std::size_t n = 0; n < count_;) {
-        const ssize_t sent = ::send(readers_[n], record.data(), record.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-        const bool stays = sent >= 0 || errno == EAGAIN || errno == EWOULDBLOCK || errno == ENOBUFS || errno == EMSGSIZE;
-        if (stays) {
+        if (takes(readers_[n], record)) {
             ++n;
             continue;
         }
-        ::close(readers_[n]);
+        ::close(readers_[n].descriptor);
         readers_[n] = readers_[--count_];
     }
 }

@@ -54,7 +54,7 @@ bool SocketCanSource::ensure_open(base::Time now) {
 
 std::size_t SocketCanSource::read(base::Time until, base::Span<CanFrame> out) {
     std::size_t count = 0;
-    // Batches without a frame use up turns too, so that a flood of other records cannot hold the caller.
+    // Batches without a frame use up turns too: a flood of other records holds the caller for out.size() batches at most.
     for (std::size_t turn = 0; turn < out.size(); ++turn) {
         if (batch_next_ == batch_end_ && (!ensure_open(until) || !receive())) break;
         if (batch_next_ == batch_end_) continue;
@@ -94,10 +94,11 @@ bool SocketCanSource::receive() {
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
         mmsghdr& message = records.messages[n];
-        // The end of the socket; what came before it is in the batch, and the next call finds the end again.
-        if (message.msg_len == 0 && n > 0) break;
-        if (message.msg_len == 0) record_failure(ENODEV);
-        if (message.msg_len == 0) return false;
+        if (message.msg_len == 0) {
+            // The end of the socket; after what came before it, the next call finds the end again.
+            if (n == 0) record_failure(ENODEV);
+            return n > 0;
+        }
         take_record({records.bytes[n].data(), message.msg_len}, &message.msg_hdr);
     }
     return count > 0;

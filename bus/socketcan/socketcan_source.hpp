@@ -7,7 +7,9 @@
 /// its own counter. Bus-off and link-down are reported by health(); a socket that fails is closed and opened again, at most once
 /// in `reopen_interval`.
 ///
-/// Thread  one. Memory  fixed. Failure  health() and last_fault().
+/// health() and the count of error frames are those of what was received, which may be a batch ahead of what read() returned.
+///
+/// Thread  one. Memory  fixed, and 20 KiB of the stack while reading. Failure  health() and last_fault().
 #pragma once
 
 #include <array>

@@ -170,12 +170,31 @@ private:
         return kNoCluster;
     }
 
+    /// When a frame last showed the same before a span began; before the recording where none did.
+    [[nodiscard]] double shown_before_s(const FactSpan& span) const {
+        double last_s = first_s_ - 1;
+        for (const FactSpan& other : spans_)
+            if (key_of(other) == key_of(span) && other.fact.value == span.fact.value && other.last_s < span.first_s)
+                last_s = std::max(last_s, other.last_s);
+        return last_s;
+    }
+
+    /// From when on a change is waited for: in the first frame then, one of the facts that come last must not hold yet.
+    [[nodiscard]] double awaited_from_s(const ChangeCluster& cluster, const std::vector<const FactSpan*>& spans) const {
+        const FactSpan* last = spans.front();
+        for (const FactSpan* const span : spans)
+            if (span->first_s > last->first_s) last = span;
+        const double from_s = hundredth_before(cluster.first_s - std::max(rule_.margin_s, 1 / rule_.rate_hz));
+        return std::max(from_s, hundredth_after(shown_before_s(*last) + kBeforeEnd_s));
+    }
+
     /// What becomes true by changes that belong together.
     void add_change(const ChangeCluster& cluster, const std::vector<const FactSpan*>& spans) {
-        if (cluster.last_s > latest_s_ || cluster.first_s < first_s_ + rule_.margin_s) return;
+        const double reach_s = std::max(rule_.margin_s, 1 / rule_.rate_hz);
+        if (cluster.last_s > latest_s_ || cluster.first_s < first_s_ + reach_s) return;
         WeighedExpectation one = weighed(spans);
         one.expectation.kind = WindowKind::within;
-        one.expectation.from_s = hundredth_before(std::max(cluster.first_s - rule_.margin_s, first_s_));
+        one.expectation.from_s = awaited_from_s(cluster, spans);
         one.expectation.to_s = std::min(hundredth_after(cluster.last_s + rule_.margin_s), latest_s_);
         one.expectation.words = time_words(cluster.first_s) + ": " + facts_words(one.expectation.facts, true) + ".";
         made_.push_back(std::move(one));

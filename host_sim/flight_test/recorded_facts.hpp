@@ -30,8 +30,8 @@ struct WatchedAlerts {
     bool terrain = false, obstacles = false;
 };
 
-/// What one frame shows. Flags that only repeat the state of a signal, signals that are missing and what no script can name are
-/// left out, as are flags that are not there.
+/// What one frame shows. Flags that only repeat the state of a signal and what no script can name are left out, as are flags that
+/// are not there.
 [[nodiscard]] std::vector<RecordedFact> facts_of(const ObservedFrame& frame, const WatchedAlerts& alerts);
 
 struct FactSpan {

@@ -176,7 +176,8 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     const auto start = parse_iso8601(root.text("start_utc", kStart));
     if (!start) root.fault("start_utc", "no time such as 2026-06-01T14:00:00Z");
     scenario.start = start.value_or(base::Time{});
-    if (!root.has("strip")) root.fault("strip", "there is no table [strip]; say where the flight takes off and lands");
+    if (!root.has("strip"))
+        root.fault("strip", "there is no table [strip]; add it with the place where the flight takes off and lands");
     scenario.strip = read_strip(root.section("strip"));
     scenario.environment = read_environment(root.section("environment"));
     scenario.aircraft = read_aircraft(root.section("aircraft"));

@@ -54,12 +54,23 @@ TEST_F(RecordSocketTest, AReaderThatSleepsMissesRecordsAndTheDisplayGoesOn) {
     const RecordReader sleeper(place);
     ASSERT_TRUE(socket.has_readers());
     const std::string record(8000, 'x');
-    for (int n = 0; n < 1000; ++n) socket.send(record);
+    for (int n = 0; n < 200; ++n) socket.send(record);
     const std::size_t kept = sleeper.take_all().size();
     EXPECT_GT(kept, 5u);
-    EXPECT_LT(kept, 1000u) << "a queue without an end would be a leak";
+    EXPECT_LT(kept, 200u) << "a queue without an end would be a leak";
     socket.send("awake");
     EXPECT_THAT(sleeper.take_all(), ElementsAre("awake"));
+}
+
+TEST_F(RecordSocketTest, AReaderThatNeverReadsLosesItsPlace) {
+    ASSERT_EQ(start(socket), "");
+    const RecordReader stuck(place);
+    ASSERT_TRUE(socket.has_readers());
+    const std::string record(8000, 'x');
+    for (std::uint32_t n = 0; n < RecordSocket::kMaxMissed; ++n) socket.send(record);
+    EXPECT_TRUE(socket.has_readers()) << "some of these were taken";
+    for (std::uint32_t n = 0; n < RecordSocket::kMaxMissed; ++n) socket.send(record);
+    EXPECT_FALSE(socket.has_readers());
 }
 
 TEST_F(RecordSocketTest, OneMoreThanThereIsRoomForIsTurnedAway) {
@@ -96,6 +107,27 @@ TEST_F(RecordSocketTest, ReplacesWhatAnEndedProgramHasLeft) {
     ::close(left);
     EXPECT_EQ(start(socket), "");
     EXPECT_TRUE(RecordReader(place).is_connected());
+}
+
+/// Of another kind, but alive.
+TEST_F(RecordSocketTest, AnotherProgramsSocketIsLeftAlone) {
+    for (const int kind : {SOCK_STREAM, SOCK_DGRAM}) {
+        place = folder.file(kind == SOCK_STREAM ? "stream" : "datagrams");
+        const int other = ::socket(AF_UNIX, kind, 0);
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        std::memcpy(address.sun_path, place.c_str(), place.size());
+        const void* const plain = &address;
+        ASSERT_EQ(::bind(other, static_cast<const sockaddr*>(plain), sizeof address), 0);
+        if (kind == SOCK_STREAM) {
+            ASSERT_EQ(::listen(other, 1), 0);
+        }
+        RecordSocket one;
+        EXPECT_THAT(start(one), HasSubstr("is in use by another program")) << kind;
+        struct stat found {};
+        EXPECT_EQ(::lstat(place.c_str(), &found), 0) << kind;
+        ::close(other);
+    }
 }
 
 TEST_F(RecordSocketTest, WhatCannotBeMadeSaysWhy) {

@@ -38,18 +38,20 @@ bool has(const std::vector<RecordedFact>& facts, const RecordedFact& wanted) {
     return wanted.value == kFlagGone;
 }
 
-/// What judges do, written anew: an expectation against all frames.
+/// What judges do, written anew: an expectation against all frames. What is to be reached must not hold in the first of them.
 bool holds(const RecordedExpectation& one, const std::vector<ObservedFrame>& frames) {
-    bool is_any = false, are_all = true;
+    bool is_any = false, are_all = true, is_first = true, held_at_first = false;
     for (const ObservedFrame& frame : frames) {
         if (frame.time_s < one.from_s - 1e-6 || frame.time_s > one.to_s + 1e-6) continue;
         const auto facts = facts_of(frame, {});
         bool all = true;
         for (const RecordedFact& wanted : one.facts) all = all && has(facts, wanted);
+        held_at_first = held_at_first || (is_first && all);
+        is_first = false;
         is_any = is_any || all;
         are_all = are_all && all;
     }
-    return one.kind == WindowKind::within ? is_any : is_any && are_all;
+    return one.kind == WindowKind::within ? is_any && !held_at_first : is_any && are_all;
 }
 
 std::vector<ObservedFrame> flight(int frames, const std::function<ObservedFrame(int)>& make) {
@@ -88,6 +90,21 @@ TEST(RecordedExpectations, ChangesCloseToEachOtherAreOne) {
     std::size_t changes = 0;
     for (const RecordedExpectation& one : made.list) changes += one.kind == WindowKind::within ? 1 : 0;
     EXPECT_EQ(changes, 1u);
+}
+
+/// A signal that is stale for a moment becomes valid again: the wait for it begins while it is not.
+TEST(RecordedExpectations, AMomentsInterruptionIsExpectedFromItsMiddle) {
+    const auto frames = flight(300, [](int n) { return frame_of(n, n == 120 || n == 121 ? "cruise" : "ground", {}); });
+    for (const double margin_s : {0.0, 0.5}) {
+        RecordingRule by = rule();
+        by.margin_s = margin_s;
+        std::size_t changes = 0;
+        for (const RecordedExpectation& one : expected(frames, by).list) {
+            EXPECT_TRUE(holds(one, frames)) << margin_s << " " << one.words;
+            changes += one.kind == WindowKind::within ? 1 : 0;
+        }
+        EXPECT_EQ(changes, 2u) << margin_s;
+    }
 }
 
 /// Whatever a flight does, what is made of it holds in it; and the windows lie within it.
