@@ -1,5 +1,6 @@
 #include "host_sim/toml_text.hpp"
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "host_sim/json_text.hpp"
@@ -57,6 +58,20 @@ std::string toml_text(const Json& table) {
     std::string text;
     write(table, "", text);
     return text;
+}
+
+std::string toml_string(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        char escaped[8];
+        std::snprintf(escaped, sizeof escaped, "\\u%04x", byte);
+        if (byte < 0x20 || byte == 0x7f)
+            out += escaped;
+        else
+            out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    }
+    return out + '"';
 }
 
 }  // namespace tedavis::host_sim

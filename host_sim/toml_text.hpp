@@ -9,4 +9,7 @@ namespace tedavis::host_sim {
 /// Numbers have the digits that bring them back bit for bit. Lists hold objects alone or none; null stands nowhere, as in TOML.
 [[nodiscard]] std::string toml_text(const nlohmann::ordered_json& table);
 
+/// A basic string of TOML in its quotes; the text may hold any byte but 0.
+[[nodiscard]] std::string toml_string(const std::string& text);
+
 }  // namespace tedavis::host_sim

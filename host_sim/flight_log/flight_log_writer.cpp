@@ -10,6 +10,7 @@
 #include "bus/candump/candump_log_writer.hpp"
 #include "host_sim/calendar_time.hpp"
 #include "host_sim/flight_log/message_schedule.hpp"
+#include "host_sim/flight_log/stream_sink.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -25,17 +26,6 @@ constexpr std::int64_t kNewsPeriod_ms = 20, kNewsOffset_ms = 19;  // when change
 constexpr std::int64_t kTrafficOffset_ms = 43, kTrafficApart_ms = 20;
 static_assert(kTrafficOffset_ms + bus::kTrafficNumbers * kTrafficApart_ms <= kMillisecondsPerSecond);
 static_assert(bus::kTrafficParts <= kTrafficApart_ms);
-
-class StreamSink final : public bus::TextSink {
-public:
-    explicit StreamSink(std::ostream& stream) : stream_(stream) {}
-    bool write(const char* text, std::size_t count) override {
-        return static_cast<bool>(stream_.write(text, static_cast<std::streamsize>(count)));
-    }
-
-private:
-    std::ostream& stream_;
-};
 
 class LogRun {
 public:

@@ -3,25 +3,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "host_sim/toml_text.hpp"
+
 namespace tedavis::host_sim {
 namespace {
 
 constexpr std::size_t kTextWidth = 110;
-
-/// A basic string of TOML.
-std::string toml_string(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        char escaped[8];
-        std::snprintf(escaped, sizeof escaped, "\\u%04x", byte);
-        if (byte < 0x20 || byte == 0x7f)
-            out += escaped;
-        else
-            out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    }
-    return out + '"';
-}
 
 /// Lines that begin with "# ", broken at blanks; control characters become blanks.
 std::string comment(const std::string& text) {

@@ -8,6 +8,7 @@
 #include "bus/candump/candump_log_writer.hpp"
 #include "bus/switches/switch_log.hpp"
 #include "host_sim/calendar_time.hpp"
+#include "host_sim/flight_log/stream_sink.hpp"
 #include "host_sim/flight_test/sent_message.hpp"
 #include "host_sim/flight_test/stepped_aircraft.hpp"
 #include "host_sim/user_error.hpp"
@@ -17,17 +18,6 @@ namespace {
 
 constexpr std::int64_t kStepMillisecond_ns = 1'000'000, kStepSecond_ms = 1000;
 constexpr std::uint32_t kMeansNothing = 2031;  // a node service, which no bus file gives a meaning
-
-class StepSink final : public bus::TextSink {
-public:
-    explicit StepSink(std::ostream& stream) : stream_(stream) {}
-    bool write(const char* text, std::size_t count) override {
-        return static_cast<bool>(stream_.write(text, static_cast<std::streamsize>(count)));
-    }
-
-private:
-    std::ostream& stream_;
-};
 
 class StepLog {
 public:
@@ -155,7 +145,7 @@ private:
     std::string name_;
     SteppedAircraft aircraft_;
     bus::MessageEncoder encoder_;
-    StepSink sink_;
+    StreamSink sink_;
     std::array<std::string_view, 1> names_{"can0"};
     bus::CandumpLogWriter writer_;
     std::vector<ScheduledMessage> messages_;

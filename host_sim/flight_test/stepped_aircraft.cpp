@@ -23,12 +23,6 @@ double relative_density(double altitude_m) {
            standard_temperature_k(altitude_m);
 }
 
-/// [0, 2 pi).
-double full_turn(double angle_rad) {
-    const double turned = std::fmod(angle_rad, 2 * base::kPi);
-    return turned < 0 ? turned + 2 * base::kPi : turned;
-}
-
 }  // namespace
 
 SteppedAircraft::SteppedAircraft(const TestStart& start)
@@ -76,7 +70,7 @@ void SteppedAircraft::follow_ramps() {
         if (!ramps_[n]) continue;
         const double share = std::clamp((time_s_ - ramps_[n]->begin_s) / ramps_[n]->over_s, 0.0, 1.0);
         const double value = ramps_[n]->from + share * (ramps_[n]->to - ramps_[n]->from);
-        values_.values[n] = is_direction(static_cast<Signal>(n)) ? full_turn(value) : value;
+        values_.values[n] = is_direction(static_cast<Signal>(n)) ? earth::wrap_heading(value) : value;
         if (share >= 1) ramps_[n].reset();
     }
 }

@@ -11,6 +11,7 @@
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/shipped_files.hpp"
+#include "host_sim/toml_text.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -22,21 +23,6 @@ namespace {
 constexpr std::array<std::string_view, 3> kFrameNames = {"png", "hash", "none"};
 constexpr std::array<std::string_view, 2> kGlNames = {"egl", "osmesa"};
 constexpr double kLargestNumber = 1e9;
-
-/// A TOML basic string; a path may hold any byte but 0.
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        char escaped[8];
-        std::snprintf(escaped, sizeof escaped, "\\u%04x", byte);
-        if (byte < 0x20 || byte == 0x7f)
-            out += escaped;
-        else
-            out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    }
-    return out + '"';
-}
 
 /// A path stays right when the config is used from elsewhere.
 std::string absolute(const std::string& path) {
@@ -57,7 +43,7 @@ public:
         word(key, absolute_unless_shipped(name, folder));
     }
     void word(const char* key, std::string_view value) {
-        if (!value.empty()) text_ << key << " = " << quoted(std::string(value)) << '\n';
+        if (!value.empty()) text_ << key << " = " << toml_string(std::string(value)) << '\n';
     }
     void number(const char* key, const std::optional<double>& value) {
         if (value) text_ << key << " = " << std::showpoint << *value << '\n';
@@ -69,7 +55,7 @@ public:
     void words(const char* key, const std::vector<std::string>& values) {
         if (values.empty()) return;
         text_ << key << " = [";
-        for (std::size_t n = 0; n < values.size(); ++n) text_ << (n > 0 ? ", " : "") << quoted(values[n]);
+        for (std::size_t n = 0; n < values.size(); ++n) text_ << (n > 0 ? ", " : "") << toml_string(values[n]);
         text_ << "]\n";
     }
     void truth(const char* key) { text_ << key << " = true\n"; }

@@ -36,5 +36,12 @@ TEST(TomlText, ReadAgainItIsTheSame) {
     EXPECT_NE(read_again(toml_text(other)), table) << "the control";
 }
 
+TEST(TomlText, AStringIsReadBackWhateverItHolds) {
+    const std::string text = "a \"quoted\" back\\slash,\ta tab, a bell \x07 and \x7f";
+    base::ConfigReader reader("text = " + toml_string(text), "s.toml");
+    EXPECT_EQ(reader.root().text("text"), text);
+    EXPECT_TRUE(reader.finish()) << reader.error().message.view();
+}
+
 }  // namespace
 }  // namespace tedavis::host_sim::test_toml_text
