@@ -49,7 +49,7 @@ private:
                                                                                            : std::string();
     }
     [[nodiscard]] std::string file(const char* key) const {
-        const std::string name = text(key);
+        std::string name = text(key);
         if (name.empty()) return name;
         if (auto found = file_of_run(folder_, name)) return *found;
         throw UserError(folder_ + "/" + kSummaryName + ": its " + key + " " + name +
