@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "platform/egl_kms/egl_kms_surface.hpp"
-#include "target/file_text.hpp"
+#include "platform/files/file_text.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -68,7 +68,7 @@ platform::HostFault start_board_display(const BoardSettings& settings, platform:
 
 base::Error hold_board_deadline(const BoardSettings& settings, platform::DisplayHost& host) {
     if (settings.costs.empty()) return host.hold_deadline(settings.device.deadline_ms, {});
-    const auto text = read_file_text(settings.costs.c_str());
+    const auto text = platform::read_file_text(settings.costs.c_str());
     if (!text.ok()) return text.error();
     return host.hold_deadline(settings.device.deadline_ms, {settings.costs.view(), text.value().view()});
 }

@@ -24,6 +24,20 @@ int refuse(const base::Error& error) {
     return kWrongInput;
 }
 
+/// A service manager tries again after kFailed only.
+int refuse(const platform::ConfigError& error) {
+    const int code = refuse(static_cast<const base::Error&>(error));
+    return error.may_pass ? kFailed : code;
+}
+
+base::Result<BoardSettings, platform::ConfigError> settings_of(const CommandLine& line) {
+    auto settings = load_board_settings(line.config, line.pack_key);
+    if (!line.names_pack_key || !settings.ok() || settings.value().pack.is_pack()) return settings;
+    return base::fail(platform::ConfigError{
+        base::make_error("--pack-key ", line.pack_key, ": ", line.config,
+                         " is of no pack, so that no signature would be asked for; name a pack, or leave the key out")});
+}
+
 /// Of a program that decodes wrongly no picture may be shown. False where a check does not hold.
 bool test_start(const BoardClocks& clocks, StartTest& test) {
     const base::Time begun = clocks.live.monotonic();
@@ -40,8 +54,13 @@ bool test_start(const BoardClocks& clocks, StartTest& test) {
     return false;
 }
 
+void say_age(const platform::CheckedPack& pack, const BoardClocks& clocks) {
+    const auto words = platform::words_of_age(pack, clocks.live.wall().ns);
+    if (!words.empty()) EventLog().write({words.view()});
+}
+
 int run_display(const CommandLine& line, std::FILE* out) {
-    const auto settings = load_board_settings(line.config);
+    const auto settings = settings_of(line);
     if (!settings.ok()) return refuse(settings.error());
     StartTest test;
     if (!test_start(machine_clocks(), test)) return kFailed;
@@ -58,13 +77,16 @@ int run_display(const CommandLine& line, std::FILE* out) {
     const StopSignal stop;
     const auto application = std::make_unique<DisplayApplication>(settings.value(), std::move(ports));
     if (const base::Error error = application->start()) {
-        const int code = refuse(error);
-        return application->screen().may_come ? kFailed : code;  // a service manager tries again after kFailed only
+        const int code = refuse(platform::fault_of_start(settings.value().pack, error));
+        return application->screen().may_come ? kFailed : code;
     }
+    if (const base::Error changed = platform::confirm_pack(settings.value().pack))
+        return refuse(platform::ConfigError{changed, true});
     const base::Surface& surface = application->surface();
     if (line.shot != nullptr)
         if (const base::Error error = snapshot.start(line.shot, surface.width(), surface.height())) return refuse(error);
     print_start(*application, line.json, out, test);
+    say_age(settings.value().pack, machine_clocks());
     const RunReport report = application->run(line.frames, stop);
     print_end(report, line.json, out);
     return report.end == RunEnd::stopped ? kDone : kFailed;
@@ -74,7 +96,7 @@ int run_display(const CommandLine& line, std::FILE* out) {
 int test_machine(const CommandLine& line, std::FILE* out) {
     SelfTestReport report;
     if (line.config != nullptr) {
-        const auto settings = load_board_settings(line.config);
+        const auto settings = settings_of(line);
         if (!settings.ok()) return refuse(settings.error());
         report.add("board_file", true, settings.value().title.view());
         check_board(settings.value(), report);
@@ -92,7 +114,7 @@ int probe(const CommandLine& line, std::FILE* out) {
         print_offer(report, line.json, out);
         return kDone;
     }
-    const auto settings = load_board_settings(line.config);
+    const auto settings = settings_of(line);
     if (!settings.ok()) return refuse(settings.error());
     report.add("board_file", true, settings.value().title.view());
     probe_board(settings.value(), ports, report);
@@ -101,7 +123,7 @@ int probe(const CommandLine& line, std::FILE* out) {
 }
 
 int calibrate(const CommandLine& line, std::FILE* out) {
-    const auto settings = load_board_settings(line.config);
+    const auto settings = settings_of(line);
     if (!settings.ok()) return refuse(settings.error());
     const StopSignal stop;
     const CalibrateRequest request{line.output, line.rounds, line.json};
@@ -112,7 +134,7 @@ int calibrate(const CommandLine& line, std::FILE* out) {
 }
 
 int write_board_shaders(const CommandLine& line, std::FILE* out) {
-    const auto settings = load_board_settings(line.config);
+    const auto settings = settings_of(line);
     if (!settings.ok()) return refuse(settings.error());
     const StopSignal stop;
     const base::Error error = write_shaders(settings.value(), line.shaders, stop, line.json, out);

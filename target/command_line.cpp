@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "platform/files/file_byte_source.hpp"
 #include "platform/runtime/bench_frames.hpp"
 
 namespace tedavis::target {
@@ -41,6 +42,8 @@ private:
             return refuse({"--config: is missing; name the board file"});
         if (is_writing && line_.shaders[0] == '\0')
             return refuse({"--write-shaders: is empty; name the folder of programs to write"});
+        if (line_.names_pack_key && line_.config == nullptr)
+            return refuse({"--pack-key: belongs to --config; name the pack, or leave the key out"});
         if (!is_run && line_.shot != nullptr) return refuse({"--shot: belongs to a run; leave it out"});
         if (line_.shot != nullptr && line_.shot[0] == '\0') return refuse({"--shot: is empty; name the picture to write"});
         if (!is_run && line_.frames != 0) return refuse({"--frames: belongs to a run; leave it out"});
@@ -85,6 +88,8 @@ private:
             take_rounds(argument);
         } else if (argument == "--config") {
             line_.config = value_of(argument);
+        } else if (argument == "--pack-key") {
+            take_pack_key(argument);
         } else if (argument == "--shot") {
             line_.shot = value_of(argument);
         } else if (argument == "--frames") {
@@ -92,6 +97,16 @@ private:
         } else {
             refuse({"'", argument, "': no such option"});
         }
+    }
+
+    /// The file must exist; without it no signature would be asked for.
+    void take_pack_key(std::string_view option) {
+        const char* value = value_of(option);
+        if (value == nullptr) return;
+        line_.pack_key = value;
+        line_.names_pack_key = true;
+        const auto key = platform::open_file(value);
+        if (!key.ok()) refuse({"--pack-key ", key.error().message.view()});
     }
 
     void take_frames(std::string_view option) {
@@ -141,7 +156,10 @@ const char* command_line_help() noexcept {
            "                               makes the programs of a device without a compiler, for [programs] in the board file\n"
            "  tedavis-display --help | --version\n"
            "\n"
-           "  --config F   the board file; with --self-test, it is started on a trial, and every file that it names is read\n"
+           "  --config F   the board file, or the folder of a pack that `tedavis pack` wrote; with --self-test, it is started on "
+           "a\n"
+           "               trial, and every file that it names is read\n"
+           "  --pack-key F the public key of minisign that a pack must be signed with (/etc/tedavis/pack.pub, where it exists)\n"
            "  --frames N   stop after N frames\n"
            "  --shot P     writes the picture of the next frame after SIGUSR1 to P (.png), and that of the last of N frames\n"
            "  --probe      with --config: looks at screen, GL, bus, switches and files of the board, fast, and says in one\n"

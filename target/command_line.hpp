@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "platform/configuration/pack_check.hpp"
 #include "render_core/base/error.hpp"
 #include "render_core/base/result.hpp"
 
@@ -12,8 +13,10 @@ enum class Request : std::uint8_t { run, self_test, probe, calibrate, write_shad
 
 struct CommandLine {
     Request request = Request::run;
-    const char* config = nullptr;  ///< board file; null only for requests that need none
-    std::uint64_t frames = 0;      ///< 0: run until a signal
+    const char* config = nullptr;                        ///< board file, or a pack; null only for requests that need none
+    const char* pack_key = platform::kInstalledPackKey;  ///< key that a pack must be signed with
+    bool names_pack_key = false;                         ///< --pack-key was given, so there must be a pack
+    std::uint64_t frames = 0;                            ///< 0: run until a signal
     bool json = false;
     const char* shot = nullptr;     ///< of a run: the file of a picture; null: none
     const char* output = nullptr;   ///< of a calibration; not null there

@@ -25,6 +25,7 @@ base::Error DisplayApplication::start() {
         ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});
     start_scene();
     start_records();
+    warmer_.begin(display().planner());
     flight_.start(ports_.clocks.live.monotonic());
     return {};
 }
@@ -35,6 +36,11 @@ void DisplayApplication::start_scene() {
     if (!scene_watch_.start(settings_.scene.c_str(), display().planner().data().spare(), 0))
         ports_.log.write({settings_.scene.view(),
                           ": is not shown, for the machine gives no thread for reading it; end other programs and start again"});
+    if (!settings_.pack.is_pack()) return;
+    // The scene of a pack is the one that was checked, until the next start.
+    scene_watch_.await_first_look();
+    take_new_scene();
+    scene_watch_.stop();
 }
 
 void DisplayApplication::take_new_scene() {
@@ -43,8 +49,10 @@ void DisplayApplication::take_new_scene() {
     const scene::Scene* const loaded = scene_watch_.loaded();
     if (loaded == nullptr) return;
     const std::uint64_t revision = loaded->header().revision;
-    if (display().take_scene(*loaded))
+    if (display().take_scene(*loaded)) {
         ports_.log.write({settings_.scene.view(), ": has revision ", base::digits(revision).view()});
+        warmer_.begin(display().planner());  // designs that put data first have waited for it
+    }
     scene_watch_.go_on(display().planner().data().spare(), revision);
 }
 
@@ -57,21 +65,22 @@ void DisplayApplication::await_compilation(const flight::FrameInput& input) {
 }
 
 base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
-    take_new_scene();
-    const flight::FrameInput input = flight_.at(now, display().planner());
-    await_compilation(input);
-    display().plan(input);
+    if (!std::exchange(follows_warming_, false)) take_new_scene();
+    input_ = flight_.at(now, display().planner());
+    await_compilation(input_);
+    display().plan(input_);
     display().draw(host_.surface());
     if (is_pictured_) ports_.snapshot->take(display().gl());
     hold_for_screen();
     const base::SurfaceState state = host_.surface().present();
     report_screen();
+    delivery_.values = values_of(input_.state);
     delivery_.can_to_screen = note_latency();
     delivery_.is_on_screen = state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master &&
                              (screen_.connector.empty() || screen_.shown_at);
     if (!has_first_picture_ && state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master)
-        note_first_picture(input);
-    if (state == base::SurfaceState::ready) phase_events_.report(input.phase, ++drawn_, ports_.clocks.live.monotonic());
+        note_first_picture(input_);
+    if (state == base::SurfaceState::ready) phase_events_.report(input_.phase, ++drawn_, ports_.clocks.live.monotonic());
     return state;
 }
 
@@ -99,6 +108,24 @@ void DisplayApplication::note_first_picture(const flight::FrameInput& input) {
     if (display().record().terrain.pending > 0) return;
     has_first_picture_ = true;
     first_picture_ = ports_.process_age();
+}
+
+/// Behind a correct picture, with frames of the flight between them: a design may take as long as many frames.
+void DisplayApplication::warm_next_design() {
+    constexpr std::uint64_t kFramesBetween = 8;
+    delivery_.is_warm = warmer_.is_done();
+    if (delivery_.is_warm || !has_first_picture_ || drawn_ % kFramesBetween != 0) return;
+    if (display().memory().must_be_drawn()) return;
+    watchdog_.expect_slow_frames();
+    follows_warming_ = warmer_.draw_next(display(), host_.surface(), input_);
+    if (warmer_.is_done() && !is_warm_) note_warm();
+}
+
+void DisplayApplication::note_warm() {
+    is_warm_ = true;
+    if (ports_.process_age == nullptr) return;
+    warm_ = ports_.process_age();
+    ports_.log.write({"all designs have been drawn once; from now on no change of phase waits for the graphics driver"});
 }
 
 /// Off screen, a picture is shown when it has been completed.
@@ -137,6 +164,7 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     pacer_ = FramePacer(settings_.device.frame_rate_hz, clocks.live.monotonic());
     delivery_.run_begun = clocks.live.monotonic();
     while (!stop.requested() && (frames == 0 || report.frames < frames)) {
+        warm_next_design();
         const base::Time begun = clocks.live.monotonic();
         is_pictured_ = wants_picture(report.frames + 1 == frames);
         if (draw_frame(begun) != base::SurfaceState::ready) {
@@ -158,6 +186,8 @@ RunReport DisplayApplication::run(std::uint64_t frames, const StopSignal& stop) 
     report.screen = screen_;
     report.has_first_picture = has_first_picture_;
     report.first_picture = first_picture_;
+    report.is_warm = is_warm_;
+    report.warm = warm_;
     report.bus = flight_.counters(clocks.live.monotonic());
     report.latency = flight_.latency().report();
     return report;

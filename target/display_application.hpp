@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "platform/runtime/design_warmer.hpp"
 #include "platform/runtime/display_host.hpp"
 #include "target/board_clocks.hpp"
 #include "target/board_config.hpp"
@@ -48,6 +49,8 @@ struct RunReport {
     std::uint64_t gl_calls_outside_device = 0;
     bool has_first_picture = false;
     base::Duration first_picture;  ///< from the start of the process until the first correct picture was shown
+    bool is_warm = false;          ///< all designs were drawn
+    base::Duration warm;           ///< from the start of the process until then
     bus::BusCounters bus;
     LatencyReport latency;
     platform::ScreenReport screen;  ///< without a connector: the surface is no screen
@@ -87,6 +90,8 @@ private:
     [[nodiscard]] base::Time next_frame(base::Duration work);
     void start_scene();
     void take_new_scene();
+    void warm_next_design();
+    void note_warm();
 
     BoardSettings settings_;
     BoardPorts ports_;
@@ -103,6 +108,11 @@ private:
     platform::DisplayHost host_;
     bool has_first_picture_ = false;
     base::Duration first_picture_;
+    platform::DesignWarmer warmer_;
+    bool follows_warming_ = false;  ///< the next frame: a new scene, which fades in over the last frame, waits for it
+    bool is_warm_ = false;          ///< has been, since the start
+    base::Duration warm_;
+    flight::FrameInput input_;  ///< of the last frame
     bool is_pictured_ = false;  ///< the frame that is drawn next
     FrameDelivery delivery_;    ///< of the last frame
     RecordSocket records_;

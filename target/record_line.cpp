@@ -1,5 +1,6 @@
 #include "target/record_line.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "render_core/base/units.hpp"
@@ -41,6 +42,14 @@ void add_signals(const display::FrameRecord& record, JsonLine& line) {
     line.close_list();
 }
 
+/// Those that there are.
+void add_values(const std::array<double, flight::kSignalCount>& values, JsonLine& line) {
+    line.open_object("values");
+    for (std::size_t n = 0; n < flight::kSignalCount; ++n)
+        if (std::isfinite(values[n])) line.number(flight::to_string(static_cast<flight::Signal>(n)), values[n]);
+    line.close_object();
+}
+
 void add_terrain(const display::TerrainRecord& terrain, JsonLine& line) {
     line.open_object("terrain").number("tau_px", terrain.tau_px).number("tau_reached_px", terrain.tau_reached_px);
     line.text("limit", terrain.limit.view()).number("worst_error_px", terrain.worst_error_px);
@@ -71,22 +80,30 @@ void add_effects(const display::FrameRecord& record, JsonLine& line) {
 }
 
 void add_delivery(const FrameDelivery& delivery, JsonLine& line) {
-    line.boolean("on_screen", delivery.is_on_screen);
+    line.boolean("warm", delivery.is_warm).boolean("on_screen", delivery.is_on_screen);
     line.number("can_to_screen_ms", delivery.can_to_screen ? milliseconds_of(*delivery.can_to_screen) : kNotKnown);
     line.open_object("ms").number("total", milliseconds_of(delivery.took)).close_object();
 }
 
 }  // namespace
 
+std::array<double, flight::kSignalCount> values_of(const flight::AircraftState& state) {
+    std::array<double, flight::kSignalCount> values{};
+    for (std::size_t n = 0; n < flight::kSignalCount; ++n) values[n] = state[static_cast<flight::Signal>(n)].value_or(kNotKnown);
+    return values;
+}
+
 void write_record(const display::FrameRecord& record, const FrameDelivery& delivery, JsonLine& line) {
     line.clear();
     line.open_object().number("frame", record.frame).number("time_s", (record.time - delivery.run_begun).to_seconds());
+    line.number("monotonic_s", (record.time - base::Time{}).to_seconds());
     const flight::FlightTime& time = record.flight_time;
     line.open_object("utc").number("time_s", time.is_date ? (time.utc - base::Time{}).to_seconds() : kNotKnown);
     line.boolean("confirmed", time.is_confirmed).close_object();
     add_phase(record.phase, line);
     add_own_ship(record, line);
     add_signals(record, line);
+    add_values(delivery.values, line);
     add_terrain(record.terrain, line);
     add_alerts(record.alerts, line);
     line.number("scene_revision", record.scene_revision);

@@ -61,6 +61,13 @@ base::FixedString<31> size_text(const base::Surface& surface) {
     return text;
 }
 
+void add_pack(const platform::CheckedPack& pack, JsonLine& json) {
+    if (!pack.is_pack()) return;
+    json.open_object("pack").text("folder", pack.folder.view()).text("title", pack.title.view()).number("files", pack.files);
+    json.boolean("signed", pack.is_signed).text("valid_from", pack.valid_from.view());
+    json.text("valid_until", pack.valid_until.view()).close_object();
+}
+
 void print_start_json(DisplayApplication& application, const StartTest& test, std::FILE* out) {
     const BoardSettings& settings = application.settings();
     JsonLine json;
@@ -77,6 +84,7 @@ void print_start_json(DisplayApplication& application, const StartTest& test, st
     json.text("terrain_fault", application.terrain_fault().message.view());
     json.text("scene", settings.scene.view());
     json.text("switches", settings.has_switches ? settings.switches.title.view() : "");
+    add_pack(settings.pack, json);
     if (test.checks > 0)
         json.open_object("self_test")
             .boolean("holds", true)
@@ -119,6 +127,9 @@ void print_start(DisplayApplication& application, bool json, std::FILE* out, con
                                                                    : "FAILED",
                      settings.scene.empty() ? "none" : settings.scene.c_str(),
                      settings.has_switches ? settings.switches.title.c_str() : "none");
+        if (settings.pack.is_pack())
+            std::fprintf(out, "pack %s: %" PRIu64 " files, each as packed%s\n", settings.pack.title.c_str(), settings.pack.files,
+                         settings.pack.is_signed ? ", signed" : "");
         if (test.checks > 0)
             std::fprintf(out, "self-test of the start: passed, %zu checks in %.1f ms\n", test.checks,
                          test.took.to_seconds() * 1000);
@@ -137,6 +148,7 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
         line.open_object().text("end", to_string(report.end)).number("frames", report.frames).number("missed", report.missed);
         line.number("gl_calls_outside_device", report.gl_calls_outside_device);
         line.number("first_picture_s", report.has_first_picture ? report.first_picture.to_seconds() : std::nan(""));
+        line.number("warm_s", report.is_warm ? report.warm.to_seconds() : std::nan(""));
         line.open_object("can");
         line.number("frames", report.bus.frames).number("decoded", report.bus.decoded).number("alien", report.bus.alien);
         line.number("errors", report.bus.errors).number("dropped", report.bus.dropped);
@@ -153,6 +165,8 @@ void print_end(const RunReport& report, bool json, std::FILE* out) {
                      report.bus.errors, report.bus.dropped, report.gl_calls_outside_device);
         if (report.has_first_picture)
             std::fprintf(out, "first correct picture %.2f s after the start of the process\n", report.first_picture.to_seconds());
+        if (report.is_warm)
+            std::fprintf(out, "all designs drawn once %.2f s after the start of the process\n", report.warm.to_seconds());
         if (report.latency.pictures > 0) print_latency(report.latency, out);
         if (!report.screen.connector.empty()) print_screen(report.screen, out);
     }

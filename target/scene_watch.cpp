@@ -32,6 +32,13 @@ bool SceneWatch::start(const char* path, base::Arena& room, std::uint64_t shown,
     return is_running_;
 }
 
+void SceneWatch::await_first_look() {
+    if (!is_running_) return;
+    pthread_mutex_lock(&mutex_);
+    while (!has_looked_) pthread_cond_wait(&looked_, &mutex_);
+    pthread_mutex_unlock(&mutex_);
+}
+
 void SceneWatch::stop() {
     if (!is_running_) return;
     pthread_mutex_lock(&mutex_);
@@ -77,6 +84,8 @@ void SceneWatch::serve() {
             pthread_mutex_unlock(&mutex_);
             look();
             pthread_mutex_lock(&mutex_);
+            has_looked_ = true;
+            pthread_cond_signal(&looked_);
         }
         const std::timespec next = after_ms(period_ms_);
         if (!is_stopping_) pthread_cond_timedwait(&wake_, &mutex_, &next);

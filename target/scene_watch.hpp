@@ -31,6 +31,8 @@ public:
     /// Examines the file every `period_ms`. `path` and `room` must stay valid until stop(). `shown` is the revision in use, 0
     /// for none. Returns false where the thread cannot be created.
     [[nodiscard]] bool start(const char* path, base::Arena& room, std::uint64_t shown, std::uint32_t period_ms = 1000);
+    /// Waits until the file was looked at for the first time.
+    void await_first_look();
     void stop();
 
     /// Returns a newer scene, which lies in `room`, or null. It stays valid until go_on().
@@ -55,7 +57,7 @@ private:
 
     const char* path_ = "";
     pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;
-    pthread_cond_t wake_ = PTHREAD_COND_INITIALIZER;
+    pthread_cond_t wake_ = PTHREAD_COND_INITIALIZER, looked_ = PTHREAD_COND_INITIALIZER;
     pthread_t thread_{};
     std::uint32_t period_ms_ = 0;
     bool is_running_ = false, is_stopping_ = false;
@@ -63,7 +65,7 @@ private:
     base::Arena* room_ = nullptr;
     std::uint64_t shown_ = 0;
     scene::Scene scene_;
-    bool is_loaded_ = false, is_first_look_ = true;
+    bool is_loaded_ = false, is_first_look_ = true, has_looked_ = false;
     Stamp seen_;
     base::FixedString<383> fault_;
 };

@@ -3,9 +3,11 @@ get_target_property(TARGET_TYPE_OF_BUS tedavis_bus TYPE)
 find_package(Threads REQUIRED)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(GPIOD IMPORTED_TARGET libgpiod)
+pkg_check_modules(SODIUM REQUIRED IMPORTED_TARGET libsodium)
 
 # libEGL is linked, libGLESv2 never: all GL goes through our call table.
 target_link_libraries(tedavis_platform PUBLIC PkgConfig::EGL Threads::Threads ${CMAKE_DL_LIBS})
+target_link_libraries(tedavis_platform_configuration PRIVATE PkgConfig::SODIUM)
 if(TEDAVIS_OSMESA)
   find_path(TEDAVIS_OSMESA_INCLUDE GL/osmesa.h)
   if(TEDAVIS_OSMESA_INCLUDE)

@@ -1,4 +1,5 @@
-/// `accuracy.json`, which is also what `accuracy --json` prints, and `accuracy.csv`, a line a level. README.md lists the keys.
+/// `accuracy.json`, which is also what `accuracy --json` prints, and `accuracy.csv`, one line per level.
+/// host_sim/accuracy/README.md lists the keys.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,8 @@ namespace tedavis::host_sim {
 inline constexpr char kAccuracySchema[] = "tedavis.accuracy/5";
 
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const AccuracyReport& report);
-/// Reads what accuracy_json() wrote. Throws UserError, which begins with `name`: no JSON, another schema, keys that are missing.
+/// Reads what accuracy_json() wrote. Throws UserError, whose message begins with `name`, if the text is not a JSON object, has
+/// another schema or lacks keys.
 [[nodiscard]] AccuracyReport read_accuracy(const std::string& text, const std::string& name);
 [[nodiscard]] std::string accuracy_csv(const AccuracyReport& report);
 

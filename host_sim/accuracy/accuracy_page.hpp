@@ -1,4 +1,4 @@
-/// `report.html` of `tedavis accuracy`: one file that needs nothing but itself, readable on a phone and on paper.
+/// `report.html` of `tedavis accuracy`: one self-contained file, readable on a phone and on paper.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace tedavis::host_sim {
 
-/// A summary, then a section a knob: its chart, its levels, its laws, what the next level costs, what it is measured against.
+/// Returns a summary, then one section for each knob (a setting that trades accuracy for time): its error and reference, a chart,
+/// a table of its levels, the power laws fitted to error and time, and the cost of the next level.
 [[nodiscard]] std::string accuracy_page(const AccuracyReport& report);
 
 }  // namespace tedavis::host_sim

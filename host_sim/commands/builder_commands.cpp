@@ -79,6 +79,18 @@ void add_terrain(CLI::App& app, CommandLine& line) {
     cache->add_flag("--clear", k.clear, "removes them; fly builds anew what it needs");
 }
 
+void add_pack(CLI::App& app, CommandLine& line) {
+    PackOptions& o = line.pack;
+    CLI::App* command = add_long_command(app, line, "pack", "one folder, hashed and dated, that desk and board both start from",
+                                         [&o](Console& console) { return run_pack(o, console); });
+    command->add_option("CONFIG", o.config, "configuration: a board file, or what replay --save-config wrote")->required();
+    command->add_option("-o", o.output, "folder to write: the pack")->required();
+    command->add_flag("--replace", o.replaces, "replaces an earlier pack at that place, in one step");
+    command->add_option("--valid-from", o.valid_from, "first UTC day on which the data may be used, such as 2026-12-01");
+    command->add_option("--valid-until", o.valid_until, "last such day");
+    command->add_option("--sign", o.sign, "secret key of minisign: signs the pack's manifest");
+}
+
 }  // namespace
 
 void add_flight_options(CLI::App* command, ConvertOptions& o) {
@@ -121,6 +133,7 @@ void add_builders(CLI::App& app, CommandLine& line) {
     add_scenario(app, line);
     add_scene(app, line);
     add_terrain(app, line);
+    add_pack(app, line);
 }
 
 }  // namespace tedavis::host_sim

@@ -4,6 +4,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/own_ground.hpp"
+#include "host_sim/flight_test/input_logs.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 
@@ -18,6 +19,14 @@ void BuiltInputs::resolve(FlightTest& test) {
     test.picture.terrain = terrain(test.picture.terrain);
     if (!test.scenario.empty()) take_scenario(test);
     test.picture.scene = scene(test.picture.scene);
+}
+
+void BuiltInputs::resolve_to_fly(FlightTest& test) {
+    try {
+        resolve(test);
+    } catch (const Interrupted&) {
+        throw Interrupted(kTestInterrupted);
+    }
 }
 
 template <class Build>

@@ -17,6 +17,8 @@ public:
     /// Replaces names in the test by the paths of what was built, and its scenario by a log. Throws UserError for an unknown
     /// name, and Interrupted.
     void resolve(FlightTest& test);
+    /// The same, of a test that is then flown: what is interrupted speaks of the test, and not of the files that were built.
+    void resolve_to_fly(FlightTest& test);
 
 private:
     template <class Build>

@@ -23,6 +23,7 @@
 #include "host_sim/measure/palette_check.hpp"
 #include "host_sim/measure/symbology_palette_check.hpp"
 #include "host_sim/options/replay_config.hpp"
+#include "host_sim/pack/pack_contents.hpp"
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/replay/resolved_design.hpp"
 #include "host_sim/reports/height_findings.hpp"
@@ -153,9 +154,34 @@ std::string check_scenario(const std::string& path) {
     return found;
 }
 
-std::string check_replay_config(const std::string& path) {
-    (void)load_replay_config(path);
-    return "replay options";
+/// Files of a board lie there. The sentence says how they are tested.
+std::size_t sound_files(const ReplayOptions& options, const std::string& path) {
+    try {
+        return pack_contents(options, path).files.size();
+    } catch (const UserError& error) {
+        if (!options.config->has_can || options.pack.is_pack()) throw;
+        throw UserError(error.what() + ("; a file of the board is tested there: tedavis-display --self-test --config " + path));
+    }
+}
+
+/// A display starts without its scene, and takes it over when it comes; that of a pack is there.
+bool leave_absent_scene(ReplayOptions& options) {
+    if (options.pack.is_pack() || options.config->scene.empty() || fs::exists(fs::symlink_status(options.config->scene.c_str())))
+        return false;
+    platform::DisplayConfig config = *options.config;
+    config.scene.clear();
+    options.config = std::make_shared<platform::DisplayConfig>(config);
+    return true;
+}
+
+/// Each file that it names is read as at a start.
+std::string check_configuration(const std::string& path) {
+    ReplayOptions options = load_replay_config(path);
+    const bool lacks_scene = leave_absent_scene(options);
+    const std::size_t files = sound_files(options, path);
+    if (options.pack.is_pack()) return "a pack of " + std::to_string(options.pack.files) + " files, each as packed";
+    return "a configuration of desk and board, which names " + std::to_string(files) + " sound files" +
+           (lacks_scene ? " and a scene that is not there yet" : "");
 }
 
 std::string check_sheet(const std::string& path) {
@@ -214,7 +240,7 @@ struct FolderKind {
     std::string_view folder, key;  ///< place under configs/; a key that only this kind has
     FileChecker check;
 };
-constexpr std::array<FolderKind, 19> kConfigKinds = {{{"designs", "[view]", check_design},
+constexpr std::array<FolderKind, 21> kConfigKinds = {{{"designs", "[view]", check_design},
                                                       {"designs", "based_on =", check_design},
                                                       {"designs", "[phases]", check_design},
                                                       {"symbology", "[night]", check_symbology_palette},
@@ -232,7 +258,9 @@ constexpr std::array<FolderKind, 19> kConfigKinds = {{{"designs", "[view]", chec
                                                       {"contracts", "[[condition]]", check_contract},
                                                       {"flight_tests", "[[expect]]", check_flight_test},
                                                       {"costs", "[cost.terrain]", check_costs},
-                                                      {"replays", "[picture]", check_replay_config}}};
+                                                      {"boards", "[can]", check_configuration},
+                                                      {"boards", "[surface]", check_configuration},
+                                                      {"boards", "[replay]", check_configuration}}};
 
 /// A palette may be of terrain and data or of the symbology, whichever folder of palettes it lies in.
 bool is_of_symbology(const std::string& text) {
@@ -250,9 +278,6 @@ FileChecker config_checker(const std::string& path) {
             return kind.check == check_palette && is_of_symbology(read_file(path)) ? check_symbology_palette : kind.check;
     }
     const std::string text = read_file(path);
-    if (folder == "boards" || text.find("[can]") != std::string::npos)
-        throw UserError(
-            path + ": a board file, which only the board's own program reads; run tedavis-display --self-test --config " + path);
     for (const FolderKind& kind : kConfigKinds) {
         if (text.find(kind.key) != std::string::npos) return kind.check;
     }
@@ -264,6 +289,7 @@ FileChecker config_checker(const std::string& path) {
 
 CheckedFile check_file(const std::string& path, const CheckOptions& options) {
     const std::string extension = fs::path(path).extension().string();
+    if (fs::is_regular_file(path + "/" + platform::kPackManifest)) return check_configuration(path);
     if (extension == ".toml") return config_checker(path)(path);
     if (extension == ".tdb") return check_terrain(path);
     if (extension == ".sdb") return check_scene_database(path);

@@ -20,6 +20,7 @@
 #include "host_sim/commands/evaluate.hpp"
 #include "host_sim/commands/fly.hpp"
 #include "host_sim/commands/kept_terrains.hpp"
+#include "host_sim/commands/pack.hpp"
 #include "host_sim/commands/record.hpp"
 #include "host_sim/commands/replay.hpp"
 #include "host_sim/commands/scenario.hpp"
@@ -50,6 +51,7 @@ struct CommandLine {
     TerrainFractalOptions terrain_fractal;
     TerrainCacheOptions terrain_cache;
     ReplayOptions replay;
+    PackOptions pack;
     FlyOptions fly;
     ShotOptions shot;
     TraceOptions trace;
@@ -68,6 +70,8 @@ struct CommandLine {
     AccuracyOptions accuracy;
     ShadersOptions shaders;
     std::string replay_config;
+    std::string pack_key = platform::kInstalledPackKey;
+    CLI::App* replay_command = nullptr;
     std::vector<CLI::Option*> replay_config_holds;  ///< options that must not be combined with --config
     bool json = false;
     std::function<int(Console&)> run;
@@ -102,7 +106,7 @@ Choice choice_from(const std::string& option, const std::string& word, const std
     throw UserError(option + " " + word + ": unknown; choose one of " + names);
 }
 
-/// convert, scenario, scene, terrain: commands that make the files that the display reads.
+/// convert, scenario, scene, terrain, pack: commands that make what the display reads.
 void add_builders(CLI::App& app, CommandLine& line);
 /// shot, trace, sheet, sweep, device, calibrate, accuracy, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);

@@ -16,15 +16,21 @@ void add_verify(CLI::App& app, CommandLine& line) {
     command->add_option("--junit", o.junit, "file to write the results to as JUnit XML");
     command->add_option("-o", o.output,
                         "folder to write to: of each script that fails the picture of its first failing instant, "
-                        "and the frame's record");
+                        "and the frame's record; of one on a board the record");
+    command->add_option("--target", o.target, "flies against a running tedavis-display: its record socket; needs --board");
+    command->add_option("--board", o.board, "board file of that display, whose bus and panel the scripts then have");
+    command->add_option("--interface", o.interface_name, "CAN interface to send on; default: the board file's");
+    command->add_option(
+        "--panel-lines", o.panel_lines,
+        "folder with sim_gpioN/pull of the lines of the board's panel (gpio-sim), for scripts that throw switches");
+    command->add_flag("--strict", o.strict, "on a board: what cannot be judged, and a script that is left out, has not passed");
 }
 
 /// The log, and what a script can say of its display; defaults are those of scripts.
 void add_recorded_flight(CLI::App* command, RecordOptions& o) {
-    command
-        ->add_option("LOG", o.input,
-                     "candump log, folder of a replay or of a generated flight, or shipped scenario, such as default")
-        ->required();
+    command->add_option("LOG", o.input,
+                        "candump log, folder of a replay or of a generated flight, or shipped scenario, such as default; with "
+                        "--target none");
     command->add_option("--switches", o.switches, "switch log; default: none, or that of the folder");
     command->add_option("--switch-config", o.switch_config, "panel, file or shipped name; default: one_hot");
     command->add_option("--bus", o.bus, "bus file or shipped name: how the frames are read; default: canaerospace");
@@ -53,7 +59,15 @@ void add_record(CLI::App& app, CommandLine& line) {
     command->add_option("--margin", o.margin_s, "seconds by which a change may come earlier or later (README.md of flight_tests)")
         ->check(CLI::Range(0.0, 60.0))
         ->capture_default_str();
-    command->add_flag("--yes", o.yes, "replaces a script that is there already");
+    command->add_flag("--yes", o.yes, "replaces a script that is there already, and with --target its log");
+    command->add_option(
+        "--target", o.target,
+        "a running tedavis-display by its record socket, instead of LOG; its bus is written as a log beside the script");
+    command->add_option("--board", o.board, "board file of that display");
+    command->add_option("--interface", o.interface_name, "CAN interface to listen to; default: the board file's");
+    command->add_option("--for", o.for_s, "seconds to listen to it")
+        ->check(CLI::Range(10.0, kLatestTestTime_s))
+        ->capture_default_str();
 }
 
 void add_bus(CLI::App& app, CommandLine& line) {

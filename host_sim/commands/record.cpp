@@ -6,6 +6,8 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/built_inputs.hpp"
+#include "host_sim/commands/record_board.hpp"
+#include "host_sim/commands/verify_board.hpp"
 #include "host_sim/flight_test/fly_flight_test.hpp"
 #include "host_sim/flight_test/read_steps.hpp"
 #include "host_sim/flight_test/recorded_script.hpp"
@@ -39,6 +41,11 @@ void check_record_options(const RecordOptions& options) {
     std::error_code error;
     if (fs::exists(options.output, error) && !options.yes)
         throw UserError(options.output + ": is there already, perhaps edited; name another script, or replace it with --yes");
+    const std::string log = log_beside(options.output);
+    if (!options.target.empty() && fs::exists(log, error) && !options.yes)
+        throw UserError(log +
+                        ": is there already, and the log of the bus is written there; name another script, or replace both with "
+                        "--yes");
 }
 
 /// In a script "$" stands for a parameter.
@@ -97,19 +104,25 @@ void require_inputs(FlightTest& test) {
         if (!path.empty()) require_regular_file(path);
 }
 
+Recording recording_of(const FactTracks& tracks, double rate_hz, double margin_s) {
+    Recording recording;
+    RecordingRule rule;
+    rule.margin_s = margin_s;
+    rule.rate_hz = rate_hz;
+    recording.expectations = expectations_of(tracks, rule);
+    recording.from_s = tracks.first_s();
+    recording.to_s = tracks.last_s();
+    return recording;
+}
+
 Recording record_span(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings, const RecordOptions& options,
                       Console& console) {
     FactTracks tracks({!test.picture.terrain.empty(), !test.picture.scene.empty()});
     const FrameWatcher watcher{[&](const ObservedFrame& frame) { tracks.take(frame); },
                                [&](std::uint64_t done, std::uint64_t total) { console.progress("recording", done, total); }};
-    Recording recording;
-    recording.flight = watch_flight(test, display, settings, {options.from_s.value_or(0), options.to_s, {}}, watcher);
-    RecordingRule rule;
-    rule.margin_s = options.margin_s;
-    rule.rate_hz = recording.flight.rate_hz;
-    recording.expectations = expectations_of(tracks, rule);
-    recording.from_s = tracks.first_s();
-    recording.to_s = tracks.last_s();
+    const WatchedFlight flight = watch_flight(test, display, settings, {options.from_s.value_or(0), options.to_s, {}}, watcher);
+    Recording recording = recording_of(tracks, flight.rate_hz, options.margin_s);
+    recording.flight = flight;
     return recording;
 }
 
@@ -148,6 +161,20 @@ Recording record_flight(FlightTest& test, const RecordOptions& options, Console&
     }
 }
 
+/// A running display.
+Recording listen(const FlightTest& test, const RecordOptions& options, const BoardFile& board, std::ostream& log,
+                 Console& console) {
+    try {
+        FactTracks tracks({!test.picture.terrain.empty(), !test.picture.scene.empty()});
+        const std::uint64_t frames = record_live_board(options, board, log, tracks, console);
+        Recording recording = recording_of(tracks, board.rate_hz, options.margin_s);
+        recording.flight = {board.rate_hz, frames};
+        return recording;
+    } catch (const Interrupted&) {
+        throw Interrupted(kNotRecorded);
+    }
+}
+
 std::string seconds_words(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f s", seconds);
@@ -164,6 +191,10 @@ std::vector<std::string> notes_of(const Recording& recording, const RecordOption
                         " before and after the change, what lasts from so long after its beginning to so long before its end.");
     if (recording.to_s + 1 > kLatestTestTime_s)
         notes.push_back("The flight may go on: times of a script end at " + seconds_words(kLatestTestTime_s) + ".");
+    if (!options.target.empty())
+        notes.push_back(
+            "Recorded of a running display: the log beside it begins in flight, so what stands in its first seconds is not "
+            "expected; what takes longer to be known again (motion) is yours to remove.");
     if (!recording.expectations.left_out.empty())
         notes.push_back("Left out, so that it can be read: " + recording.expectations.left_out + ".");
     return notes;
@@ -184,19 +215,28 @@ nlohmann::ordered_json record_json(const Recording& recording, const RecordOptio
 
 int run_record(const RecordOptions& options, Console& console) {
     check_record_options(options);
-    FlightTest test = recorded_input(options);
-    require_inputs(test);
+    const std::optional<BoardFile> board = stated_board(options.target, options.board, options.interface_name);
+    FlightTest test = board ? board_input(options, *board) : recorded_input(options);
+    std::optional<AtomicFile> log;
+    if (board) {
+        require_replaceable_log(test.log);
+        log.emplace(test.log);
+    } else {
+        require_inputs(test);
+    }
     require_other_file(options.output, {test.log, test.switch_log, test.picture.terrain, test.picture.scene, test.picture.design,
                                         test.picture.device, test.picture.bus, test.picture.aircraft, test.switch_config});
     RecordedScript script = script_of_input(test, options);
     AtomicFile file(options.output);
-    Recording recording = record_flight(test, options, console);
+    Recording recording = board ? listen(test, options, *board, log->stream(), console) : record_flight(test, options, console);
     if (recording.expectations.list.empty())
-        throw UserError(options.input + ": too short to expect anything of it; say a longer span, or a smaller --margin");
+        throw UserError((board ? options.target : options.input) +
+                        ": too short to expect anything of it; say a longer span, or a smaller --margin");
     script.notes = notes_of(recording, options);
     script.expectations = recording.expectations.list;
     file.stream() << recorded_script_text(script);
     require_uninterrupted(options.output);
+    if (log) log->commit();
     file.commit();
     if (!recording.expectations.left_out.empty()) console.note("note: left out: " + recording.expectations.left_out);
     console.result(options.output + ": " + std::to_string(recording.expectations.list.size()) + " expectations of " +

@@ -82,6 +82,9 @@ void fill_from_folder(const std::string& folder, FlightTest& test) {
 }  // namespace
 
 FlightTest recorded_input(const RecordOptions& options) {
+    if (options.input.empty())
+        throw UserError(
+            "what to record is missing; name a log, a folder or a scenario, or --target with a display's record socket");
     FlightTest test;
     PictureOptions& picture = test.picture;
     picture.design = options.design;

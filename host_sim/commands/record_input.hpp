@@ -21,7 +21,9 @@ struct RecordOptions {
     std::optional<double> from_s, to_s;
     std::vector<double> at_s;  ///< instead of all frames between these two
     double margin_s = 0.5;
-    bool yes = false;  ///< replaces a script that is there already
+    bool yes = false;                           ///< replaces a script that is there already
+    std::string target, board, interface_name;  ///< instead of `input` a running display, as VerifyOptions has it
+    double for_s = 60;                          ///< to listen to it
 };
 
 /// The test that plays it, without expectations: names and paths are those of the options, which come first, and of the folder.

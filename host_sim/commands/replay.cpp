@@ -23,6 +23,7 @@
 #include "host_sim/replay/ledger_report.hpp"
 #include "host_sim/replay/run_estimate.hpp"
 #include "host_sim/replay/run_recorder.hpp"
+#include "host_sim/replay/started_pack.hpp"
 #include "host_sim/replay/terrain_span.hpp"
 #include "host_sim/reports/run_folder.hpp"
 #include "host_sim/temporary_folder.hpp"
@@ -147,6 +148,8 @@ int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Con
     DisplaySession session(options.picture, is_generated_flight(options.log));
     require_uninterrupted(options.output);
     FlightPlayer player(player_files(options), session.display(), &console, index_policy(options));
+    const std::string age = words_of_started(options.pack, player.first());
+    if (!age.empty()) console.note("note: " + age);
     const TimeRanges parts = parts_of(options, player, session);
     FramePreroll preroll(player, session, session.device().frame_rate_hz);
     const IntervalStore store(options, files, session, player, preroll, console);
@@ -159,6 +162,7 @@ int run_batch(const ReplayOptions& options, const InterruptGuard& interrupt, Con
     if (video) recorder.set_video(*video);
     prepare(recorder, options, overlay, parts, player);
     recorder.set_closest(closest);
+    if (!age.empty()) recorder.note(age);
     if (!options.save_config.empty()) save_replay_config(options, options.save_config);
     EffectLedger ledger(options.picture, {session.width(), session.height()}, is_generated_flight(options.log),
                         options.ledger ? times.count() : 0);

@@ -1,11 +1,75 @@
+#include <algorithm>
+#include <iterator>
+
 #include "host_sim/commands/command_groups.hpp"
 #include "host_sim/commands/display_options.hpp"
 #include "host_sim/commands/option_texts.hpp"
+#include "host_sim/input_file.hpp"
 #include "host_sim/options/replay_config.hpp"
 #include "host_sim/window/window_keys.hpp"
 
 namespace tedavis::host_sim {
 namespace {
+
+using PutOption = void (*)(const ReplayOptions& given, ReplayOptions& options);
+
+template <auto kMember>
+void put_member(const ReplayOptions& given, ReplayOptions& options) {
+    options.*kMember = given.*kMember;
+}
+void put_gl(const ReplayOptions& given, ReplayOptions& options) { options.picture.gl = given.picture.gl; }
+
+/// Options of the flight, which go before those of a configuration: it says what the display is.
+struct FlightOption {
+    const char* name;
+    PutOption put;
+};
+constexpr FlightOption kBeforeConfig[] = {{"LOG", put_member<&ReplayOptions::log>},
+                                          {"--switches", put_member<&ReplayOptions::switches>},
+                                          {"--phase", put_member<&ReplayOptions::phase>},
+                                          {"--class", put_member<&ReplayOptions::aircraft_class>},
+                                          {"--from", put_member<&ReplayOptions::from_s>},
+                                          {"--to", put_member<&ReplayOptions::to_s>},
+                                          {"--step", put_member<&ReplayOptions::step_s>},
+                                          {"--spread", put_member<&ReplayOptions::spread>},
+                                          {"--frames", put_member<&ReplayOptions::frames>},
+                                          {"--over-terrain", put_member<&ReplayOptions::over_terrain>},
+                                          {"--gl", put_gl},
+                                          {"--ghost", put_member<&ReplayOptions::ghosts>},
+                                          {"--ghost-align", put_member<&ReplayOptions::ghost_align>}};
+
+/// Options of the run, which no configuration has.
+constexpr PutOption kOfRun[] = {
+    put_member<&ReplayOptions::output>, put_member<&ReplayOptions::window>, put_member<&ReplayOptions::strict>,
+    put_member<&ReplayOptions::yes>,    put_member<&ReplayOptions::tour>,   put_member<&ReplayOptions::video>,
+    put_member<&ReplayOptions::layers>, put_member<&ReplayOptions::ledger>, put_member<&ReplayOptions::save_config>};
+
+bool is_given(const CommandLine& line, const char* option) { return line.replay_command->get_option(option)->count() > 0; }
+
+/// What the file says of the flight that its own log holds.
+void leave_own_log(ReplayOptions& options) {
+    options.switches.clear();
+    options.from_s.reset();
+    options.to_s.reset();
+    options.ghosts.clear();
+    options.ghost_align = ReplayOptions().ghost_align;
+}
+
+/// What of the flight the command line says itself.
+void put_given_flight(const CommandLine& line, const ReplayOptions& given, ReplayOptions& options) {
+    if (is_given(line, "LOG")) leave_own_log(options);
+    if (is_given(line, "--step")) options.spread.reset();
+    if (is_given(line, "--spread")) options.step_s.reset();
+    for (const FlightOption& option : kBeforeConfig)
+        if (is_given(line, option.name)) option.put(given, options);
+}
+
+/// Of a configuration alone nothing is signed.
+void require_pack_for_key(const CommandLine& line) {
+    if (line.replay.pack.is_pack()) return;
+    throw UserError("--pack-key " + line.pack_key + ": " + line.replay_config +
+                    " is of no pack, so that no signature would be asked for; name a pack, or leave the key out");
+}
 
 /// What --config says, with what may stand beside it on the command line.
 void use_replay_config(CommandLine& line) {
@@ -13,21 +77,27 @@ void use_replay_config(CommandLine& line) {
     for (const CLI::Option* option : line.replay_config_holds)
         if (option->count() > 0)
             throw UserError("--config " + line.replay_config + ": this file says it already; leave out " + option->get_name());
+    const bool names_key = is_given(line, "--pack-key");
+    if (names_key) require_regular_file(line.pack_key);  // without the file no signature would be asked for
     const ReplayOptions given = line.replay;
-    line.replay = load_replay_config(line.replay_config);
-    line.replay.output = given.output;
-    line.replay.window = given.window;
-    line.replay.strict = given.strict;
-    line.replay.yes = given.yes;
-    line.replay.tour = given.tour;
-    line.replay.video = given.video;
-    line.replay.save_config = given.save_config;
+    line.replay = load_replay_config(line.replay_config, line.pack_key);
+    if (names_key) require_pack_for_key(line);
+    put_given_flight(line, given, line.replay);
+    for (const PutOption put_own : kOfRun) put_own(given, line.replay);
+}
+
+/// Options of --config that something else must not say, too.
+bool is_held_by_config(const CLI::Option* option) {
+    for (const char* name : {"--help", "--json", "--layers", "--ledger"})
+        if (option->check_name(name)) return false;
+    return std::none_of(std::begin(kBeforeConfig), std::end(kBeforeConfig),
+                        [&](const FlightOption& before) { return option->check_name(before.name); });
 }
 
 int run_replay_line(CommandLine& line, Console& console) {
     use_replay_config(line);
     const std::string& from = line.replay_config.empty() ? std::string("replay") : line.replay_config;
-    if (line.replay.log.empty()) throw UserError(from + ": no log named; give a candump log, or --config with a saved replay");
+    if (line.replay.log.empty()) throw UserError(from + ": no log named; give a candump log, or --config with one in [replay]");
     return run_replay(line.replay, console);
 }
 
@@ -119,12 +189,18 @@ void add_replay(CLI::App& app, CommandLine& line) {
     CLI::App* command = add_long_command(app, line, "replay", "recorded bus through the core: frames, records and a report",
                                          [&line](Console& console) { return run_replay_line(line, console); });
     add_replay_config_options(command, line.replay);
-    line.replay_config_holds = command->get_options(
-        [](const CLI::Option* option) { return !option->check_name("--help") && !option->check_name("--json"); });
+    line.replay_command = command;
+    line.replay_config_holds = command->get_options(&is_held_by_config);
     add_replay_output(command, line.replay);
-    command->add_option(
+    CLI::Option* config = command->add_option(
         "--config", line.replay_config,
-        "a file that --save-config wrote; beside it only -o, --strict, --yes, --save-config, --video, --window and --tour");
+        "configuration of desk and board (a board file, or one that --save-config wrote), or the folder of a pack; it says what "
+        "the display is, and beside it stand options of the flight and of the run alone");
+    command
+        ->add_option("--pack-key", line.pack_key,
+                     "public key of minisign that a pack must be signed with, where this file exists")
+        ->capture_default_str()
+        ->needs(config);
     command->footer(window_keys_help());
 }
 

@@ -7,6 +7,7 @@
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/built_inputs.hpp"
+#include "host_sim/commands/verify_board.hpp"
 #include "host_sim/flight_test/flight_test_report.hpp"
 #include "host_sim/flight_test/read_flight_test.hpp"
 #include "host_sim/interrupt.hpp"
@@ -23,22 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kTestsFolder = "flight_tests";
-
-std::vector<std::string> script_paths(const std::vector<std::string>& named) {
-    std::vector<std::string> paths;
-    const std::vector<std::string> shipped = {shipped_root() + "/configs/" + kTestsFolder};
-    for (const std::string& name : named.empty() ? shipped : named) {
-        std::error_code error;
-        if (!fs::is_directory(name, error)) {
-            paths.push_back(resolve_config(name, kTestsFolder));
-            continue;
-        }
-        const std::vector<std::string> inside = scripts_of_folder(name);
-        if (inside.empty()) throw UserError(name + ": no script lies in this folder; name a folder with flight tests (*.toml)");
-        paths.insert(paths.end(), inside.begin(), inside.end());
-    }
-    return paths;
-}
 
 ScriptParameters stated_parameters(const std::vector<std::string>& words) {
     ScriptParameters parameters;
@@ -67,9 +52,11 @@ void write_failures(std::vector<FlownTest>& tests, const std::string& output) {
         const std::string path = output + "/" + picture_stem(one.test.path, taken);
         std::error_code error;
         for (const char* const suffix : {".png", ".json"}) fs::remove(path + suffix, error);  // of an earlier run
+        if (one.result.record.empty()) continue;
+        write_file_atomically(path + ".json", one.result.record + "\n");
+        one.record = path + ".json";
         if (one.result.picture.empty()) continue;
         write_file_atomically(path + ".png", one.result.picture);
-        write_file_atomically(path + ".json", one.result.record + "\n");
         one.picture = path + ".png";
     }
 }
@@ -87,23 +74,16 @@ bool has_unknown_parameter(const std::vector<FlightTest>& tests, const ScriptPar
     return has_unknown;
 }
 
-std::vector<FlightTest> read_tests(const VerifyOptions& options, Console& console, bool& is_faulty) {
+std::vector<FlightTest> read_tests(const VerifyOptions& options, const ScriptDefaults& defaults, Console& console,
+                                   bool& is_faulty) {
     const ScriptParameters parameters = stated_parameters(options.parameters);
     std::vector<FlightTest> tests;
     ScriptFaults faults;
-    for (const std::string& path : script_paths(options.scripts)) tests.push_back(read_flight_test(path, parameters, faults));
+    for (const std::string& path : script_paths(options.scripts))
+        tests.push_back(read_flight_test(path, parameters, faults, defaults));
     for (const std::string& sentence : faults.sentences()) console.note("tedavis: " + sentence);
     is_faulty = !faults.empty() || has_unknown_parameter(tests, parameters, console);
     return tests;
-}
-
-/// What builds terrain and scenes speaks of its own files when it is interrupted.
-void resolve(FlightTest& test, BuiltInputs& inputs) {
-    try {
-        inputs.resolve(test);
-    } catch (const Interrupted&) {
-        throw Interrupted("interrupted; a flight test that was not flown to its end has not passed");
-    }
 }
 
 /// A line each, with the place of the input unless they say a place.
@@ -121,7 +101,7 @@ std::vector<FlownTest> fly_tests(std::vector<FlightTest>& tests, bool draws_fail
     const FlyTestSettings settings{folder, draws_failures, [&] { return interrupt.requested(); }};
     for (FlightTest& test : tests) {
         try {
-            resolve(test, inputs);
+            inputs.resolve_to_fly(test);
             FlightTestResult result = fly_flight_test(test, display, settings);
             flown.push_back({std::move(test), std::move(result), ""});
         } catch (const UserError& error) {
@@ -131,6 +111,18 @@ std::vector<FlownTest> fly_tests(std::vector<FlightTest>& tests, bool draws_fail
     }
     console.progress_done();
     return flown;
+}
+
+/// A test that was not flown to its end comes before one that does not hold: nobody knows what it would have shown. The same is
+/// so where nothing at all was judged.
+int exit_code_of(const std::vector<FlownTest>& tests, bool is_strict) {
+    bool holds = true;
+    for (const FlownTest& one : tests) {
+        if (!one.fault.empty()) return kFaultyInputExitCode;
+        holds = holds && one.holds().value_or(true) && !(is_strict && (one.result.not_judged() > 0 || !one.left_out.empty()));
+    }
+    if (judged_tests(tests) == 0) return kFaultyInputExitCode;
+    return holds ? 0 : kCheckFailedExitCode;
 }
 
 }  // namespace
@@ -144,9 +136,27 @@ std::vector<std::string> scripts_of_folder(const std::string& folder) {
     return paths;
 }
 
+std::vector<std::string> script_paths(const std::vector<std::string>& named) {
+    std::vector<std::string> paths;
+    const std::vector<std::string> shipped = {shipped_root() + "/configs/" + kTestsFolder};
+    for (const std::string& name : named.empty() ? shipped : named) {
+        std::error_code error;
+        if (!fs::is_directory(name, error)) {
+            paths.push_back(resolve_config(name, kTestsFolder));
+            continue;
+        }
+        const std::vector<std::string> inside = scripts_of_folder(name);
+        if (inside.empty()) throw UserError(name + ": no script lies in this folder; name a folder with flight tests (*.toml)");
+        paths.insert(paths.end(), inside.begin(), inside.end());
+    }
+    return paths;
+}
+
 int run_verify(const VerifyOptions& options, Console& console) {
+    const std::optional<BoardFile> board =
+        stated_board(options.target, options.board, options.interface_name + options.panel_lines);
     bool is_faulty = false;
-    std::vector<FlightTest> tests = read_tests(options, console, is_faulty);
+    std::vector<FlightTest> tests = read_tests(options, board ? script_defaults(*board) : ScriptDefaults(), console, is_faulty);
     if (is_faulty) return kFaultyInputExitCode;
     const InterruptGuard interrupt;
     const TemporaryFolder work;
@@ -155,16 +165,17 @@ int run_verify(const VerifyOptions& options, Console& console) {
     std::optional<AtomicFile> junit;
     if (!options.junit.empty()) junit.emplace(options.junit);
     std::vector<std::string> faults;
-    std::vector<FlownTest> flown = fly_tests(tests, !options.output.empty(), work.path(), interrupt, console, faults);
+    std::vector<FlownTest> flown =
+        board ? fly_tests_on_board(tests, {options, *board, work.path(), [&] { return interrupt.requested(); }}, console)
+              : fly_tests(tests, !options.output.empty(), work.path(), interrupt, console, faults);
     for (const std::string& sentence : faults) console.note("tedavis: " + sentence);
     if (!faults.empty()) return kFaultyInputExitCode;
     write_failures(flown, options.output);
     if (junit) junit->stream() << flight_tests_junit(flown);
     if (junit) junit->commit();
     if (folder) folder->keep();
-    const nlohmann::ordered_json json = flight_tests_json(flown);
-    console.result(flight_tests_text(flown), json_text(json));
-    return json["holds"].get<bool>() ? 0 : kCheckFailedExitCode;
+    console.result(flight_tests_text(flown), json_text(flight_tests_json(flown)));
+    return exit_code_of(flown, options.strict);
 }
 
 }  // namespace tedavis::host_sim

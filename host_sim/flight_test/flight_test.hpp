@@ -25,10 +25,11 @@ namespace tedavis::host_sim {
 struct ObservedFrame {
     double time_s = 0;
     display::FrameRecord record;
-    double latency_frames = 0;       ///< age of the newest message, in frames of the device
-    bool has_obstacles = false;      ///< data of obstacles ahead, of which there could be an alert
-    SignalSample values;             ///< that the display was given, SI
-    std::vector<PlacedWords> words;  ///< where a condition of the test asks for a text
+    double latency_frames = 0;          ///< age of the newest message, in frames of the device; NaN: not known
+    bool is_latency_to_screen = false;  ///< latency_frames is the time from the bus to the screen, as a board measures it
+    bool has_obstacles = false;         ///< data of obstacles ahead, of which there could be an alert
+    SignalSample values;                ///< that the display was given, SI
+    std::vector<PlacedWords> words;     ///< where a condition of the test asks for a text
 };
 
 /// Whether a condition holds in a frame, what was found there, and what the record says of the reason.
@@ -40,6 +41,7 @@ struct Observation {
 struct FrameCondition {
     std::string key, expected;
     std::function<Observation(const ObservedFrame&)> observe;
+    std::optional<flight::Signal> signal{};  ///< whose state or value it asks for
 };
 
 /// When an expectation must hold.

@@ -8,6 +8,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kNotJudged = "not judged on a board";
+constexpr const char* kUnfinished = "was not flown to its end, and has not passed: ";
+
 std::string with_seconds(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f s", seconds);
@@ -51,9 +54,12 @@ std::string escaped(const std::string& text) {
 }
 
 Json expectation_json(const Expectation& expectation, const ExpectationResult& result) {
-    Json json = {{"name", expectation.name}, {"file", expectation.file}, {"line", expectation.line}, {"holds", result.holds}};
+    Json json = {{"name", expectation.name}, {"file", expectation.file}, {"line", expectation.line}};
+    json["holds"] = result.is_judged ? Json(result.holds) : Json(nullptr);
+    json["judged"] = result.is_judged;
+    json["not_judged"] = result.not_judged;
     json["reached_s"] = result.reached_s ? Json(*result.reached_s) : Json(nullptr);
-    if (result.holds) return json;
+    if (result.holds || !result.is_judged) return json;
     json["failed_s"] = result.failed_s;
     json["key"] = result.key;
     json["expected"] = result.expected;
@@ -68,45 +74,88 @@ std::string junit_case(const FlownTest& one, std::size_t n) {
     std::string xml = "    <testcase classname=\"" + escaped(one.test.path) + "\" name=\"" + escaped(expectation.name) +
                       "\" file=\"" + escaped(expectation.file) + "\" line=\"" + std::to_string(expectation.line) + "\"";
     if (result.holds) return xml + "/>\n";
+    if (!result.is_judged) return xml + ">\n      <skipped message=\"" + std::string(kNotJudged) + "\"/>\n    </testcase>\n";
     const std::string words = escaped(words_of_failure(result) + words_of_window(expectation));
     return xml + ">\n      <failure message=\"" + words + "\">" + escaped(place_of_expectation(expectation)) + ": " + words +
            "</failure>\n    </testcase>\n";
 }
 
+/// Of a script that was not flown, or not to its end.
+std::string junit_unflown(const FlownTest& one) {
+    const bool is_out = one.fault.empty();
+    const std::string count = is_out ? "failures=\"0\" errors=\"0\" skipped=\"1\"" : "failures=\"0\" errors=\"1\"";
+    return "  <testsuite name=\"" + escaped(one.test.title) + "\" tests=\"1\" " + count + ">\n    <testcase classname=\"" +
+           escaped(one.test.path) + "\" name=\"" + escaped(one.test.title) + "\">\n      <" + (is_out ? "skipped" : "error") +
+           " message=\"" + escaped(is_out ? one.left_out : kUnfinished + one.fault) + "\"/>\n    </testcase>\n  </testsuite>\n";
+}
+
+std::string failures_text(const FlownTest& one) {
+    std::string text;
+    for (std::size_t n = 0; n < one.result.expectations.size(); ++n)
+        if (const ExpectationResult& result = one.result.expectations[n]; result.is_judged && !result.holds)
+            text += "  " + place_of_expectation(one.test.expectations[n]) + ": " + words_of_failure(result) +
+                    words_of_window(one.test.expectations[n]) + "\n";
+    if (const std::size_t count = one.result.not_judged(); count > 0)
+        text += "  " + std::to_string(count) + (count == 1 ? " condition is " : " conditions are ") + kNotJudged + "\n";
+    if (!one.picture.empty() || !one.record.empty())
+        text += "  " + (one.picture.empty() ? one.record : one.picture) + " shows it\n";
+    return text;
+}
+
+std::string row_text(const FlownTest& one, std::size_t width) {
+    if (!one.left_out.empty()) return padded(one.test.path, width) + "  left out: it " + one.left_out + "\n";
+    if (!one.fault.empty()) return padded(one.test.path, width) + "  " + kUnfinished + one.fault + "\n";
+    char counts[64];
+    std::snprintf(counts, sizeof counts, "  %12zu  %4zu  %6zu\n", one.result.expectations.size(), one.result.held(),
+                  one.result.failed());
+    return padded(one.test.path, width) + counts + failures_text(one);
+}
+
 }  // namespace
 
+std::size_t judged_tests(const std::vector<FlownTest>& tests) {
+    return static_cast<std::size_t>(std::count_if(
+        tests.begin(), tests.end(), [](const FlownTest& one) { return one.fault.empty() && one.result.is_judged(); }));
+}
+
 std::string flight_tests_text(const std::vector<FlownTest>& tests) {
-    std::size_t width = 6, held = 0, all = 0;
+    std::size_t width = 6, held = 0, all = 0, not_judged = 0, left_out = 0, unfinished = 0;
     for (const FlownTest& one : tests) width = std::max(width, one.test.path.size());
     std::string text = padded("script", width) + "  expectations  held  failed\n";
     for (const FlownTest& one : tests) {
-        const std::size_t count = one.result.expectations.size(), kept = one.result.held();
-        char counts[64];
-        std::snprintf(counts, sizeof counts, "  %12zu  %4zu  %6zu\n", count, kept, count - kept);
-        text += padded(one.test.path, width) + counts;
-        held += kept;
-        all += count;
-        for (std::size_t n = 0; n < count; ++n)
-            if (const ExpectationResult& result = one.result.expectations[n]; !result.holds)
-                text += "  " + place_of_expectation(one.test.expectations[n]) + ": " + words_of_failure(result) +
-                        words_of_window(one.test.expectations[n]) + "\n";
-        if (!one.picture.empty()) text += "  " + one.picture + " shows it\n";
+        text += row_text(one, width);
+        held += one.result.held();
+        all += one.result.expectations.size();
+        not_judged += one.result.not_judged();
+        left_out += one.left_out.empty() ? 0 : 1;
+        unfinished += one.fault.empty() ? 0 : 1;
     }
-    return text + std::to_string(held) + " of " + std::to_string(all) + " expectations hold\n";
+    text += std::to_string(held) + " of " + std::to_string(all) + " expectations hold";
+    if (const std::size_t judged = judged_tests(tests); judged < tests.size())
+        text += ", " + std::to_string(judged) + " of " + std::to_string(tests.size()) + " scripts are judged";
+    if (not_judged > 0) text += ", " + std::to_string(not_judged) + " conditions are " + kNotJudged;
+    if (left_out > 0) text += ", " + std::to_string(left_out) + " scripts are left out";
+    if (unfinished > 0) text += ", " + std::to_string(unfinished) + " scripts were not flown to their end";
+    return text + "\n";
 }
 
 Json flight_tests_json(const std::vector<FlownTest>& tests) {
-    Json json = {{"holds", true}, {"tests", Json::array()}};
+    Json json = {{"holds", nullptr}, {"tests", Json::array()}};
+    const auto text_or_null = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
     for (const FlownTest& one : tests) {
         Json expectations = Json::array();
         for (std::size_t n = 0; n < one.result.expectations.size(); ++n)
             expectations.push_back(expectation_json(one.test.expectations[n], one.result.expectations[n]));
-        Json told = {
-            {"script", one.test.path}, {"title", one.test.title}, {"holds", one.result.holds()}, {"frames", one.result.frames}};
-        told["picture"] = one.picture.empty() ? Json(nullptr) : Json(one.picture);
+        Json told = {{"script", one.test.path}, {"title", one.test.title}, {"frames", one.result.frames}};
+        const std::optional<bool> holds = one.holds();
+        told["holds"] = holds ? Json(*holds) : Json(nullptr);
+        told["not_judged"] = one.result.not_judged();
+        told["left_out"] = text_or_null(one.left_out);
+        told["fault"] = text_or_null(one.fault);
+        told["picture"] = text_or_null(one.picture);
         told["expectations"] = std::move(expectations);
         json["tests"].push_back(std::move(told));
-        if (!one.result.holds()) json["holds"] = false;
+        if (holds) json["holds"] = *holds && json["holds"] != false;
     }
     return json;
 }
@@ -114,9 +163,13 @@ Json flight_tests_json(const std::vector<FlownTest>& tests) {
 std::string flight_tests_junit(const std::vector<FlownTest>& tests) {
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const FlownTest& one : tests) {
+        if (!one.left_out.empty() || !one.fault.empty()) {
+            xml += junit_unflown(one);
+            continue;
+        }
         const std::size_t count = one.result.expectations.size();
         xml += "  <testsuite name=\"" + escaped(one.test.title) + "\" tests=\"" + std::to_string(count) + "\" failures=\"" +
-               std::to_string(count - one.result.held()) + "\" errors=\"0\">\n";
+               std::to_string(one.result.failed()) + "\" errors=\"0\">\n";
         for (std::size_t n = 0; n < count; ++n) xml += junit_case(one, n);
         xml += "  </testsuite>\n";
     }

@@ -5,9 +5,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "host_sim/atomic_file.hpp"
+#include "host_sim/flight_test/input_logs.hpp"
 #include "host_sim/flight_test/read_steps.hpp"
-#include "host_sim/flight_test/step_log.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/generated_flight.hpp"
@@ -18,28 +17,6 @@
 
 namespace tedavis::host_sim {
 namespace {
-
-constexpr const char* kStoppedWords = "interrupted; a flight test that was not flown to its end has not passed";
-
-/// The logs of a test with steps, or those that it names.
-PlayerFiles input_files(const FlightTest& test, const std::string& folder) {
-    PlayerFiles files;
-    files.bus = test.picture.bus;
-    files.switch_config = test.switch_config;
-    files.aircraft = test.picture.aircraft;
-    files.log = test.log;
-    files.switches = test.switch_log;
-    if (!test.has_steps) return files;
-    files.log = folder + "/steps.log";
-    AtomicFile log(files.log);
-    write_step_log(test, log.stream(), files.log);
-    log.commit();
-    const std::string edges = step_switch_log(test);
-    if (edges.empty()) return files;
-    files.switches = folder + "/steps.switches";
-    write_file_atomically(files.switches, edges);
-    return files;
-}
 
 /// Those that the display warns of.
 bool scene_has_obstacles(const display::SpatialData& data) {
@@ -60,7 +37,7 @@ public:
           settings_(settings),
           rate_hz_(session.device().frame_rate_hz),
           preroll_(player, session, rate_hz_) {
-        for (const Expectation& expectation : test.expectations) judges_.emplace_back(expectation, rate_hz_);
+        for (const Expectation& expectation : test.expectations) judges_.emplace_back(expectation, FrameTimes{rate_hz_});
         reads_text_ = std::any_of(test.expectations.begin(), test.expectations.end(),
                                   [](const Expectation& expectation) { return expectation.reads_text(); });
         preroll_.set_told([this](std::uint64_t, std::uint64_t) { return !is_interrupted(); });
@@ -75,7 +52,7 @@ public:
             const bool is_wanted = std::any_of(judges_.begin(), judges_.end(),
                                                [time_s](const ExpectationJudge& judge) { return judge.wants(time_s); });
             if (is_wanted) judge_frame(time_s);
-            if (is_interrupted()) throw Interrupted(kStoppedWords);
+            if (is_interrupted()) throw Interrupted(kTestInterrupted);
         }
         for (const ExpectationJudge& judge : judges_) result_.expectations.push_back(judge.result());
         return std::move(result_);
@@ -85,7 +62,7 @@ public:
         const std::vector<std::int64_t> frames = watched_frames(times);
         std::uint64_t done = 0;
         for (const std::int64_t n : frames) {
-            if (is_interrupted()) throw Interrupted(kStoppedWords);
+            if (is_interrupted()) throw Interrupted(kTestInterrupted);
             watcher.take(plan(static_cast<double>(n) / rate_hz_));
             if (watcher.told) watcher.told(++done, frames.size());
         }
@@ -137,7 +114,7 @@ private:
     /// As a replay plans it; drawn only where later frames show it again.
     ObservedFrame plan(double time_s) {
         const base::Time time = player_.first() + base::Duration::from_seconds(time_s);
-        if (!preroll_.preroll(time)) throw Interrupted(kStoppedWords);
+        if (!preroll_.preroll(time)) throw Interrupted(kTestInterrupted);
         const flight::FrameInput input = player_.at(time);
         display::Display& display = session_.display();
         display.plan({input.state, input.phase, time, input.trail, input.legend});
@@ -199,19 +176,6 @@ IndexPolicy test_index_policy() {
     return policy;
 }
 
-/// Of recorded and generated flights, whose length only the player knows. A line a fault.
-void require_within(const FlightTest& test, double end_s) {
-    std::string sentences;
-    for (const Expectation& one : test.expectations) {
-        if (one.to_s <= end_s) continue;
-        char words[96];
-        std::snprintf(words, sizeof words, ": this [[expect]] lies beyond the end of the input, which lasts %.1f s", end_s);
-        sentences +=
-            (sentences.empty() ? "" : "\n") + one.file + ":" + std::to_string(one.line) + words + "; say an earlier time";
-    }
-    if (!sentences.empty()) throw UserError(sentences);
-}
-
 }  // namespace
 
 std::size_t FlightTestResult::held() const {
@@ -219,10 +183,21 @@ std::size_t FlightTestResult::held() const {
         std::count_if(expectations.begin(), expectations.end(), [](const ExpectationResult& one) { return one.holds; }));
 }
 
+std::size_t FlightTestResult::failed() const {
+    return static_cast<std::size_t>(std::count_if(expectations.begin(), expectations.end(),
+                                                  [](const ExpectationResult& one) { return one.is_judged && !one.holds; }));
+}
+
+std::size_t FlightTestResult::not_judged() const {
+    std::size_t count = 0;
+    for (const ExpectationResult& one : expectations) count += one.not_judged;
+    return count;
+}
+
 const ExpectationResult* FlightTestResult::first_failure() const {
     const ExpectationResult* first = nullptr;
     for (const ExpectationResult& one : expectations)
-        if (!one.holds && (first == nullptr || one.failed_s < first->failed_s)) first = &one;
+        if (one.is_judged && !one.holds && (first == nullptr || one.failed_s < first->failed_s)) first = &one;
     return first;
 }
 
@@ -237,16 +212,16 @@ DisplaySession& TestDisplay::session_for(const PictureOptions& picture, bool is_
 }
 
 FlightTestResult fly_flight_test(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings) {
-    const PlayerFiles files = input_files(test, settings.folder);
+    const PlayerFiles files = test_input_files(test, settings.folder);
     DisplaySession& session = display.session_for(test.picture, test.has_steps || is_generated_flight(files.log));
     FlightPlayer player(files, session.display(), nullptr, test_index_policy());
-    require_within(test, (player.last() - player.first()).to_seconds());
+    require_within_input(test, (player.last() - player.first()).to_seconds());
     return TestFlight(test, session, player, settings).fly();
 }
 
 WatchedFlight watch_flight(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings,
                            const WatchedTimes& times, const FrameWatcher& watcher) {
-    const PlayerFiles files = input_files(test, settings.folder);
+    const PlayerFiles files = test_input_files(test, settings.folder);
     DisplaySession& session = display.session_for(test.picture, test.has_steps || is_generated_flight(files.log));
     FlightPlayer player(files, session.display(), nullptr, test_index_policy());
     return TestFlight(test, session, player, settings).watch(times, watcher);

@@ -20,7 +20,12 @@ struct FlightTestResult {
     std::string picture, record;                  ///< of the first failing instant: PNG bytes, and the frame's record as JSON
 
     [[nodiscard]] std::size_t held() const;
-    [[nodiscard]] bool holds() const { return held() == expectations.size(); }
+    [[nodiscard]] std::size_t failed() const;
+    /// Whether any of them holds or fails.
+    [[nodiscard]] bool is_judged() const { return held() + failed() > 0; }
+    /// Conditions that could not be judged.
+    [[nodiscard]] std::size_t not_judged() const;
+    [[nodiscard]] bool holds() const { return failed() == 0; }
     /// Of the expectation that failed first; null where all hold.
     [[nodiscard]] const ExpectationResult* first_failure() const;
 };

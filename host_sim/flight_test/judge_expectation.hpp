@@ -1,6 +1,7 @@
 /// Judges expectations frame by frame, in the order of time.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,30 +17,54 @@ struct ExpectationResult {
     // Of one that does not hold:
     double failed_s = 0;  ///< its first failing instant
     std::string key, expected, found, reason;
+    // On a board:
+    bool is_judged = true;       ///< false: nothing that it asks for can be judged; it neither holds nor fails
+    std::size_t not_judged = 0;  ///< of its conditions
+};
+
+/// When frames come: of a device that keeps its rate, or whenever a running display has one ready.
+struct FrameTimes {
+    std::optional<double> rate_hz;  ///< nothing: they come when they come, and their times are told by pass()
 };
 
 class ExpectationJudge {
 public:
-    /// The expectation must outlive the judge. `rate_hz`: frames of the device a second.
-    ExpectationJudge(const Expectation& expectation, double rate_hz) : expectation_(expectation), rate_hz_(rate_hz) {}
+    /// The latest frame of a running display that still shows what there was "at" a time, and the longest time without a frame
+    /// where something must hold in every one.
+    static constexpr double kLatestFrame_s = 0.5;
+
+    /// The expectation must outlive the judge.
+    ExpectationJudge(const Expectation& expectation, const FrameTimes& times) : expectation_(expectation), times_(times) {}
 
     /// Whether the frame at this time matters to what is still open.
     [[nodiscard]] bool wants(double time_s) const;
     /// Takes a frame that it wants. True where the expectation fails with this frame.
     bool take(const ObservedFrame& frame);
+    /// No frame before this time is still to come: of a running display to be called with the time of each frame, before take().
+    /// True where the expectation fails by that.
+    bool pass(double time_s);
+    [[nodiscard]] bool is_settled() const { return is_settled_; }
     /// After the last frame.
     [[nodiscard]] ExpectationResult result() const;
 
 private:
     [[nodiscard]] bool is_last(double time_s) const;
+    [[nodiscard]] double last_s() const;
     /// Whether all conditions hold in it.
     bool observe(const ObservedFrame& frame);
-    bool take_of_reach(const ObservedFrame& frame, bool holds, bool is_first);
+    bool take_before(const ObservedFrame& frame);
+    bool take_of_reach(const ObservedFrame& frame);
+    bool fail_as_held_before(double time_s);
+    bool fail_as_frozen(double time_s);
+    void note_no_frame();
     void note_failure(const ObservedFrame& frame, const FrameCondition& condition, const Observation& observation);
 
     const Expectation& expectation_;
-    double rate_hz_;
-    bool is_settled_ = false, has_frame_ = false;
+    FrameTimes times_;
+    bool is_settled_ = false;
+    bool has_frame_ = false;  ///< of its time
+    double passed_s_ = -std::numeric_limits<double>::infinity();
+    std::optional<double> held_at_s_;  ///< of one that must be reached: the last frame up to from_s, where it holds in it
     ExpectationResult result_;
 };
 

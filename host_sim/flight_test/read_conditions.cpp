@@ -82,14 +82,22 @@ void read_design_condition(ScriptTable& table, const std::vector<std::string>& d
                           }});
 }
 
+/// "pitch.stale" repeats the state of a signal.
+std::optional<flight::Signal> signal_of_flag(const std::string& name) {
+    const flight::Signal signal = flight::signal_from_name(name.substr(0, name.find('.')));
+    return signal == flight::Signal::count_ ? std::nullopt : std::optional(signal);
+}
+
 void read_flag_conditions(ScriptTable& table, const char* key, bool is_there, Conditions& conditions) {
     const std::vector<std::string> known = record_flag_names();
     for (const std::string& name : table.texts(key)) {
         if (!place_among(table, key, name, known)) continue;
-        conditions.push_back({key, name, [name, is_there](const ObservedFrame& frame) {
+        conditions.push_back({key, name,
+                              [name, is_there](const ObservedFrame& frame) {
                                   return Observation{has_flag(frame.record, name) == is_there, list_of_flags(frame.record),
                                                      words_of_phase(frame.record.phase)};
-                              }});
+                              },
+                              signal_of_flag(name)});
     }
 }
 
@@ -111,7 +119,8 @@ void read_signal_conditions(ScriptTable& table, ScriptFaults& faults, Conditions
                      const SignalState found = frame.record.signals[static_cast<std::size_t>(signal)];
                      return Observation{found == wanted, std::string(flight::to_string(signal)) + " " + base::to_string(found),
                                         list_of_flags(frame.record)};
-                 }});
+                 },
+                 signal});
     }
 }
 
@@ -210,12 +219,22 @@ void read_value_conditions(ScriptTable& table, ScriptFaults& faults, Conditions&
         } else {
             char expected[96];
             std::snprintf(expected, sizeof expected, " %g to %g", entry->second.items[0].number, entry->second.items[1].number);
-            conditions.push_back(
-                {"values", entry->first + expected, [unit = *unit, limits = *limits](const ObservedFrame& frame) {
-                     return observe_value(frame, unit, limits.first, limits.second);
-                 }});
+            conditions.push_back({"values", entry->first + expected,
+                                  [unit = *unit, limits = *limits](const ObservedFrame& frame) {
+                                      return observe_value(frame, unit, limits.first, limits.second);
+                                  },
+                                  unit->signal});
         }
     }
+}
+
+Observation observe_latency(const ObservedFrame& frame, double limit) {
+    if (std::isnan(frame.latency_frames)) return {false, "not known", "no new message has come to the screen for a while"};
+    char found[48];
+    std::snprintf(found, sizeof found, "%.2f frames", frame.latency_frames);
+    return {frame.latency_frames <= limit, found,
+            frame.is_latency_to_screen ? "from the bus to the screen, of the oldest message that a picture shows first"
+                                       : "age of the newest message"};
 }
 
 void read_latency_condition(ScriptTable& table, Conditions& conditions) {
@@ -224,11 +243,8 @@ void read_latency_condition(ScriptTable& table, Conditions& conditions) {
     if (!limit) return;
     char expected[48];
     std::snprintf(expected, sizeof expected, "at most %g frames", *limit);
-    conditions.push_back({"latency_frames_at_most", expected, [limit = *limit](const ObservedFrame& frame) {
-                              char found[48];
-                              std::snprintf(found, sizeof found, "%.2f frames", frame.latency_frames);
-                              return Observation{frame.latency_frames <= limit, found, "age of the newest message"};
-                          }});
+    conditions.push_back({"latency_frames_at_most", expected,
+                          [limit = *limit](const ObservedFrame& frame) { return observe_latency(frame, limit); }});
 }
 
 /// A text of the symbology; `box` is empty for one anywhere.

@@ -19,13 +19,16 @@ namespace {
 
 class FlightTestReader {
 public:
-    FlightTestReader(const IncludedScripts& scripts, ScriptFaults& faults) : faults_(faults) {
+    FlightTestReader(const IncludedScripts& scripts, ScriptFaults& faults, const ScriptDefaults& defaults) : faults_(faults) {
         for (const ScriptValue& tree : scripts.files) tables_.emplace_back(tree, faults);
         test_.path = scripts.paths.back();
         test_.files = scripts.paths;
         test_.parameters = scripts.parameters;
-        test_.picture.device = "es2-small";
-        test_.switch_config = "one_hot";
+        test_.picture.design = defaults.design;
+        test_.picture.design_folders = defaults.design_folders;
+        test_.picture.device = defaults.device;
+        test_.picture.bus = defaults.bus;
+        test_.switch_config = defaults.switches;
     }
 
     FlightTest read() {
@@ -81,7 +84,9 @@ private:
 
     void read_settings(ScriptTable& table) {
         if (const auto title = table.text("title")) test_.title = *title;
+        const std::string design = test_.picture.design;
         read_file_name(table, "design", "designs", test_.picture.design);
+        if (test_.picture.design != design) test_.picture.design_folders = DesignFolders();
         read_file_name(table, "device", "devices", test_.picture.device);
         read_file_name(table, "bus", "buses", test_.picture.bus);
         read_file_name(table, "switches", "switches", test_.switch_config);
@@ -120,11 +125,7 @@ private:
     }
 
     void load_design_names() {
-        load("design", [this] {
-            const std::unique_ptr<LoadedDesigns> designs = load_designs(test_.picture);
-            designs_.emplace_back(designs->design.name.view());
-            for (std::size_t n = 1; n <= designs->phases.size(); ++n) designs_.emplace_back(designs->phases.at(n).name.view());
-        });
+        load("design", [this] { designs_ = design_names(test_.picture); });
     }
 
     void read_input(ScriptTable& table) {
@@ -251,10 +252,18 @@ private:
 
 }  // namespace
 
-FlightTest read_flight_test(const std::string& path, const ScriptParameters& stated, ScriptFaults& faults) {
+std::vector<std::string> design_names(const PictureOptions& picture) {
+    const std::unique_ptr<LoadedDesigns> designs = load_designs(picture);
+    std::vector<std::string> names = {std::string(designs->design.name.view())};
+    for (std::size_t n = 1; n <= designs->phases.size(); ++n) names.emplace_back(designs->phases.at(n).name.view());
+    return names;
+}
+
+FlightTest read_flight_test(const std::string& path, const ScriptParameters& stated, ScriptFaults& faults,
+                            const ScriptDefaults& defaults) {
     const IncludedScripts scripts = read_included_scripts(path, stated, faults);
     if (scripts.is_broken) return {};
-    return FlightTestReader(scripts, faults).read();
+    return FlightTestReader(scripts, faults, defaults).read();
 }
 
 }  // namespace tedavis::host_sim

@@ -11,6 +11,7 @@
 #include "host_sim/flight_log/stream_sink.hpp"
 #include "host_sim/flight_test/sent_message.hpp"
 #include "host_sim/flight_test/stepped_aircraft.hpp"
+#include "host_sim/flight_test/timed_input.hpp"
 #include "host_sim/user_error.hpp"
 
 namespace tedavis::host_sim {
@@ -163,13 +164,6 @@ struct PanelChange {
     std::size_t line = 0;
     bool level = false;
 };
-
-/// Levels before the first step.
-std::uint32_t resting_levels(const bus::SwitchConfig& panel) {
-    for (const bus::SwitchPattern& pattern : panel.patterns)
-        if (pattern.phase.scenario == flight::Scenario::unknown) return pattern.high;
-    return 0;
-}
 
 /// The first edges are the levels at start, with those of steps at 0 s.
 class PanelEdges {

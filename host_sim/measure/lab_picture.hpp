@@ -1,4 +1,4 @@
-/// A picture as the eye weighs it: L*a*b* of every pixel, and how steep its lightness is.
+/// The CIE L*a*b* color of every pixel of a picture, and the gradient of its lightness.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,12 @@ namespace tedavis::host_sim {
 
 class LabPicture {
 public:
-    /// Alpha is not looked at.
+    /// Ignores alpha.
     explicit LabPicture(const RgbaView& view);
 
     [[nodiscard]] const design::Lab& at(std::uint32_t x, std::uint32_t y) const { return lab_[std::size_t{y} * width_ + x]; }
-    /// Of lightness (Sobel), in L* a pixel; the picture goes on beyond its border as it ends there.
+    /// Returns the magnitude of the lightness gradient (Sobel), in L* per pixel. Outside the picture the nearest border pixel is
+    /// used.
     [[nodiscard]] double gradient(std::uint32_t x, std::uint32_t y) const;
 
 private:

@@ -12,12 +12,6 @@ namespace {
     throw UserError("weights \"" + text + "\": write names with numbers from 0 to 1, such as terrain=0.3,data=1");
 }
 
-std::size_t aspect_named(const std::string& name, const design::PrioritySettings& priority) {
-    std::size_t aspect = 0;
-    while (aspect < priority.count() && priority.name_of(aspect) != name) ++aspect;
-    return aspect;
-}
-
 }  // namespace
 
 AskedWeights weights_from(const std::string& text) {
@@ -43,19 +37,6 @@ std::string text_of(const AskedWeights& weights) {
     std::ostringstream text;
     for (const auto& [name, weight] : weights) text << (text.tellp() > 0 ? "," : "") << name << '=' << weight;
     return text.str();
-}
-
-void put_weights(const AskedWeights& weights, const std::string& design_file, design::PrioritySettings& priority) {
-    for (const auto& [name, weight] : weights) {
-        const std::size_t aspect = aspect_named(name, priority);
-        if (aspect == priority.count()) {
-            std::string known;
-            for (std::size_t n = 0; n < priority.count(); ++n) known += (n > 0 ? ", " : "") + std::string(priority.name_of(n));
-            throw UserError(design_file + ": has no aspect '" + name + "' to weigh; it has " + known);
-        }
-        priority.weights.of[aspect] = weight;
-        priority.is_stated = true;
-    }
 }
 
 }  // namespace tedavis::host_sim

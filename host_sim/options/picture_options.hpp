@@ -21,6 +21,13 @@ enum class GlChoice : std::uint8_t { egl, osmesa };
 /// ground alone.
 enum class ShownAspects : std::uint8_t { all, terrain, ground_data, nothing };
 
+/// Where files are whose short names a design says.
+struct DesignFolders {
+    bool shipped = true;   ///< those that come with the program; else as a configuration file says (display_config.hpp):
+    std::string designs;   ///< ends in a slash; empty: beside the design that names them
+    std::string palettes;  ///< ends in a slash, or is empty: the working folder
+};
+
 struct PictureSize {
     std::uint32_t width = 0, height = 0;
 };
@@ -31,6 +38,7 @@ struct PictureOptions {
     std::string scene;    ///< .sdb; empty: no spatial data
     ShownGhosts ghosts;   ///< of a replay, which makes them
     std::string design = "default";
+    DesignFolders design_folders;
     std::string device = "es3-mid";
     std::string bus = "canaerospace";
     std::string aircraft;  ///< aircraft file; empty: none

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
-#include <limits>
-#include <sstream>
 #include <string_view>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/options/asked_parameters.hpp"
+#include "host_sim/options/display_config_text.hpp"
+#include "host_sim/options/toml_writer.hpp"
 #include "host_sim/shipped_files.hpp"
-#include "host_sim/toml_text.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/flight/flight_phase.hpp"
-#include "render_core/scene/focus_region.hpp"
 
 namespace tedavis::host_sim {
 namespace {
@@ -29,161 +27,182 @@ std::string absolute(const std::string& path) {
     return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
 }
 
-/// The name of a shipped file stays short.
-std::string absolute_unless_shipped(const std::string& name, const std::string& folder) {
-    return resolve_config(name, folder) == name ? absolute(name) : name;
+/// A board knows no short names.
+std::string absolute_config(const std::string& name, const char* folder) {
+    return name.empty() ? name : absolute(resolve_config(name, folder));
 }
 
-class TomlWriter {
-public:
-    TomlWriter() { text_.precision(std::numeric_limits<double>::max_digits10); }
+template <std::size_t N>
+void put(base::FixedString<N>& text, const std::string& value, const char* what) {
+    text = base::FixedString<N>(value);
+    if (text.cut()) throw UserError(std::string(what) + " \"" + value + "\": is too long for a configuration; use a shorter one");
+}
 
-    void path(const char* key, const std::string& value) { word(key, absolute(value)); }
-    void config(const char* key, const std::string& name, const char* folder) {
-        word(key, absolute_unless_shipped(name, folder));
-    }
-    void word(const char* key, std::string_view value) {
-        if (!value.empty()) text_ << key << " = " << toml_string(std::string(value)) << '\n';
-    }
-    void number(const char* key, const std::optional<double>& value) {
-        if (value) text_ << key << " = " << std::showpoint << *value << '\n';
-    }
-    void paths(const char* key, std::vector<std::string> values) {
-        for (std::string& value : values) value = absolute(value);
-        words(key, values);
-    }
-    void words(const char* key, const std::vector<std::string>& values) {
-        if (values.empty()) return;
-        text_ << key << " = [";
-        for (std::size_t n = 0; n < values.size(); ++n) text_ << (n > 0 ? ", " : "") << toml_string(values[n]);
-        text_ << "]\n";
-    }
-    void truth(const char* key) { text_ << key << " = true\n"; }
-    void integer(const char* key, std::uint32_t value) { text_ << key << " = " << value << '\n'; }
-    void section(const char* name) { text_ << "\n[" << name << "]\n"; }
-    [[nodiscard]] std::string text() const { return text_.str(); }
+/// An empty folder of palettes is the working folder.
+void put_folders(const DesignFolders& folders, platform::DisplayConfig& config) {
+    const std::string shipped = absolute(shipped_root()) + "/configs/";
+    const std::string palettes = folders.palettes.empty() ? "./" : folders.palettes;
+    put(config.palettes, absolute(folders.shipped ? shipped + "palettes/" : palettes), "palettes");
+    put(config.designs, absolute(folders.shipped ? shipped + "designs/" : folders.designs), "designs");
+}
 
-private:
-    std::ostringstream text_;
-};
+/// What the board alone has stays as it was read, with its paths as absolute ones.
+platform::DisplayConfig display_config_of(const ReplayOptions& options) {
+    const PictureOptions& picture = options.picture;
+    platform::DisplayConfig config;
+    if (options.config) config = *options.config;
+    if (config.title.empty()) config.title.append("replay");
+    if (config.surface.empty()) config.surface.append("egl");
+    put(config.device, absolute_config(picture.device, "devices"), "device");
+    put(config.design, absolute_config(picture.design, "designs"), "design");
+    put_folders(picture.design_folders, config);
+    put(config.bus, absolute_config(picture.bus, "buses"), "bus");
+    put(config.aircraft, absolute_config(picture.aircraft, "aircraft"), "aircraft");
+    put(config.symbology, absolute_config(picture.palette, "palettes/symbology"), "palette");
+    const bool has_panel = !config.switches.empty() || !options.switches.empty();
+    put(config.switches, has_panel ? absolute_config(options.switch_config, "switches") : "", "switch config");
+    put(config.terrain, absolute(picture.terrain), "terrain");
+    put(config.scene, absolute(picture.scene), "scene");
+    put(config.costs, absolute(picture.costs), "costs");
+    put(config.programs, absolute(std::string(config.programs.view())), "programs");
+    put(config.records, absolute(std::string(config.records.view())), "records");
+    config.parameters = asked_parameters(picture);
+    config.deadline_ms = picture.deadline_ms;
+    config.light = picture.light;
+    config.legend = picture.legend;
+    config.width_px = picture.size ? picture.size->width : 0;
+    config.height_px = picture.size ? picture.size->height : 0;
+    return config;
+}
 
 std::optional<double> optional_number(base::ConfigSection& section, std::string_view key) {
     return section.has(key) ? std::optional<double>(section.number(key, -kLargestNumber, kLargestNumber)) : std::nullopt;
 }
 
-std::string text_of(base::ConfigSection& section, std::string_view key, const std::string& fallback) {
-    return std::string(section.text(key, fallback));
-}
+/// Reads [replay] of a file.
+class ReplaySection {
+public:
+    ReplaySection(base::ConfigSection section, const std::string& file) : section_(section), file_(file) {}
 
-void read_picture(base::ConfigSection section, PictureOptions& picture) {
-    picture.terrain = text_of(section, "terrain", "");
-    picture.scene = text_of(section, "scene", "");
-    picture.design = text_of(section, "design", picture.design);
-    picture.device = text_of(section, "device", picture.device);
-    picture.bus = text_of(section, "bus", picture.bus);
-    picture.aircraft = text_of(section, "aircraft", "");
-    picture.palette = text_of(section, "palette", "");
-    section.choose("light", design::kSymbologyLightNames, picture.light);
-    section.choose("gl", kGlNames, picture.gl);
-    section.choose("legend", flight::kLegendShowNames, picture.legend, flight::LegendShow::none);
-    picture.tau_px = optional_number(section, "tau_px");
-    if (section.has("weights")) picture.weights = weights_from(text_of(section, "weights", ""));
-    std::array<std::string_view, scene::kMaxFoci> foci;
-    const std::size_t count = section.texts("foci", foci);
-    picture.foci.assign(foci.begin(), foci.begin() + static_cast<std::ptrdiff_t>(std::min(count, foci.size())));
-    picture.deadline_ms = optional_number(section, "deadline_ms");
-    picture.costs = text_of(section, "costs", "");
-    picture.force_effects = section.boolean("force_effects", false);
-    if (section.has("saliency"))
-        section.choose("saliency", design::kSaliencyViewNames, picture.saliency.emplace(), design::SaliencyView::heat);
-    if (section.has("clutter"))
-        section.choose("clutter", design::kClutterViewNames, picture.clutter.emplace(), design::ClutterView::edges);
-    if (section.has("width") || section.has("height")) {
-        picture.size = PictureSize{static_cast<std::uint32_t>(section.integer("width", 16, 16384)),
-                                   static_cast<std::uint32_t>(section.integer("height", 16, 16384))};
+    void read(ReplayOptions& options) {
+        options.log = path_at("log");
+        options.switches = path_at("switches");
+        read_phase(options);
+        if (section_.has("class")) section_.choose("class", flight::kAircraftClassNames, options.aircraft_class.emplace());
+        options.from_s = optional_number(section_, "from_s");
+        options.to_s = optional_number(section_, "to_s");
+        options.step_s = optional_number(section_, "step_s");
+        options.over_terrain = section_.boolean("over_terrain", false);
+        if (section_.has("spread")) options.spread = static_cast<std::uint64_t>(section_.integer("spread", 2, kMaxSpread));
+        if (section_.has("frames")) section_.choose("frames", kFrameNames, options.frames.emplace());
+        read_ghosts(options);
+        options.accuracy = {section_.boolean("show_accuracy", false), section_.boolean("error_map", false)};
+        read_picture(options.picture);
     }
-}
 
-void read_ghosts(base::ConfigSection& root, ReplayOptions& options) {
-    std::array<std::string_view, kMaxGhosts> logs;
-    const std::size_t count = root.texts("ghosts", logs);
-    options.ghosts.assign(logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(std::min(count, logs.size())));
-    if (root.has("ghost_align")) root.choose("ghost_align", kGhostAlignNames, options.ghost_align);
+private:
+    std::string path_at(std::string_view key) {
+        const std::string name(section_.text(key, ""));
+        return name.empty() ? name : path_from(file_, name);
+    }
+
+    void read_phase(ReplayOptions& options) {
+        options.phase = std::string(section_.text("phase", ""));
+        if (!options.phase.empty() && options.phase != kNoPhase && !flight::phase_from_name(options.phase).ok)
+            section_.fault("phase", "no such phase; say for example takeoff.first_climb, cruise or none");
+    }
+
+    void read_ghosts(ReplayOptions& options) {
+        std::array<std::string_view, kMaxGhosts> logs;
+        const std::size_t count = section_.texts("ghosts", logs);
+        for (std::size_t n = 0; n < std::min(count, logs.size()); ++n)
+            options.ghosts.push_back(path_from(file_, std::string(logs[n])));
+        if (section_.has("ghost_align")) section_.choose("ghost_align", kGhostAlignNames, options.ghost_align);
+    }
+
+    void read_picture(PictureOptions& picture) {
+        section_.choose("gl", kGlNames, picture.gl);
+        picture.force_effects = section_.boolean("force_effects", false);
+        if (section_.has("saliency"))
+            section_.choose("saliency", design::kSaliencyViewNames, picture.saliency.emplace(), design::SaliencyView::heat);
+        if (section_.has("clutter"))
+            section_.choose("clutter", design::kClutterViewNames, picture.clutter.emplace(), design::ClutterView::edges);
+    }
+
+    base::ConfigSection section_;
+    const std::string& file_;
+};
+
+void take_picture(const platform::DisplayConfig& config, PictureOptions& picture) {
+    picture.terrain = config.terrain.view();
+    picture.scene = config.scene.view();
+    picture.design = config.design.view();
+    picture.design_folders = {false, std::string(config.designs.view()), std::string(config.palettes.view())};
+    picture.device = config.device.view();
+    picture.bus = config.bus.view();
+    picture.aircraft = config.aircraft.view();
+    picture.palette = config.symbology.view();
+    picture.light = config.light;
+    picture.legend = config.legend;
+    picture.costs = config.costs.view();
+    picture.tau_px = config.parameters.tau_px;
+    picture.deadline_ms = config.deadline_ms;
+    for (const platform::AspectWeight& weight : config.parameters.weights)
+        picture.weights[std::string(weight.aspect.view())] = weight.weight;
+    for (const auto& line : config.parameters.foci) picture.foci.emplace_back(line.view());
+    if (config.width_px > 0) picture.size = PictureSize{config.width_px, config.height_px};
 }
 
 }  // namespace
 
-std::string replay_config_text(const ReplayOptions& options) {
+std::string replay_section_text(const ReplayOptions& options) {
     TomlWriter toml;
-    toml.path("log", options.log);
-    toml.path("switches", options.switches);
-    toml.config("switch_config", options.switch_config, "switches");
-    if (!options.phase.empty()) toml.word("phase", options.phase);
+    toml.word("log", absolute(options.log));
+    toml.word("switches", absolute(options.switches));
+    toml.word("phase", options.phase);
     if (options.aircraft_class)
-        toml.word("class", std::string(flight::kAircraftClassNames[static_cast<std::size_t>(*options.aircraft_class)]));
+        toml.word("class", flight::kAircraftClassNames[static_cast<std::size_t>(*options.aircraft_class)]);
     toml.number("from_s", options.from_s);
     toml.number("to_s", options.to_s);
     toml.number("step_s", options.step_s);
-    if (options.over_terrain) toml.truth("over_terrain");
-    if (options.spread) toml.integer("spread", static_cast<std::uint32_t>(*options.spread));
+    if (options.over_terrain) toml.truth("over_terrain", true);
+    if (options.spread) toml.integer("spread", *options.spread);
     if (options.frames) toml.word("frames", kFrameNames[static_cast<std::size_t>(*options.frames)]);
-    toml.paths("ghosts", options.ghosts);
+    std::vector<std::string> ghosts = options.ghosts;
+    for (std::string& log : ghosts) log = absolute(log);
+    toml.words("ghosts", ghosts);
     if (!options.ghosts.empty()) toml.word("ghost_align", name_of(options.ghost_align));
-    if (options.accuracy.figures) toml.truth("show_accuracy");
-    if (options.accuracy.error_map) toml.truth("error_map");
+    if (options.accuracy.figures) toml.truth("show_accuracy", true);
+    if (options.accuracy.error_map) toml.truth("error_map", true);
     const PictureOptions& picture = options.picture;
-    toml.section("picture");
-    toml.path("terrain", picture.terrain);
-    toml.path("scene", picture.scene);
-    toml.config("design", picture.design, "designs");
-    toml.config("device", picture.device, "devices");
-    toml.config("bus", picture.bus, "buses");
-    if (!picture.aircraft.empty()) toml.config("aircraft", picture.aircraft, "aircraft");
-    if (!picture.palette.empty()) toml.config("palette", picture.palette, "palettes/symbology");
-    toml.word("light", design::kSymbologyLightNames[static_cast<std::size_t>(picture.light)]);
-    if (picture.size) {
-        toml.integer("width", picture.size->width);
-        toml.integer("height", picture.size->height);
-    }
-    toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
-    toml.word("legend", std::string(name_of(picture.legend)));
-    toml.number("tau_px", picture.tau_px);
-    toml.word("weights", text_of(picture.weights));
-    toml.words("foci", picture.foci);
-    toml.number("deadline_ms", picture.deadline_ms);
-    toml.path("costs", picture.costs);
-    if (picture.force_effects) toml.truth("force_effects");
+    if (picture.gl != GlChoice::egl) toml.word("gl", kGlNames[static_cast<std::size_t>(picture.gl)]);
+    if (picture.force_effects) toml.truth("force_effects", true);
     if (picture.saliency) toml.word("saliency", design::kSaliencyViewNames[static_cast<std::size_t>(*picture.saliency) - 1]);
     if (picture.clutter) toml.word("clutter", design::kClutterViewNames[static_cast<std::size_t>(*picture.clutter) - 1]);
-    return toml.text();
+    return toml.text().empty() ? "" : "\n[replay]\n" + toml.text();
+}
+
+std::string replay_config_text(const ReplayOptions& options) {
+    return display_config_text(display_config_of(options)) + replay_section_text(options);
 }
 
 void save_replay_config(const ReplayOptions& options, const std::string& path) {
     write_file_atomically(path, replay_config_text(options));
 }
 
-ReplayOptions load_replay_config(const std::string& path) {
-    const std::string text = read_file(path);
-    base::ConfigReader reader(text, path);
-    base::ConfigSection root = reader.root();
+ReplayOptions load_replay_config(const std::string& path, const std::string& pack_key) {
+    const auto found = platform::find_config(path.c_str(), pack_key.c_str());
+    if (!found.ok()) throw UserError(std::string(found.error().message.view()));
+    const std::string file(found.value().file.view()), text = read_file(file);
+    base::ConfigReader reader(text, file);
+    auto config = std::make_shared<platform::DisplayConfig>();
+    platform::read_display_config(reader, platform::ConfigUse::desk, *config);
     ReplayOptions options;
-    options.log = text_of(root, "log", "");
-    options.switches = text_of(root, "switches", "");
-    options.switch_config = text_of(root, "switch_config", options.switch_config);
-    options.phase = text_of(root, "phase", "");
-    if (!options.phase.empty() && options.phase != kNoPhase && !flight::phase_from_name(options.phase).ok)
-        throw UserError(path + ": phase \"" + options.phase +
-                        "\": no such phase; say for example takeoff.first_climb, cruise or none");
-    if (root.has("class")) root.choose("class", flight::kAircraftClassNames, options.aircraft_class.emplace());
-    options.from_s = optional_number(root, "from_s");
-    options.to_s = optional_number(root, "to_s");
-    options.step_s = optional_number(root, "step_s");
-    options.over_terrain = root.boolean("over_terrain", false);
-    if (root.has("spread")) options.spread = static_cast<std::uint64_t>(root.integer("spread", 2, kMaxSpread));
-    if (root.has("frames")) root.choose("frames", kFrameNames, options.frames.emplace());
-    read_ghosts(root, options);
-    options.accuracy = {root.boolean("show_accuracy", false), root.boolean("error_map", false)};
-    read_picture(root.section("picture"), options.picture);
+    options.pack = found.value().pack;
+    take_picture(*config, options.picture);
+    if (!config->switches.empty()) options.switch_config = config->switches.view();
+    ReplaySection(reader.root().section("replay"), file).read(options);
+    options.config = std::move(config);
     if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
     return options;
 }

@@ -1,6 +1,7 @@
 #include "host_sim/replay/load_design.hpp"
 
 #include "host_sim/input_file.hpp"
+#include "host_sim/options/asked_parameters.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
 #include "render_core/effects/design_effects.hpp"
@@ -44,28 +45,10 @@ void leave_out(ShownAspects shown, design::DesignSettings& design) {
     design.data.ground.opacity = shown == ShownAspects::ground_data ? 1 : 0;  // by the same programs
 }
 
-/// Before the design's own.
-void add_foci(const std::vector<std::string>& lines, design::FocusList& foci) {
-    const design::FocusList own = foci;
-    foci.clear();
-    bool has_room = true;
-    for (const std::string& line : lines) {
-        const auto focus = design::read_focus(line);
-        if (!focus.ok())
-            throw UserError(
-                std::string(focus.error().message.view()) + "; it is '" + line +
-                "', and should be keys of [[focus]] with commas between, such as 'at = \"place\", place = \"DAVOS\"'");
-        has_room = foci.try_push_back(focus.value()) && has_room;
-    }
-    for (const design::FocusSettings& focus : own) has_room = foci.try_push_back(focus) && has_room;
-    if (!has_room) throw UserError("--focus: a display has room for 4, the design's among them; leave one out");
-}
-
 void put_above(const PictureOptions& options, const std::string& path, design::DesignSettings& design) {
-    add_foci(options.foci, design.foci);
-    if (options.tau_px) design.terrain.tau_px = *options.tau_px;
+    if (const base::Error error = platform::put_parameters(asked_parameters(options), path, design))
+        throw UserError(std::string(error.message.view()));
     if (options.detail) set_detail(design.data, *options.detail);
-    put_weights(options.weights, path, design.priority);
     leave_out(options.shown, design);
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         const auto effect = static_cast<effects::Effect>(n);
@@ -82,7 +65,7 @@ void put_above(const PictureOptions& options, const std::string& path, design::D
 /// One design file, as the command line wants it.
 design::DesignSettings load_file(const std::string& path, const PictureOptions& options, design::NamedPhases& phases,
                                  std::vector<ReadFile>* files) {
-    DesignFiles named;
+    DesignFiles named(options.design_folders);
     const std::string text = read_file(path);
     auto design = design::read_design_settings(text, path, named, &phases);
     if (files != nullptr) {
@@ -113,7 +96,7 @@ std::unique_ptr<LoadedDesigns> load_designs(const PictureOptions& options, std::
     design::NamedPhases phases;
     loaded->design = load_file(path, options, phases, files);
     for (const design::NamedPhase& named : phases) {
-        const std::string of_phase = stated_config(std::string(named.design.view()), "designs", path);
+        const std::string of_phase = named_design({named.design.view(), path}, options.design_folders);
         const design::DesignSettings* const known = loaded->phases.find(named.design);
         design::NamedPhases nested;
         const design::DesignSettings design = known != nullptr ? *known : load_file(of_phase, options, nested, files);

@@ -7,6 +7,7 @@
 
 #include "host_sim/interrupt.hpp"
 #include "host_sim/replay/generated_flight.hpp"
+#include "host_sim/replay/started_pack.hpp"
 #include "host_sim/window/live_run.hpp"
 #include "host_sim/window/start_screen.hpp"
 #include "platform/clock/monotonic_clock.hpp"
@@ -46,6 +47,7 @@ int run_live_window(const ReplayOptions& options, Console& console, const Window
     IndexPolicy policy = index_policy(options);
     policy.told = [&screen](std::uint64_t done, std::uint64_t total) { screen.show(done, total, platform::monotonic_now()); };
     FlightPlayer player(player_files(options), session.display(), &console, policy);
+    if (const std::string age = words_of_started(options.pack, player.first()); !age.empty()) console.note("note: " + age);
     require_uninterrupted(options.output);
     LiveRun run(options, files, session, player, *window, console);
     run.handle(screen.events());

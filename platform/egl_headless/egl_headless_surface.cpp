@@ -6,6 +6,7 @@
 
 #include "platform/current_surface.hpp"
 #include "platform/egl_headless/egl_display.hpp"
+#include "platform/egl_headless/reset_status.hpp"
 #include "render_core/base/driver_scope.hpp"
 
 namespace tedavis::platform {
@@ -48,8 +49,10 @@ public:
     bool make_current() override {
         if (!claim_current(this)) return false;
         const base::DriverScope driver;
-        if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE)
+        if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE) {
+            reset_.find(&eglGetProcAddress);
             return true;
+        }
         drop_current(this);
         return false;
     }
@@ -69,7 +72,7 @@ public:
     base::SurfaceState present() override {
         if (!is_current(this)) return base::SurfaceState::failed;
         const base::DriverScope driver;
-        if (eglWaitClient() == EGL_TRUE) return base::SurfaceState::ready;
+        if (eglWaitClient() == EGL_TRUE) return reset_.is_lost() ? base::SurfaceState::context_lost : base::SurfaceState::ready;
         return eglGetError() == EGL_CONTEXT_LOST ? base::SurfaceState::context_lost : base::SurfaceState::failed;
     }
 
@@ -81,6 +84,7 @@ private:
     EGLConfig config_ = nullptr;
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
+    ResetStatus reset_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "platform/current_surface.hpp"
 #include "platform/egl_headless/egl_display.hpp"
+#include "platform/egl_headless/reset_status.hpp"
 #include "platform/egl_kms/drm_inventory.hpp"
 #include "platform/egl_kms/gbm_buffers.hpp"
 #include "platform/egl_kms/scanout.hpp"
@@ -93,8 +94,10 @@ public:
     bool make_current() override {
         if (!claim_current(this)) return false;
         const base::DriverScope driver;
-        if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE)
+        if (eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE) {
+            reset_.find(&eglGetProcAddress);
             return true;
+        }
         drop_current(this);
         return false;
     }
@@ -114,6 +117,7 @@ public:
     base::SurfaceState present() override {
         if (!is_current(this)) return base::SurfaceState::failed;
         if (!swap()) return eglGetError() == EGL_CONTEXT_LOST ? base::SurfaceState::context_lost : base::SurfaceState::failed;
+        if (reset_.is_lost()) return base::SurfaceState::context_lost;
         return scanout_->show() ? base::SurfaceState::ready : base::SurfaceState::failed;
     }
 
@@ -173,6 +177,7 @@ private:
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
+    ResetStatus reset_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 /// The reason for a failure: one message that says what is wrong, where, and what to do. An empty message means success.
 ///
-/// Memory  inside the error, no heap: a part that does not fit is cut. Thread  any.
+/// Memory: inside the object, no heap; text beyond the capacity is cut off. May be used on any thread.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Error {
     [[nodiscard]] explicit operator bool() const { return !message.empty(); }
 };
 
-/// Joins the parts to one message.
+/// Joins the parts into one message.
 [[nodiscard]] Error make_error(std::initializer_list<std::string_view> parts);
 template <class... Parts>
 [[nodiscard]] Error make_error(const Parts&... parts) {

@@ -62,7 +62,7 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
     if (base::Error error = planner_.start_symbology(arenas_.symbology())) return error;
     if (base::Error error = painter_.start(start, planner_)) return error;
     if (base::Error error = planner_.start_terrain(terrain, designs, arenas_.terrain())) return error;
-    if (base::Error error = painter_.start_terrain(start, planner_, arenas_, terrain.workers)) return error;
+    if (base::Error error = painter_.start_terrain(start, planner_.terrain(), arenas_, terrain.workers)) return error;
     const PainterAbilities painter = painter_.abilities();
     if (base::Error error = planner_.start_scene(scene, arenas_.scene(), painter.ground_side)) return error;
     if (planner_.has_data_to_show()) {

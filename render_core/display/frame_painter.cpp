@@ -39,12 +39,12 @@ base::Error FramePainter::start(const PainterStart& start, const FramePlanner& p
     return symbology_.start(gl_, budget, planner.symbology());
 }
 
-base::Error FramePainter::start_terrain(const PainterStart& start, FramePlanner& planner, DisplayMemory& memory,
+base::Error FramePainter::start_terrain(const PainterStart& start, TerrainPlanner& terrain, DisplayMemory& memory,
                                         base::Workers* workers) {
-    if (!planner.terrain().is_started()) return {};
+    if (!terrain.is_started()) return {};
     const draw::TracePlace traced{workers, &memory.traced_terrain(), width_px_ + 2 * start.stereo_margin_px, height_px_};
     has_terrain_ = true;
-    return terrain_.start(gl_, planner.terrain(), start.designs, start.device, memory.terrain().staging, traced);
+    return terrain_.start(gl_, terrain, start.designs, start.device, memory.terrain().staging, traced);
 }
 
 base::Error FramePainter::start_elements(const FramePlanner& planner, DisplayMemory& memory) {

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] base::Error open(base::Surface& surface, const effects::DeviceSettings& device, base::ProgramStore* programs);
     /// The planner must outlive the painter: what it builds is drawn from its memory.
     [[nodiscard]] base::Error start(const PainterStart& start, const FramePlanner& planner);
-    [[nodiscard]] base::Error start_terrain(const PainterStart& start, FramePlanner& planner, DisplayMemory& memory,
+    [[nodiscard]] base::Error start_terrain(const PainterStart& start, TerrainPlanner& terrain, DisplayMemory& memory,
                                             base::Workers* workers);
     [[nodiscard]] base::Error start_elements(const FramePlanner& planner, DisplayMemory& memory);
     /// No object is made from here on.

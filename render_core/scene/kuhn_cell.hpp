@@ -1,9 +1,10 @@
-/// A cell of a grid cut into Kuhn's six tetrahedra, and the triangles in it between corners inside and outside of a surface.
+/// Marching tetrahedra in one cell of a grid: the cell is divided into Kuhn's six tetrahedra, and a table gives, for each set of
+/// corners inside the surface, the triangles that separate inside from outside corners.
 ///
-/// Corner n lies at (n & 1, n >> 1 & 1, n >> 2 & 1). Each tetrahedron contains a path from corner 0 to corner 7 along the axes
-/// in one of their six orders. So every edge runs from a corner to one with no lower coordinate, and neighbouring cells divide
-/// their common face in the same way. H. W. Kuhn, Some combinatorial lemmas in topology, IBM Journal of Research and Development
-/// 4 (1960).
+/// Corner n lies at (n & 1, n >> 1 & 1, n >> 2 & 1). Each tetrahedron contains a path from corner 0 to corner 7 that follows the
+/// three axes in one of their six orders. Every edge therefore leads from a corner to one with no lower coordinate, and
+/// neighbouring cells divide their common face in the same way. H. W. Kuhn, Some combinatorial lemmas in topology, IBM Journal of
+/// Research and Development 4 (1960).
 #pragma once
 
 #include <array>
@@ -45,7 +46,8 @@ constexpr void add_triangle(KuhnCase& made, KuhnEdge a, KuhnEdge b, KuhnEdge c) 
     made.edge[n][2] = c;
 }
 
-/// The same tetrahedron, with the inside corners before the outside ones, and its handedness.
+/// The corners of the tetrahedron, inside corners first. Two corners of the same kind are exchanged where needed, so the
+/// tetrahedron is right-handed.
 struct SortedCorners {
     int corner[4]{};
     int inside = 0;

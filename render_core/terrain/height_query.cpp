@@ -130,6 +130,9 @@ std::uint32_t HeightQuery::chunk_over(std::uint32_t i, std::uint32_t j) {
     if (database_->read_part(entry->payload, payload(place)).error != TdbError::none ||
         !payload_holds(database_->lattice(), *entry, payload(place)))
         return kNone;
+    const PostRange posts = database_->lattice().posts_of(key_of(*entry));
+    chunks_[place].extents = block_extents(*entry, regular_grid(posts.i1 - posts.i0, posts.j1 - posts.j0, entry->level),
+                                           payload_vertices(*entry, payload(place)));
     chunks_[place].asked = ++asked_;
     return place;
 }
@@ -138,7 +141,7 @@ ExactChunk HeightQuery::exact_chunk(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t kept = chunk_over(i, j);
     if (kept == kNone) return {};
     const ChunkEntry& entry = chunks_[kept].entry;
-    return {&entry, payload_vertices(entry, payload(kept))};
+    return {&entry, payload_vertices(entry, payload(kept)), &chunks_[kept].extents};
 }
 
 /// What is damaged may be read better the next time.

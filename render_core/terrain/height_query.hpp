@@ -7,6 +7,7 @@
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
+#include "render_core/terrain/block_extents.hpp"
 #include "render_core/terrain/kept_heights.hpp"
 #include "render_core/terrain/terrain_database.hpp"
 
@@ -16,6 +17,7 @@ namespace tedavis::terrain {
 struct ExactChunk {
     const ChunkEntry* entry = nullptr;  ///< null: it cannot be read
     base::Span<const ChunkVertex> vertices;
+    const BlockExtents* extents = nullptr;  ///< null with the entry
 };
 
 class HeightQuery {
@@ -37,6 +39,7 @@ public:
 private:
     struct KeptChunk {
         ChunkEntry entry;
+        BlockExtents extents;
         std::uint64_t asked;  ///< 0: empty
     };
     struct KeptPage {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render_core/terrain/block_extents.hpp"
 #include "render_core/terrain/ground_scan.hpp"
 #include "render_core/terrain/projected_error.hpp"
 #include "render_core/terrain/regular_chunk.hpp"
@@ -17,7 +18,7 @@ constexpr std::uint32_t kMaxLooks = 256;  // at chunks with children, for one ma
 constexpr std::uint32_t kMaxChunks = HeightQuery::kKeptChunks - 1;
 constexpr double kBeside = 0.5;  // of a chunk's half side: from so close its vertices are looked at
 constexpr std::uint32_t kBlockCells = 4, kBlocks = kChunkCells / kBlockCells;
-constexpr std::uint32_t kGroupBlocks = 2, kGroups = kBlocks / kGroupBlocks;  // blocks are looked at in groups first
+constexpr std::uint32_t kGroupBlocks = BlockExtents::kCells / kBlockCells, kGroups = BlockExtents::kSide;  // looked at first
 
 bool is_finite(const View& view) {
     return std::isfinite(glm::dot(view.eye, view.eye) + glm::dot(view.forward, view.forward) + glm::dot(view.right, view.right) +
@@ -94,18 +95,6 @@ std::uint32_t block_in_group(std::uint32_t group, std::uint32_t member) {
     return b * kBlocks + a;
 }
 
-/// Contains the boxes of a group's blocks; empty where all are.
-ViewBox box_of_group(const ViewBox* boxes, std::uint32_t group) {
-    ViewBox all;
-    for (std::uint32_t member = 0; member < kGroupBlocks * kGroupBlocks; ++member) {
-        const ViewBox& box = boxes[block_in_group(group, member)];
-        if (box.is_empty()) continue;
-        all.include(box.low);
-        all.include(box.high);
-    }
-    return all;
-}
-
 /// The places of a block's posts, row by row.
 struct BlockPlaces {
     BlockPlaces(const ChunkPosts& posts, const Block& block) {
@@ -169,9 +158,11 @@ private:
         std::uint32_t block;
         double px_per_m;  ///< no more than that in it
     };
+    /// Of a chunk in the view: boxes of groups of blocks, and those of blocks where any margin has asked for them.
     struct Blocks {
         ChunkKey key = kNoChunk;
-        ViewBox boxes[kBlocks * kBlocks], groups[kGroups * kGroups];
+        ViewBox groups[kGroups * kGroups], boxes[kBlocks * kBlocks];
+        bool has_boxes[kGroups * kGroups];
     };
 
     void include(double px_per_m) { most_ = std::max(most_, px_per_m); }
@@ -204,13 +195,13 @@ private:
     double px_per_m_of_posts(const ChunkEntry& entry) {
         const double side_m = std::min(double{entry.half_extent_m[0]}, double{entry.half_extent_m[1]});
         if (!(box_distance_m(entry, view_) < kBeside * side_m)) return std::numeric_limits<double>::infinity();
-        const Blocks* const blocks = blocks_of(entry);
+        Blocks* const blocks = blocks_of(entry);
         const ExactChunk chunk = blocks != nullptr ? chunk_of(entry) : ExactChunk{};
         if (chunk.entry == nullptr) return std::numeric_limits<double>::infinity();
         const ChunkPosts posts(heights_.lattice(), chunk, view_);
         const GroundScan scan(view_, down_, margin_m_, std::max(double{entry.above_m}, double{entry.below_m}));
         double px_per_m = most_;
-        const std::uint32_t count = find_greater(*blocks, scan, px_per_m);
+        const std::uint32_t count = find_greater(*blocks, posts, scan, px_per_m);
         for (std::uint32_t n = 0; n < count && greater_[n].px_per_m > px_per_m; ++n) {
             const double of_cells = px_per_m_of_cells(posts, block_of(posts, greater_[n].block), scan, px_per_m);
             px_per_m = std::min(greater_[n].px_per_m, of_cells);
@@ -220,10 +211,11 @@ private:
 
     /// Into `greater_`: the blocks whose boxes allow more than `least`, the greatest first. Returns how many there are. A box
     /// allows no more than one that contains it.
-    std::uint32_t find_greater(const Blocks& blocks, const GroundScan& scan, double least) {
+    std::uint32_t find_greater(Blocks& blocks, const ChunkPosts& posts, const GroundScan& scan, double least) {
         std::uint32_t count = 0;
         for (std::uint32_t group = 0; group < kGroups * kGroups; ++group) {
             if (!(scan.px_per_m(blocks.groups[group]) > least)) continue;
+            if (!blocks.has_boxes[group]) add_boxes(blocks, posts, group);
             for (std::uint32_t member = 0; member < kGroupBlocks * kGroupBlocks; ++member) {
                 const std::uint32_t n = block_in_group(group, member);
                 const double px_per_m = scan.px_per_m(blocks.boxes[n]);
@@ -234,25 +226,33 @@ private:
         return count;
     }
 
+    static void add_boxes(Blocks& blocks, const ChunkPosts& posts, std::uint32_t group) {
+        blocks.has_boxes[group] = true;
+        for (std::uint32_t member = 0; member < kGroupBlocks * kGroupBlocks; ++member) {
+            const std::uint32_t n = block_in_group(group, member);
+            blocks.boxes[n] = box_of(posts, block_of(posts, n));
+        }
+    }
+
     ExactChunk chunk_of(const ChunkEntry& entry) {
         const PostRange range = heights_.lattice().posts_of(key_of(entry));
         return heights_.exact_chunk(range.i0, range.j0);
     }
 
     /// Made once for all margins; null when there are enough, or its vertices cannot be had.
-    const Blocks* blocks_of(const ChunkEntry& entry) {
+    Blocks* blocks_of(const ChunkEntry& entry) {
         std::uint32_t place = 0;
         while (place < known_ && blocks_[place].key != key_of(entry)) ++place;
         if (place < known_) return &blocks_[place];
         if (known_ == kMaxChunks) return nullptr;
         const ExactChunk chunk = chunk_of(entry);
         if (chunk.entry == nullptr) return nullptr;
-        const ChunkPosts posts(heights_.lattice(), chunk, view_);
         Blocks& blocks = blocks_[known_++];
         blocks.key = key_of(entry);
-        for (std::uint32_t n = 0; n < kBlocks * kBlocks; ++n) blocks.boxes[n] = box_of(posts, block_of(posts, n));
-        for (std::uint32_t group = 0; group < kGroups * kGroups; ++group)
-            blocks.groups[group] = box_of_group(blocks.boxes, group);
+        for (std::uint32_t group = 0; group < kGroups * kGroups; ++group) {
+            blocks.groups[group] = seen_block(*chunk.entry, chunk.extents->blocks[group], view_);
+            blocks.has_boxes[group] = false;
+        }
         return &blocks;
     }
 

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <memory>
 
+#include "platform/files/file_text.hpp"
 #include "platform/programs/program_folder.hpp"
 #include "render_core/effects/calibration.hpp"
 #include "render_core/gl/program.hpp"
 #include "render_core/scene/scene_reader.hpp"
 #include "render_core/terrain/verify_page.hpp"
 #include "target/board_display.hpp"
-#include "target/file_text.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -115,7 +115,7 @@ private:
     /// Whose they are only a display can say.
     void check_costs(bool is_started) {
         if (is_started) return add("board_costs", hold_board_deadline(settings_, host_), "measured on this board");
-        const auto text = read_file_text(settings_.costs.c_str());
+        const auto text = platform::read_file_text(settings_.costs.c_str());
         if (!text.ok()) return add("board_costs", text.error(), {});
         const auto read = effects::read_calibration(text.value().view(), settings_.costs.view());
         report_.add("board_costs", read.ok(),

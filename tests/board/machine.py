@@ -22,6 +22,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
@@ -54,8 +55,8 @@ def end_with_parent():
 class Channel:
     """A console of the guest: a unix socket that is read up to a pattern, within a limit."""
 
-    def __init__(self, path, is_alive, limit_s=20):
-        self._is_alive = is_alive
+    def __init__(self, path, is_alive, limit_s=20, keeps_returns=False):
+        self._is_alive, self._keeps_returns = is_alive, keeps_returns
         self._bytes = b""
         self._socket = socket.socket(socket.AF_UNIX)
         end = time.monotonic() + limit_s
@@ -84,6 +85,12 @@ class Channel:
                 raise MachineError(f"the guest does not answer within {limit_s} s; it said: {self._tail()}")
             self._receive(min(left, 1))
 
+    def take(self, limit_s):
+        """Returns what has come, which is empty after the limit."""
+        self._receive(limit_s)
+        taken, self._bytes = self._bytes, b""
+        return taken
+
     def close(self):
         self._socket.close()
 
@@ -95,7 +102,7 @@ class Channel:
             return
         if not data or not self._is_alive():
             raise MachineError(f"the machine ended unexpectedly; it said: {self._tail()}")
-        self._bytes += data.replace(b"\r", b"")
+        self._bytes += data if self._keeps_returns else data.replace(b"\r", b"")
 
     def _tail(self):
         return self._bytes[-500:].decode(errors="replace") or "nothing"
@@ -131,17 +138,26 @@ class Machine:
     modules   modules beyond those that init always loads, for example "vkms"
     size      width and height of the screen of virtio-gpu
     boot_s    seconds from the start of the emulator to a shell that answers
+    sent_can  CAN frames that the guest has sent, once count_sent_can() was called
+    panel_folder   of the guest's lines in /sys, after make_panel()
     work      this machine's folder that is /work in the guest
     disk      a disk of tests/board/make_image; its system is booted, and what it changes is forgotten at the end
     keeps_disk   the disk is only there (/dev/vda), and keeps what is written
+    instruction_ns   the guest's clocks count this for each instruction (a power of two), and leap where the guest has nothing to do;
+              so programs within it are as fast by its clocks on a busy machine as on a free one. None: they run with this
+              machine's clock
     """
 
-    def __init__(self, arch, shares=None, modules=(), size=(640, 480), memory_mib=1024, disk=None, keeps_disk=False):
+    def __init__(self, arch, shares=None, modules=(), size=(640, 480), memory_mib=1024, disk=None, keeps_disk=False,
+                 instruction_ns=None):
+        self.instruction_ns = instruction_ns
         self.arch, self.modules, self.size, self.memory_mib = arch, tuple(modules), size, memory_mib
         self.disk, self.keeps_disk = disk, keeps_disk
         self.work = TOP / "build" / "board" / arch
         self.shares = {"build": str(TOP / "build"), "source": str(TOP), "work": f"{self.work}:rw", **(shares or {})}
         self.boot_s = 0.0
+        self.sent_can = 0
+        self.panel_folder = None
         self._process = self._shell = self._can = self._monitor = None
         self._asked = 0
 
@@ -259,6 +275,17 @@ class Machine:
         lines = (f"t{frame.identifier:03X}{len(frame.data)}{frame.data.hex().upper()}\r" for frame in frames)
         self._can.write("".join(lines).encode())
 
+    def count_sent_can(self):
+        """Takes from now on what the guest itself sends on slcan0, which would wait otherwise, and counts the frames in sent_can."""
+        threading.Thread(target=self._take_can, daemon=True).start()
+
+    def _take_can(self):
+        while self._can is not None:
+            try:
+                self.sent_can += self._can.take(1).count(b"\r")
+            except (MachineError, OSError):
+                return
+
     # GPIO: gpio-sim of the guest's kernel
 
     def make_panel(self, label, names):
@@ -269,7 +296,8 @@ class Machine:
         self.must("echo 1 >/sys/kernel/config/gpio-sim/panel/live")
         device = self.must("cat /sys/kernel/config/gpio-sim/panel/dev_name").strip()
         chip = self.must(f"cat {bank}/chip_name").strip()
-        self._pulls = {name: f"/sys/devices/platform/{device}/{chip}/sim_gpio{i}/pull" for i, name in enumerate(names)}
+        self.panel_folder = f"/sys/devices/platform/{device}/{chip}"
+        self._pulls = {name: f"{self.panel_folder}/sim_gpio{i}/pull" for i, name in enumerate(names)}
 
     def throw_lines(self, **levels):
         """Pulls the named lines up (True) or down (False), one right after the other."""
@@ -324,7 +352,7 @@ class Machine:
         try:
             self._monitor = Monitor(f"{self._sockets}/qmp", self._is_alive)
             self._shell = Channel(f"{self._sockets}/shell", self._is_alive)
-            self._can = Channel(f"{self._sockets}/can", self._is_alive)
+            self._can = Channel(f"{self._sockets}/can", self._is_alive, keeps_returns=True)
             self._shell.read_until(rb"SHELLUP\n", BOOT_LIMIT_S if self.disk is None else SYSTEM_LIMIT_S)
         except MachineError as error:
             emulator = (self.work / "qemu.log").read_text(errors="replace")
@@ -343,6 +371,8 @@ class Machine:
             line += " system=disk"
         # KVM is no choice: a nested one boots no stock kernel, although /dev/kvm opens.
         command = [*EMULATORS[self.arch], "-accel", "tcg", "-smp", "1", "-m", str(self.memory_mib)]
+        if self.instruction_ns is not None:
+            command += ["-icount", f"shift={self.instruction_ns.bit_length() - 1},sleep=off"]
         command += ["-nodefaults", "-no-user-config", "-display", "none"]
         if self.disk is None or self.keeps_disk:
             command += ["-no-reboot"]

@@ -44,6 +44,7 @@ protected:
 };
 
 TEST_F(WithoutGl, AFrameIsPlanned) {
+    display::PlannerMemory other = memory;
     planner.plan(input_at(0.1), memory, *frame);
     EXPECT_EQ(memory.frames, 1u);
     EXPECT_FALSE(frame->decisions.show_terrain) << "there is none";
@@ -53,10 +54,9 @@ TEST_F(WithoutGl, AFrameIsPlanned) {
     const auto same = [&first](const base::Span<const draw::QuadVertex>& now) {
         return now.size() == first.size() && std::memcmp(now.data(), first.data(), first.size() * sizeof(draw::QuadVertex)) == 0;
     };
-    display::PlannerMemory other;
-    other = memory;
     planner.plan(input_at(0.1), other, *frame);
-    EXPECT_TRUE(same(planner.symbology().vertices()));
+    EXPECT_EQ(other.frames, 1u);
+    EXPECT_TRUE(same(planner.symbology().vertices())) << "from a copy of the same memory";
     planner.plan(input_at(0.2), other, *frame);
     EXPECT_FALSE(same(planner.symbology().vertices())) << "control: another pitch";
 }

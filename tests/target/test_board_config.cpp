@@ -146,6 +146,22 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"[can]\ninterface = 'can0'\n[memory]\ntouch = 1\n", 9, "touch"}, Fault{"[can]\ninterface = 'can0'\n[can]\n", 8, ""},
         Fault{"[can\n", 6, ""}));
 
+TEST(BoardConfig, ParametersStandAboveTheDesigns) {
+    Board board;
+    const std::string can = "[can]\ninterface = 'can0'\n";
+    const BoardSettings plain = board.settings(can);
+    const BoardSettings above = board.settings(
+        can +
+        "[parameters]\ntau_px = 7.5\ndeadline_ms = 12\nfoci = ['shape = \"circle\", at = \"place\", place = \"DAVOS\"']\n"
+        "[parameters.weights]\nterrain = 0.125\n[replay]\nlog = 'x'\n");
+    EXPECT_EQ(above.design.terrain.tau_px, 7.5);
+    EXPECT_EQ(above.device.deadline_ms, 12);
+    EXPECT_EQ(above.design.foci.size(), plain.design.foci.size() + 1);
+    EXPECT_EQ(above.design.priority.weights.of[design::kTerrainAspect], 0.125);
+    EXPECT_NE(plain.design.terrain.tau_px, 7.5);
+    EXPECT_THAT(board.load_with(can + "[parameters.weights]\nno_such_part = 1\n"), HasSubstr("has no aspect 'no_such_part'"));
+}
+
 TEST(BoardConfig, ACanSectionIsNeeded) {
     Board board;
     EXPECT_THAT(board.load_with(""), HasSubstr("interface"));

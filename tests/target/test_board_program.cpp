@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "host_sim/input_file.hpp"
+#include "host_sim/options/replay_config.hpp"
+#include "host_sim/pack/write_pack.hpp"
 #include "target/self_test.hpp"
+#include "tests/support/files/changing_file.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/target/captured_output.hpp"
@@ -17,6 +20,7 @@ namespace tedavis::target::test_board_program {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::string kBoard = test_support::source_dir() + "/tests/target/boards/fake_board.toml";
@@ -99,6 +103,61 @@ TEST_F(OwnBoard, IsSoundAsItIs) {
     EXPECT_EQ(ran.code, 0) << ran.out;
     EXPECT_THAT(ran.out, HasSubstr("ok      board_terrain  "));
     EXPECT_EQ(flown(board()).code, 0);
+}
+
+TEST_F(OwnBoard, StartsFromAPackThatIsAsPacked) {
+    const std::string config = without_phases(board()), pack = folder_.file("pack");
+    const host_sim::PackContents contents = host_sim::pack_contents(host_sim::load_replay_config(config), config);
+    const auto write = [&](const std::string& until) {
+        host_sim::write_pack(contents, {pack, true, "", until, ""}, [](std::uint64_t, std::uint64_t) {});
+    };
+    write("2020-01-01");
+    const Ran ran = flown(pack);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("files, each as packed"));
+    EXPECT_THAT(ran.err, HasSubstr("was valid until 2020-01-01, and this is 20"));
+    write("");
+    EXPECT_THAT(flown(pack).err, Not(HasSubstr("valid"))) << "control";
+    EXPECT_EQ(self_test(pack).code, 0);
+    const std::string lines = run({"--config", pack.c_str(), "--frames", "1", "--json"}).out;
+    EXPECT_EQ(nlohmann::json::parse(lines.substr(0, lines.find('\n'))).at("pack").at("signed"), false);
+    std::string terrain = host_sim::read_file(pack + "/terrain/area.tdb");
+    terrain[terrain.size() / 2] = static_cast<char>(terrain[terrain.size() / 2] ^ 1);
+    folder_.write("pack/terrain/area.tdb", terrain);
+    for (const std::vector<const char*>& arguments :
+         std::vector<std::vector<const char*>>{{"--config", pack.c_str(), "--frames", "1"},
+                                               {"--probe", "--config", pack.c_str()},
+                                               {"--self-test", "--config", pack.c_str()}}) {
+        const Ran refused = run(arguments);
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_THAT(refused.err, HasSubstr("terrain/area.tdb: was changed after packing"));
+    }
+    const Ran no_key = run({"--config", pack.c_str(), "--pack-key", "/nowhere.pub"});
+    EXPECT_EQ(no_key.code, 2);
+    EXPECT_THAT(no_key.err, HasSubstr("--pack-key /nowhere.pub: cannot be read"));
+    const std::string key = folder_.write(
+        "k.pub",
+        "untrusted comment: minisign public key C659D84D2214F1ED\nRWTt8RQiTdhZxqxF1UvwXA/qhYVP8iYP+yUVxVPP7tPIyykCczHCU+pM\n");
+    EXPECT_THAT(run({"--config", pack.c_str(), "--pack-key", key.c_str()}).err, HasSubstr("pack.toml: is not signed"));
+    const Ran no_pack = run({"--config", config.c_str(), "--pack-key", key.c_str()});
+    EXPECT_EQ(no_pack.code, 2);
+    EXPECT_THAT(no_pack.err, HasSubstr("is of no pack, so that no signature would be asked for"));
+}
+
+/// The service does not start again after 2.
+TEST_F(OwnBoard, APackThatChangesDuringItsStartEndsWithOne) {
+    const std::string config = without_phases(board()), pack = folder_.file("pack");
+    host_sim::write_pack(host_sim::pack_contents(host_sim::load_replay_config(config), config), {pack, false, "", "", ""},
+                         [](std::uint64_t, std::uint64_t) {});
+    Ran ran;
+    {
+        const test_support::ChangingFile changing(pack + "/config.toml", "title = 'half of a copy'\n",
+                                                  host_sim::read_file(pack + "/config.toml"));
+        for (int tries = 0; tries < 100 && ran.code != 1; ++tries) ran = flown(pack);
+    }
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_THAT(ran.err, HasSubstr("was replaced or changed during the start; start again"));
+    EXPECT_EQ(flown(pack).code, 2) << "control: as it stays it is no pack";
 }
 
 TEST_F(OwnBoard, ItsTerrainIsTestedAndItFliesWithoutIt) {

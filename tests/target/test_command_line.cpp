@@ -32,6 +32,15 @@ TEST(CommandLine, ReadsARun) {
               "--shot: is empty; name the picture to write; see tedavis-display --help");
 }
 
+TEST(CommandLine, APackMayHaveAnotherKey) {
+    EXPECT_STREQ(parse({"--config", "p"}).value().pack_key, "/etc/tedavis/pack.pub");
+    EXPECT_STREQ(parse({"--config", "p", "--pack-key", "/proc/self/exe"}).value().pack_key, "/proc/self/exe");
+    EXPECT_NE(refusal({"--config", "p", "--pack-key", "/nowhere.pub"}).find("--pack-key /nowhere.pub: cannot be read"),
+              std::string::npos)
+        << "without the file no signature would be asked for";
+    EXPECT_NE(refusal({"--probe", "--pack-key", "/proc/self/exe"}).find("--pack-key: belongs to --config"), std::string::npos);
+}
+
 TEST(CommandLine, SelfTestNeedsNoFile) {
     EXPECT_EQ(parse({"--self-test"}).value().request, Request::self_test);
     EXPECT_EQ(parse({"--self-test"}).value().config, nullptr);

@@ -22,7 +22,7 @@ TEST(DesignFiles, AShortNameIsAFileOfTheFolderAndAPathIsFoundFromTheDesign) {
     place.write("mine.toml", kShipped);
     place.write("designs/beside.toml", kShipped);
     const std::string design = place.file("designs/own.toml"), folder = place.path() + "/";
-    DesignFiles files(folder);
+    DesignFiles files({folder, ""});
     const auto find = [&](const std::string& name) { return files.find({name, design}); };
     EXPECT_EQ(find("mine").value().name.view(), "grey");
     EXPECT_EQ(find("beside.toml").value().name.view(), "grey");
@@ -35,7 +35,7 @@ TEST(DesignFiles, FaultsNameTheFile) {
     const test_support::TemporaryFolder place;
     place.write("bad.toml", "colour = 1\n" + kShipped);
     const std::string design = place.file("own.toml"), folder = place.path() + "/";
-    DesignFiles files(folder);
+    DesignFiles files({folder, ""});
     const auto find = [&](const std::string& name) { return files.find({name, design}); };
     EXPECT_THAT(find("bad").error().message.c_str(), HasSubstr(place.file("bad.toml") + ":1: unknown key"));
     EXPECT_THAT(find(std::string(2000, 'p')).error().message.c_str(), HasSubstr("use a shorter one"));
@@ -47,7 +47,7 @@ TEST(DesignFiles, ABaseLiesBesideTheDesignThatNamesIt) {
     place.write("designs/base.toml", "name = 'base'\n");
     place.write("above.toml", "name = 'above'\n");
     const std::string design = place.file("designs/own.toml");
-    DesignFiles files("");
+    DesignFiles files({"", ""});
     const auto found = files.find_design({"base", design});
     ASSERT_TRUE(found.ok()) << found.error().message.view();
     EXPECT_EQ(found.value().text, "name = 'base'\n");
@@ -56,6 +56,17 @@ TEST(DesignFiles, ABaseLiesBesideTheDesignThatNamesIt) {
     EXPECT_EQ(files.find_design({place.file("above.toml"), design}).value().text, "name = 'above'\n");
     EXPECT_THAT(files.find_design({"absent", design}).error().message.c_str(), HasSubstr(place.file("designs/absent.toml")));
     EXPECT_THAT(files.find_design({std::string(2000, 'd'), design}).error().message.c_str(), HasSubstr("use a shorter one"));
+}
+
+TEST(DesignFiles, ShortNamesOfDesignsMayHaveAFolder) {
+    const test_support::TemporaryFolder place;
+    std::filesystem::create_directory(place.file("designs"));
+    place.write("designs/base.toml", "name = 'in the folder'\n");
+    place.write("base.toml", "name = 'beside'\n");
+    const std::string folder = place.file("designs/"), design = place.file("own.toml");
+    DesignFiles files({"", folder});
+    EXPECT_EQ(files.find_design({"base", design}).value().text, "name = 'in the folder'\n");
+    EXPECT_EQ(files.find_design({"base.toml", design}).value().text, "name = 'beside'\n") << "a path, from the design";
 }
 
 TEST(DesignFiles, TheBoardFileSaysInWhichFolder) {

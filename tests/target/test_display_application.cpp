@@ -10,6 +10,9 @@
 #include <thread>
 
 #include "host_sim/heap_trap/heap_trap.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/options/replay_config.hpp"
+#include "host_sim/pack/write_pack.hpp"
 #include "render_core/display/calibration_subject.hpp"
 #include "render_core/gl/readback.hpp"
 #include "tests/support/files/temporary_folder.hpp"
@@ -79,6 +82,7 @@ TEST_F(DisplayApplicationTest, AMissingInterfaceShowsFlagsAndDoesNotEndTheProgra
     EXPECT_EQ(report.end, RunEnd::stopped);
     EXPECT_EQ(report.frames, 60u);
     EXPECT_EQ(report.gl_calls_outside_device, 0u);
+    EXPECT_FALSE(report.is_warm) << "there is nothing to draw the designs behind";
     EXPECT_FALSE(report.has_first_picture) << "a picture without a position is not the one that is waited for";
     const display::FrameRecord& record = application->display().record();
     EXPECT_EQ(record.terrain.triangles, 0u) << "no position, no terrain";
@@ -152,6 +156,47 @@ TEST_F(DisplayApplicationTest, ASceneIsTakenOverWhenItIsThere) {
     EXPECT_THAT(lines.str(), HasSubstr("area.sdb: has revision 3\n"));
 }
 
+/// The next start takes the new one: tests/target/test_board_program.cpp.
+TEST_F(DisplayApplicationTest, APackReplacedWhileItRunsIsTakenAtTheNextStartOnly) {
+    const test_support::TemporaryFolder folder;
+    const auto write_scene = [&](std::uint64_t revision) {
+        host_sim::SceneDraft draft = test_support::small_scene();
+        draft.revision = revision;
+        const auto bytes = host_sim::sdb_bytes(draft);
+        folder.write("area.sdb", std::string(bytes.begin(), bytes.end()));
+    };
+    const auto pack = [&] {
+        const std::string config =
+            folder.write("board.toml", host_sim::read_file(test_support::source_dir() + "/tests/target/boards/fake_board.toml"));
+        std::string text = folder.read("board.toml");
+        for (std::size_t at = 0; (at = text.find("../../../", at)) != std::string::npos;)
+            text.replace(at, 9, test_support::source_dir() + "/");
+        folder.write("board.toml", text + "[scene]\ndatabase = 'area.sdb'\n");
+        host_sim::write_pack(host_sim::pack_contents(host_sim::load_replay_config(config), config),
+                             {folder.file("pack"), true, "", "", ""}, [](std::uint64_t, std::uint64_t) {});
+    };
+    write_scene(3);
+    pack();
+    settings = load_board_settings(folder.file("pack").c_str()).value();
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
+    (void)start().run(20, stop);
+    EXPECT_EQ(application->display().record().scene_revision, 3u) << "of the first frame on";
+    EXPECT_FALSE(platform::confirm_pack(settings.pack));
+    write_scene(4);
+    pack();
+    EXPECT_TRUE(platform::confirm_pack(settings.pack)) << "control: it was replaced";
+    for (int n = 0; n < 30; ++n) {
+        (void)application->run(3, stop);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));  // longer than a watch of the file needs
+    }
+    EXPECT_EQ(application->display().record().scene_revision, 3u);
+    settings = load_board_settings(folder.file("pack").c_str()).value();
+    (void)start().run(1, stop);
+    EXPECT_EQ(application->display().record().scene_revision, 4u);
+}
+
 TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {
     const test_support::TemporaryFolder folder;
     settings.device.deadline_ms = 5;
@@ -190,6 +235,32 @@ TEST_F(DisplayApplicationTest, EveryFrameHandsOutItsRecord) {
     EXPECT_EQ(last["signals"]["latitude"], "valid");
     EXPECT_EQ(last["can_to_screen_ms"], 0.0) << "frames come at the instant at which they are read";
     EXPECT_EQ(last["on_screen"], true);
+}
+
+/// Without a scene cruise and re-planning show the first design: there are three to draw, one every eighth picture, and where the
+/// device can keep a picture how they fade.
+TEST_F(DisplayApplicationTest, TheDesignsOfOtherPhasesAreDrawnBehindThePictures) {
+    const test_support::TemporaryFolder folder;
+    settings.records = Path(folder.file("records"));
+    EmbeddedFlight recorded;
+    the_flight = &recorded;
+    FakeClock::on_sleep = [] { the_flight->send_due(*the_port); };
+    start();
+    std::vector<bool> warm;
+    const RecordReader reader(folder.file("records"));
+    RunReport report;
+    for (int n = 0; n < 12; ++n) {
+        report = application->run(10, stop);
+        for (const std::string& record : reader.take_all()) warm.push_back(nlohmann::json::parse(record)["warm"]);
+    }
+    ASSERT_TRUE(report.is_warm);
+    EXPECT_GT(report.warm, report.first_picture);
+    ASSERT_EQ(warm.size(), 120u);
+    const auto since = std::find(warm.begin(), warm.end(), true);
+    EXPECT_GE(since - warm.begin(), 17) << "two times eight pictures lie between three designs";
+    EXPECT_EQ(std::count(since, warm.end(), false), 0);
+    EXPECT_THAT(lines.str(), HasSubstr("all designs have been drawn once; from now on no change of phase waits for"));
+    EXPECT_EQ(application->display().record().phase.source, flight::PhaseSource::can) << "the record is that of a picture shown";
 }
 
 TEST_F(DisplayApplicationTest, WithoutAPlaceForRecordsItRuns) {

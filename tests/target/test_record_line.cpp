@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/flight_test/board_record.hpp"
 #include "host_sim/reports/frame_record_json.hpp"
 
 namespace tedavis::target::test_record_line {
@@ -68,19 +69,21 @@ void expect_part(const Json& board, const Json& desk, const std::string& where) 
 }
 
 Json without_delivery(Json record) {
-    for (const char* key : {"switch_fault", "disagreement", "on_screen", "can_to_screen_ms", "ms"}) record.erase(key);
+    for (const char* key :
+         {"switch_fault", "disagreement", "warm", "on_screen", "can_to_screen_ms", "ms", "monotonic_s", "values"})
+        record.erase(key);
     return record;
 }
 
 TEST(RecordLine, HasTheKeysAndValuesOfTheDesk) {
     const auto record = std::make_unique<display::FrameRecord>(filled_record());
     const base::Time begun{2'500'000'000};
-    const Json board = parsed(*record, {begun, {}, true, {}});
+    const Json board = parsed(*record, {begun, {}, true, true, {}, {}});
     host_sim::FrameResult result;
     result.record = *record;
     expect_part(without_delivery(board), Json::parse(host_sim::frame_record_json(result, begun)), "");
     for (const char* key : {"frame", "utc", "phase_source", "own_ship", "signals", "flags", "terrain", "alerts", "scene_revision",
-                            "effects", "presentation", "on_screen", "can_to_screen_ms", "ms"})
+                            "effects", "presentation", "warm", "on_screen", "can_to_screen_ms", "ms"})
         EXPECT_TRUE(board.contains(key)) << key;
     EXPECT_EQ(board["utc"]["time_s"], 1780315207.25);
     EXPECT_EQ(board["time_s"], 10.0);
@@ -102,13 +105,65 @@ TEST(RecordLine, APlaceThatIsLostIsNotStated) {
 
 TEST(RecordLine, SaysWhenThePictureWasOnTheScreen) {
     const auto record = std::make_unique<display::FrameRecord>(filled_record());
-    const Json shown = parsed(*record, {{}, base::Duration::milliseconds(9), true, base::Duration::milliseconds(31)});
+    const Json shown = parsed(*record, {{}, base::Duration::milliseconds(9), true, true, base::Duration::milliseconds(31), {}});
     EXPECT_EQ(shown["can_to_screen_ms"], 31.0);
     EXPECT_EQ(shown["on_screen"], true);
     EXPECT_EQ(shown["ms"]["total"], 9.0);
-    const Json hidden = parsed(*record, {{}, {}, false, std::nullopt});
+    const Json hidden = parsed(*record, {{}, {}, false, false, std::nullopt, {}});
     EXPECT_TRUE(hidden["can_to_screen_ms"].is_null());
     EXPECT_EQ(hidden["on_screen"], false);
+    EXPECT_EQ(shown["warm"], true);
+    EXPECT_EQ(hidden["warm"], false);
+}
+
+/// Programs on the same machine read the same clock, whenever the run began.
+TEST(RecordLine, SaysTheInstantOfTheMachinesClock) {
+    const auto record = std::make_unique<display::FrameRecord>(filled_record());
+    record->time = {1'234'567'890'123'456'000};  // 39 years after the machine's start
+    const Json board = parsed(*record, {{1'234'567'890'000'000'000}, {}, true, true, {}, {}});
+    EXPECT_NEAR(board["monotonic_s"].get<double>(), 1234567890.123456, 1e-5);
+    EXPECT_NEAR(board["time_s"].get<double>(), 0.123456, 1e-9);
+}
+
+TEST(RecordLine, HasTheValuesOfSignalsThatHaveOne) {
+    const auto record = std::make_unique<display::FrameRecord>(filled_record());
+    auto state = std::make_unique<flight::AircraftState>();
+    (*state)[flight::Signal::pitch] = base::Stamped<double>(-0.25, {});
+    FrameDelivery delivery;
+    delivery.values = values_of(*state);
+    const Json values = parsed(*record, delivery)["values"];
+    EXPECT_EQ(values, Json({{"pitch", -0.25}}));
+}
+
+/// What flight tests read of it.
+TEST(RecordLine, IsReadAsTheFrameThatExpectationsSee) {
+    auto record = std::make_unique<display::FrameRecord>(filled_record());
+    record->phase.source = flight::PhaseSource::held;
+    record->phase.disagreement = true;
+    record->alerts.obstacle = policy::TerrainAhead::warning;
+    FrameDelivery delivery{{}, {}, true, true, base::Duration::milliseconds(31), {}};
+    delivery.values.fill(0.5);
+    static JsonLine line;
+    write_record(*record, delivery, line);
+    const host_sim::BoardRecord read = host_sim::read_board_record(line.line(), "/s");
+    EXPECT_EQ(read.frame, 41u);
+    EXPECT_DOUBLE_EQ(read.monotonic_s, 12.5);
+    EXPECT_DOUBLE_EQ(*read.can_to_screen_s, 0.031);
+    const display::FrameRecord& seen = read.seen.record;
+    EXPECT_EQ(seen.phase.phase, record->phase.phase);
+    EXPECT_EQ(seen.phase.source, record->phase.source);
+    EXPECT_TRUE(seen.phase.disagreement);
+    EXPECT_EQ(seen.signals, record->signals);
+    EXPECT_EQ(read.seen.values[flight::Signal::pitch], 0.5);
+    ASSERT_EQ(seen.flags.size(), 1u);
+    EXPECT_EQ(seen.flags[0].view(), record->flags[0].view());
+    EXPECT_EQ(seen.alerts.terrain, record->alerts.terrain);
+    EXPECT_EQ(seen.alerts.obstacle, record->alerts.obstacle);
+    EXPECT_EQ(seen.alerts.height_above_terrain_m, record->alerts.height_above_terrain_m);
+    ASSERT_EQ(seen.effects.size(), 1u);
+    EXPECT_EQ(seen.effects[0].state, display::EffectState::replaced);
+    EXPECT_EQ(seen.effects[0].reason.view(), "no room");
+    EXPECT_EQ(seen.design.view(), record->design.view());
 }
 
 /// The longest names in every list: more than any flight has.

@@ -74,6 +74,16 @@ TEST(RunReport, TheEndSaysWhenTheFirstCorrectPictureCame) {
     EXPECT_THAT(end(false), HasSubstr("first correct picture 1.25 s after the start of the process\n"));
 }
 
+TEST(RunReport, TheEndSaysWhenAllDesignsHadBeenDrawn) {
+    RunReport report;
+    const auto end = [&](bool json) { return printed([&](std::FILE* out) { print_end(report, json, out); }); };
+    EXPECT_EQ(end(false).find("all designs"), std::string::npos);
+    report.is_warm = true;
+    report.warm = base::Duration::milliseconds(3500);
+    EXPECT_EQ(nlohmann::json::parse(end(true)).at("warm_s"), 3.5);
+    EXPECT_THAT(end(false), HasSubstr("all designs drawn once 3.50 s after the start of the process\n"));
+}
+
 TEST(RunReport, TheEndHoldsTheCounts) {
     RunReport report;
     report.frames = 7;
@@ -90,6 +100,7 @@ TEST(RunReport, TheEndHoldsTheCounts) {
             {"missed", 2},
             {"gl_calls_outside_device", 0},
             {"first_picture_s", nullptr},
+            {"warm_s", nullptr},
             {"can", {{"frames", 5}, {"decoded", 0}, {"alien", 3}, {"errors", 0}, {"dropped", 0}}},
             {"can_to_screen",
              {{"pictures", 0}, {"median_ms", 0}, {"p99_ms", 0}, {"longest_ms", 0}, {"p99_pictures", 0}, {"most_pictures", 0}}}}));

@@ -97,6 +97,8 @@ public:
     [[nodiscard]] const design::DesignSettings& design_at(std::size_t place) const {
         return place == 0 ? design_ : phases_.at(place);
     }
+    /// Of the design that the phase has at the moment.
+    [[nodiscard]] std::size_t place_of(flight::FlightPhase phase) const;
     [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
     [[nodiscard]] bool has_data_to_show() const;
     [[nodiscard]] draw::DataVariant data_variant() const;
@@ -145,7 +147,6 @@ private:
     [[nodiscard]] LookOf asked_look() const { return {memory_->shown, memory_->weights}; }
     void fit_palettes();
     void show_design(std::size_t place);
-    [[nodiscard]] std::size_t place_of_phase() const;
     void follow_phase();
     void follow_foci();
     [[nodiscard]] bool has_warning() const;

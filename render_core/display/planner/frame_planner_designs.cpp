@@ -100,8 +100,8 @@ void FramePlanner::take_look(const LookOf& of) {
 
 /// A design that puts data or their uncertainty first waits for a scene: without one the ground would lose its detail for
 /// nothing.
-std::size_t FramePlanner::place_of_phase() const {
-    const std::size_t place = phases_.place_of(frame_->phase.presented);
+std::size_t FramePlanner::place_of(flight::FlightPhase phase) const {
+    const std::size_t place = phases_.place_of(phase);
     return data_.has_scene() || design_at(place).priority.puts_terrain_first() ? place : 0;
 }
 
@@ -112,7 +112,7 @@ void FramePlanner::follow_phase() {
         begin_fade(memory_->transition.at);
         show_design(memory_->transition.to);
     }
-    const std::size_t place = place_of_phase();
+    const std::size_t place = place_of(frame_->phase.presented);
     const bool is_new = memory_->transition.is_first;
     memory_->transition.is_first = false;
     if (place == memory_->shown) return;

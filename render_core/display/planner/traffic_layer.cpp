@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 
@@ -34,6 +33,11 @@ TrafficPlace place_before(const TrafficReport& report, double seconds) {
     place.height_m -= static_cast<float>(static_cast<double>(report.climb_mps) * seconds);
     place.at = place.at - base::Duration::from_seconds(seconds);
     return place;
+}
+
+/// Six hexadecimal digits, as an address of 24 bits is written.
+void write_address(std::uint32_t address, char* text) {
+    for (int digit = 0; digit < 6; ++digit) text[digit] = "0123456789ABCDEF"[address >> (20 - 4 * digit) & 0xFu];
 }
 
 }  // namespace
@@ -86,7 +90,7 @@ void TrafficLayer::add(const TrafficReport& report) {
     char* const name = names_.data() + std::size_t{aircraft_count_} * scene::kNameBytes;
     std::memset(name, 0, scene::kNameBytes);
     if (report.callsign.empty())
-        std::snprintf(name, scene::kNameBytes, "%06X", report.address);
+        write_address(report.address, name);
     else
         std::memcpy(name, report.callsign.c_str(), report.callsign.size());
     entry_.data_time_ns = std::max(entry_.data_time_ns, points_[point_count_ - 1].time_ns);

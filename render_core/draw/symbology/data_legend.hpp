@@ -2,7 +2,7 @@
 ///
 /// The owners of data fill the entries; the builder draws them in the layout's areas. Where there is too little room all
 /// entries are shortened equally (LegendDetail); then the last ones are left out, and the legend states their number. Pure: no
-/// GL, no clock, no heap. Thread any.
+/// GL, no clock, no heap. May be called from any thread.
 #pragma once
 
 #include <array>
@@ -40,9 +40,9 @@ enum class SampleLook : std::uint8_t {
 struct LegendSample {
     base::FixedString<23> text;
     design::Color color;  ///< colour of the data
-    design::Color under;  ///< colour that is visible where data are cut away; for lines and rims their own colour
+    design::Color under;  ///< colour where data are cut away, or behind an icon, a margin or a dashed ring; else of the lines
     SampleLook look = SampleLook::plain;
-    double share = 0;  ///< 0..1: share of the data that is cut away, or strength of the look
+    double share = 0;  ///< 0..1: strength of the look, such as the share that is cut away; for `dashed_rim` the share drawn
     Icon icon = Icon::generic;
 };
 
@@ -67,9 +67,9 @@ struct DataLegend {
     base::FixedVector<LegendSample, kUncertaintySamples> uncertainty;
     base::FixedVector<LegendSample, kMaxLegendSamples> signs;  ///< samples of missing and interpolated data, and other symbols
     bool has_time = false, has_age = false, is_stale = false;
-    std::int64_t data_time_ns = 0;  ///< time of the data, UTC; for a forecast within its times, when it was computed
+    std::int64_t data_time_ns = 0;  ///< UTC, for which the data are valid; for a forecast: when it was computed
     base::Duration age;             ///< negative: time until the first time of the data
-    bool is_forecast = false;       ///< the data are valid now, and the age is their forecast time
+    bool is_forecast = false;       ///< the data are valid now; `age` is the lead time: from the computation to now
     base::FixedString<23> source;
 };
 inline constexpr std::size_t kMaxDataLegends = 5;
@@ -79,17 +79,17 @@ static_assert(std::is_trivially_copyable_v<DataLegends>);
 /// Levels of detail of a legend, from the most to the least; the scale is never left out.
 enum class LegendDetail : std::uint8_t {
     whole,             ///< everything, with a vertical scale
-    flat,              ///< everything, with a horizontal scale
+    flat,              ///< a horizontal scale; at most 8 class names
     without_source,    ///< also without the source of the data
-    without_signs,     ///< also without `signs`
-    uncertainty_line,  ///< also with the samples of uncertainty in one line
+    without_signs,     ///< also without the `signs` of entries that have a scale
+    uncertainty_line,  ///< also with the samples of uncertainty in one line, and at most 3 class names
     scales_alone,      ///< also without the entry that has no scale
-    scale_and_time,    ///< only title, scale and time
+    scale_and_time,    ///< only title, part, scale and time
     scale,             ///< title, part in its row, unit and scale; the title of stale data is amber
 };
 inline constexpr std::size_t kLegendDetails = 8;
 
-/// Returns the height in text sizes, with the gap to the next entry; 0 for an entry that is left out at this detail.
+/// Returns the height as a multiple of the text size, with the gap to the next entry; 0 for an entry left out at this detail.
 [[nodiscard]] float data_legend_height(const DataLegend& legend, LegendDetail detail) noexcept;
 /// Returns the room that all entries need together, for the layout.
 [[nodiscard]] DataLegendNeed data_legend_need(const DataLegends& legends) noexcept;
@@ -107,9 +107,9 @@ class Painter;
 /// Draws the entries as plan_data_legends places them.
 void build_data_legends(const Painter& painter, const DataLegends& legends);
 
-/// Returns the time of the data and their age: "13:00Z 12 MIN", "13:00Z +62 MIN" for a forecast, "13:00Z IN 40 MIN" for data
-/// that are not yet valid, "13:00Z AGE ?" without UTC. Ages are in minutes to 99, in hours to 48, then in days. The text is empty
-/// without a time.
+/// Returns the time of the data and their age: "13:00Z 12 MIN", "13:00Z STALE 62 MIN" for stale data, "13:00Z +62 MIN" for a
+/// forecast, "13:00Z IN 40 MIN" for data that are not yet valid, "13:00Z AGE ?" without UTC. Ages are in minutes to 99, in hours
+/// below 48, then in days. The text is empty without a time.
 [[nodiscard]] base::FixedString<31> time_and_age(const DataLegend& legend) noexcept;
 
 }  // namespace tedavis::draw

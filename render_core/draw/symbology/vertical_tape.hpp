@@ -1,9 +1,9 @@
-/// A moving vertical scale with its label, its rolling readout and its marks: airspeed and altitude.
+/// A tape: a vertical scale that moves behind a fixed readout with rolling digits, with a label and marks. Used for airspeed and
+/// altitude.
 ///
-/// In the box stand from the top: the selected value where there is one, the label, the scale, and the minimum of an approach
-/// where there is one. The readout's pointer touches the edge from which the ticks go inwards; no number of the scale is written
-/// where the readout covers a part of it. A failed value is replaced by a red cross; the rows of the selected value and of the
-/// minimum stay.
+/// The box contains, from top to bottom, the selected value (if any), the label, the scale, and the minimum of the approach (if
+/// any). The readout's pointer touches the edge from which the ticks go inwards. No number is written where the readout would
+/// cover a part of it. A failed value is replaced by a red cross; the rows of the selected value and of the minimum stay.
 #pragma once
 
 #include <string_view>
@@ -17,30 +17,31 @@ namespace tedavis::draw {
 struct VerticalTape {
     Rect box;
     double value = 0;        ///< display units, finite
-    double lowest = 0;       ///< where the scale ends
+    double lowest = 0;       ///< lowest value of the scale
     double span = 100;       ///< units over the whole height
-    double minor_step = 10;  ///< a tick
-    int majors = 2;          ///< every how many minor ticks a number stands
-    int emphasis = 0;        ///< every how many minor ticks a tick is bold, and twice as bold at every second of them; 0: none
+    double minor_step = 10;  ///< units between two ticks
+    int majors = 2;          ///< number of minor steps from one number to the next
+    /// Every how many minor steps a tick is bold (two strokes); every second of these has three strokes. 0: none.
+    int emphasis = 0;
     RollingFormat readout;
     bool ticks_right = false;  ///< ticks on the right edge of the box, numbers left of them; else the other way round
     std::string_view label;    ///< source and unit
-    std::string_view failure;  ///< in place of a failed value
+    std::string_view failure;  ///< text of the red cross
     policy::ElementShow show = policy::ElementShow::normal;
     TapeRow selected, minimum;
     TapeMarks marks;
 };
 
-/// Nothing where the value is absent.
+/// Draws nothing if the value is absent.
 void build_vertical_tape(const Painter& painter, const VerticalTape& tape);
 
-/// Boxes of the rows, and the scale in what they leave.
+/// Where the parts of a tape are placed; the scale has the room that the rows leave.
 struct TapeLayout {
     Rect selected, label, minimum;
     TapeScale scale;
-    Rect readout;            ///< in the middle of the scale; its pointer reaches out of it
-    Rect stale;              ///< below the readout
-    bool has_flags = false;  ///< there is room for them
+    Rect readout;            ///< in the middle of the scale; the pointer extends from it towards the ticks
+    Rect stale;              ///< the flag STALE, below the readout
+    bool has_flags = false;  ///< there are speed flags, and room for them
 };
 [[nodiscard]] TapeLayout tape_layout(const Painter& painter, const VerticalTape& tape) noexcept;
 

@@ -5,8 +5,9 @@
 
 namespace tedavis::raytrace {
 
-/// What a group's blocks may come to: so many, of which some may end early, behind a call by which they have so many,
-/// or more where many calls are written at once.
+/// The blocks that a group may fill: `count` blocks of `ids`. At most `early_ends` of them may end before they are full: a block
+/// ends after a call as soon as it holds `calls_of_early` calls. Where many calls are written at once, write() raises this
+/// number, so that the calls are spread over all blocks that may end early.
 struct BlockAllowance {
     const std::uint32_t* ids = nullptr;  ///< free blocks
     std::uint32_t count = 0;
@@ -14,17 +15,18 @@ struct BlockAllowance {
     std::uint32_t calls_of_early = 0;
 };
 
+/// Fills free blocks one after the other; running out of them is a failed TEDAVIS_CHECK.
 class BlockWriter {
 public:
     BlockWriter(BlockPool& pool, const BlockAllowance& allowance) : pool_(pool), allowance_(allowance) {}
 
-    /// Writes words as literals, except those at `call_places` (ascending), which are counted from `first` words before
-    /// `words`.
+    /// Writes `count` words. The words at `call_places` (ascending) are calls, all others literals. Places are counted from
+    /// `first` words before `words`.
     void write(const std::uint32_t* words, std::uint32_t count, const std::uint16_t* call_places, std::uint32_t calls,
                std::uint32_t first);
-    /// Copies tokens from the cursor, which is advanced behind them.
+    /// Copies `count` words and their call marks, and advances the cursor past them.
     void copy(BlockCursor& from, std::uint32_t count);
-    /// Links the blocks.
+    /// Links the blocks into a list, in the order in which they were filled.
     void finish();
 
     [[nodiscard]] std::uint32_t words() const { return words_; }

@@ -220,16 +220,35 @@ TEST(CheckCommand, RastersAreReadAndForeignFilesAreKnown) {
     EXPECT_EQ(check({raster}).code, 0);
     const std::string bytes = place.read("r.TIF");
     EXPECT_THAT(check({place.write("short.tif", bytes.substr(0, bytes.size() / 2))}).notes, HasSubstr("short.tif: "));
-    for (const char* name : {"desk_vcan.toml", "arm_board.toml"}) {
-        const std::string board = test_support::source_dir() + "/target/boards/" + name;
-        const std::string elsewhere = place.write(name, read_file(board));
-        for (const std::string& path : {board, elsewhere}) {
-            const CommandRun run = check({path});
-            EXPECT_EQ(run.code, 2) << "it was not validated";
-            EXPECT_THAT(run.notes, HasSubstr("run tedavis-display --self-test --config " + path));
-        }
-    }
     EXPECT_THAT(check({kConfigs + "buses/canaerospace.dbc"}).notes, HasSubstr("a CAN database for other tools"));
+}
+
+TEST(CheckCommand, AConfigurationIsReadWithAllThatItNames) {
+    const test_support::TemporaryFolder place;
+    const std::string desk = test_support::source_dir() + "/target/boards/desk_vcan.toml";
+    const CommandRun elsewhere = check({place.write("vcan.toml", read_file(desk))});
+    EXPECT_EQ(elsewhere.code, 2) << "its neighbours are not there";
+    EXPECT_THAT(elsewhere.notes, HasSubstr(place.path()));
+    const std::string board = test_support::source_dir() + "/target/boards/arm_board.toml";
+    EXPECT_THAT(check({board}).notes, HasSubstr("es2-small.toml"));
+    EXPECT_THAT(check({board}).notes, HasSubstr("is tested there: tedavis-display --self-test --config " + board));
+}
+
+TEST(CheckCommand, ASceneOfAConfigurationMayComeLater) {
+    const test_support::TemporaryFolder place;
+    const auto checked = [&](const std::string& tables) {
+        return check(
+            {place.write("board.toml", "device = '" + kConfigs + "devices/es2-small.toml'\ndesign = '" + kConfigs +
+                                           "designs/default.toml'\npalettes = '" + kConfigs + "palettes'\nbus = '" + kConfigs +
+                                           "buses/canaerospace.toml'\n[can]\ninterface = 'can9'\n" + tables)});
+    };
+    EXPECT_THAT(checked("").results, HasSubstr("a configuration of desk and board, which names "));
+    const CommandRun later = checked("[scene]\ndatabase = 'area.sdb'\n");
+    EXPECT_EQ(later.code, 0) << later.notes;
+    EXPECT_THAT(later.results, HasSubstr("and a scene that is not there yet"));
+    EXPECT_EQ(checked("[terrain]\ndatabase = 'area.tdb'\n").code, 2) << "control";
+    place.write("area.sdb", "no scene");
+    EXPECT_EQ(checked("[scene]\ndatabase = 'area.sdb'\n").code, 2) << "control";
 }
 
 /// What a start refuses, a check refuses with the same words.

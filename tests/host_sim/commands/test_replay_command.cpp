@@ -44,14 +44,14 @@ TEST_F(ReplayCommand, WhatCannotStandTogetherIsRefused) {
 }
 
 TEST_F(ReplayCommand, AConfigSaysAllThatIsNotOfTheMoment) {
-    parse({"replay", "--config", "saved.toml", "--step", "1", "-o", "run"});
+    parse({"replay", "--config", "saved.toml", "--tau", "1", "-o", "run"});
     std::ostringstream words;
     Console console(words, words, false, false);
     try {
         static_cast<void>(line.run(console));
         ADD_FAILURE() << "it was taken";
     } catch (const UserError& error) {
-        EXPECT_STREQ(error.what(), "--config saved.toml: this file says it already; leave out --step");
+        EXPECT_STREQ(error.what(), "--config saved.toml: this file says it already; leave out --tau");
     }
 }
 

@@ -57,6 +57,59 @@ TEST(FlightTestReport, TheJsonHasAll) {
     EXPECT_EQ(json["tests"][0]["picture"], "out/a.png");
 }
 
+std::vector<FlownTest> board_tests() {
+    auto tests = sample_tests();
+    tests[0].result.expectations[1] = {};
+    tests[0].result.expectations[1].is_judged = false;
+    tests[0].result.expectations[1].not_judged = 2;
+    tests[0].picture.clear();
+    FlownTest left, ended;
+    left.test.path = "b.toml";
+    left.left_out = "is one of another terrain";
+    ended.test.path = "c.toml";
+    ended.fault = "the display is gone";
+    tests.push_back(left);
+    tests.push_back(ended);
+    return tests;
+}
+
+TEST(FlightTestReport, WhatABoardCannotJudgeIsSaid) {
+    const std::string text = flight_tests_text(board_tests());
+    EXPECT_THAT(text, HasSubstr("a.toml             2     1       0\n  2 conditions are not judged on a board\n"));
+    EXPECT_THAT(text, HasSubstr("b.toml  left out: it is one of another terrain\n"));
+    EXPECT_THAT(text, HasSubstr("c.toml  was not flown to its end, and has not passed: the display is gone\n"));
+    EXPECT_THAT(text, HasSubstr("1 of 2 expectations hold, 1 of 3 scripts are judged, 2 conditions are not judged on a board, 1 "
+                                "scripts are left out, 1 scripts were not flown to their end\n"));
+    const auto json = flight_tests_json(board_tests());
+    EXPECT_EQ(json["holds"], false) << "of the one that did not end";
+    EXPECT_EQ(json["tests"][0]["holds"], true);
+    EXPECT_EQ(json["tests"][0]["not_judged"], 2);
+    EXPECT_TRUE(json["tests"][0]["expectations"][1]["holds"].is_null());
+    EXPECT_TRUE(json["tests"][1]["holds"].is_null());
+    EXPECT_EQ(json["tests"][2]["holds"], false);
+    EXPECT_EQ(json["tests"][0]["expectations"][1]["judged"], false);
+    EXPECT_FALSE(json["tests"][0]["expectations"][1].contains("found"));
+    EXPECT_EQ(json["tests"][1]["left_out"], "is one of another terrain");
+    EXPECT_EQ(json["tests"][2]["fault"], "the display is gone");
+    const std::string xml = flight_tests_junit(board_tests());
+    EXPECT_THAT(xml, HasSubstr("<skipped message=\"not judged on a board\"/>"));
+    EXPECT_THAT(xml, HasSubstr("<skipped message=\"is one of another terrain\"/>"));
+    EXPECT_THAT(xml, HasSubstr("<error message=\"was not flown to its end, and has not passed: the display is gone\"/>"));
+}
+
+/// What nobody has looked at neither holds nor fails.
+TEST(FlightTestReport, WithoutAnyThatIsJudgedNothingHolds) {
+    auto tests = board_tests();
+    tests.pop_back();
+    EXPECT_EQ(flight_tests_json(tests)["holds"], true);
+    tests[0].result.expectations[0] = tests[0].result.expectations[1];
+    EXPECT_FALSE(tests[0].holds());
+    EXPECT_TRUE(flight_tests_json(tests)["holds"].is_null());
+    EXPECT_TRUE(flight_tests_json(tests)["tests"][0]["holds"].is_null());
+    EXPECT_EQ(judged_tests(tests), 0u);
+    EXPECT_THAT(flight_tests_text(tests), HasSubstr("0 of 2 expectations hold, 0 of 2 scripts are judged"));
+}
+
 TEST(FlightTestReport, JUnitIsEscapedAndCounts) {
     const std::string xml = flight_tests_junit(sample_tests());
     EXPECT_THAT(xml, HasSubstr("<testsuite name=\"A &amp; B\" tests=\"2\" failures=\"1\" errors=\"0\">"));

@@ -21,7 +21,7 @@ Expectation of_latency(WindowKind kind, double from_s, double to_s) {
 
 /// Flies 0 to 10 s; the condition holds from `good_from_s` up to, but not at, `good_to_s`.
 ExpectationResult judged(const Expectation& expectation, double good_from_s, double good_to_s) {
-    ExpectationJudge judge(expectation, kRate_hz);
+    ExpectationJudge judge(expectation, {kRate_hz});
     for (int n = 0; n <= 100; ++n) {
         ObservedFrame frame;
         frame.time_s = n / kRate_hz;
@@ -66,6 +66,74 @@ TEST(JudgeExpectation, WhatAlreadyHoldsIsNotReached) {
     EXPECT_DOUBLE_EQ(before.failed_s, 2);
     EXPECT_EQ(before.found, "already held at after_s");
     EXPECT_TRUE(judged(of_latency(WindowKind::within, 2, 4), 2.1, 10).holds) << "not in its first frame";
+}
+
+/// The last frame up to after_s shows what there was at that time.
+TEST(JudgeExpectation, TheStateBeforeIsThatOfTheLastFrameUpToThen) {
+    EXPECT_TRUE(judged(of_latency(WindowKind::within, 2.05, 4), 2.1, 10).holds) << "2.0 is the last frame up to 2.05";
+    const ExpectationResult before = judged(of_latency(WindowKind::within, 2.05, 4), 2, 10);
+    EXPECT_FALSE(before.holds);
+    EXPECT_DOUBLE_EQ(before.failed_s, 2);
+    EXPECT_EQ(before.found, "already held at after_s");
+}
+
+/// Of a running display: the condition holds in some of its frames.
+ExpectationResult judged_live(const Expectation& expectation, const std::vector<std::pair<double, bool>>& frames) {
+    ExpectationJudge judge(expectation, {});
+    for (const auto& [time_s, holds] : frames) {
+        ObservedFrame frame;
+        frame.time_s = time_s;
+        frame.latency_frames = holds ? 0 : 5;
+        static_cast<void>(judge.pass(time_s));
+        if (judge.wants(time_s)) static_cast<void>(judge.take(frame));
+    }
+    return judge.result();
+}
+
+TEST(JudgeExpectation, FramesThatComeWhenTheyComeCloseWhatIsOver) {
+    const Expectation during = of_latency(WindowKind::during, 2, 4);
+    EXPECT_TRUE(judged_live(during, {{1.7, false}, {2.4, true}, {2.9, true}, {3.4, true}, {3.9, true}, {4.2, false}}).holds);
+    EXPECT_FALSE(judged_live(during, {{2.4, true}, {2.9, true}, {3.4, true}, {3.9, true}}).holds) << "its end is not known";
+    EXPECT_DOUBLE_EQ(judged_live(during, {{2.4, true}, {2.8, false}, {4.2, true}}).failed_s, 2.8);
+    Expectation within = of_latency(WindowKind::within, 2, 4);
+    EXPECT_DOUBLE_EQ(*judged_live(within, {{1.7, false}, {2.4, true}}).reached_s, 2.4) << "not yet at 1.7";
+    EXPECT_EQ(judged_live(within, {{1.7, true}, {2.4, true}}).found, "already held at after_s");
+    EXPECT_DOUBLE_EQ(judged_live(within, {{1.7, false}, {2.4, false}, {3.9, false}, {4.1, true}}).failed_s, 3.9);
+    within.stays = true;
+    EXPECT_TRUE(judged_live(within, {{1.7, false}, {3.3, true}, {3.7, true}, {4.1, false}}).holds);
+    EXPECT_FALSE(judged_live(within, {{1.7, false}, {3.3, true}, {3.7, false}, {4.1, false}}).holds);
+}
+
+/// What the screen shows while it stands still is not what the flight is.
+TEST(JudgeExpectation, ADisplayThatFreezesDoesNotHold) {
+    const ExpectationResult frozen = judged_live(of_latency(WindowKind::during, 2, 6), {{1.9, true}, {2.03, true}, {17, true}});
+    EXPECT_FALSE(frozen.holds);
+    EXPECT_EQ(frozen.key, "time");
+    EXPECT_EQ(frozen.found, "none from 2.03 s to 6.00 s");
+    EXPECT_DOUBLE_EQ(frozen.failed_s, 2.03);
+    const Expectation during = of_latency(WindowKind::during, 2, 4);
+    EXPECT_FALSE(judged_live(during, {{1.9, true}, {2.7, true}, {3.1, true}, {3.6, true}, {4.1, true}}).holds) << "from 2 s on";
+    EXPECT_FALSE(judged_live(during, {{2.2, true}, {2.6, true}, {3.2, true}, {3.6, true}, {4.1, true}}).holds) << "between";
+    EXPECT_TRUE(judged_live(during, {{1.4, true}, {2.5, true}, {3, true}, {3.5, true}, {9, true}}).holds) << "outside";
+    Expectation stays = of_latency(WindowKind::within, 2, 4);
+    EXPECT_TRUE(judged_live(stays, {{1.9, false}, {2.5, true}, {17, true}}).holds) << "reached, and that is all";
+    stays.stays = true;
+    const ExpectationResult lost = judged_live(stays, {{1.9, false}, {2.5, true}, {17, true}});
+    EXPECT_FALSE(lost.holds);
+    EXPECT_EQ(lost.key, "time");
+    EXPECT_TRUE(judged_live(stays, {{1.9, false}, {3.6, true}, {17, true}}).holds) << "before it is reached none is missing";
+}
+
+TEST(JudgeExpectation, AWindowWithoutAFrameOfARunningDisplayDoesNotHold) {
+    const std::vector<std::pair<double, bool>> frames = {{1.9, false}, {4.5, true}};
+    for (const WindowKind kind : {WindowKind::during, WindowKind::within}) {
+        const ExpectationResult result = judged_live(of_latency(kind, 2, 4), frames);
+        EXPECT_FALSE(result.holds);
+        EXPECT_EQ(result.key, "time");
+        EXPECT_EQ(result.found, "none");
+    }
+    EXPECT_FALSE(judged_live(of_latency(WindowKind::at, 2, 2), frames).holds) << "so late a frame shows another time";
+    EXPECT_TRUE(judged_live(of_latency(WindowKind::at, 4.1, 4.1), frames).holds);
 }
 
 TEST(JudgeExpectation, WhatStaysHoldsToTheEndOfItsTime) {

@@ -12,8 +12,6 @@
 namespace tedavis::host_sim::test_recorded_script {
 namespace {
 
-using ::testing::HasSubstr;
-
 RecordedScript sample(std::size_t signals) {
     RecordedScript script;
     script.title = "a \"quoted\" flight\n";

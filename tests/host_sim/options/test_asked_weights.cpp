@@ -19,25 +19,5 @@ TEST(AskedWeights, AreReadAndWrittenAlike) {
     expect_user_error([] { static_cast<void>(weights_from("terrain=1,terrain=0.5")); }, "'terrain' has two weights");
 }
 
-TEST(AskedWeights, StandAboveTheDesigns) {
-    design::PrioritySettings priority;
-    put_weights({}, "d.toml", priority);
-    EXPECT_FALSE(priority.is_stated) << "nothing was asked";
-    design::DataPart part;
-    part.name = "obstacles";
-    priority.weights.of[design::kMainAspects] = 0.9;
-    ASSERT_TRUE(priority.parts.try_push_back(part));
-    put_weights({{"obstacles", 0.2}, {"terrain", 0.1}}, "d.toml", priority);
-    EXPECT_TRUE(priority.is_stated);
-    EXPECT_EQ(priority.weights.of[design::kTerrainAspect], 0.1);
-    EXPECT_EQ(priority.weights.of[design::kDataAspect], 1);
-    EXPECT_EQ(priority.weights.of[design::kMainAspects], 0.2);
-    expect_user_error(
-        [&] {
-            put_weights({{"streets", 1}}, "d.toml", priority);
-        },
-        "d.toml: has no aspect 'streets' to weigh; it has terrain, data, uncertainty, obstacles");
-}
-
 }  // namespace
 }  // namespace tedavis::host_sim::test_asked_weights

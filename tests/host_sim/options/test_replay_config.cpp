@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "host_sim/commands/command_line.hpp"
+#include "tests/support/files/paths.hpp"
 #include "tests/support/flights/flown_circle.hpp"
 #include "tests/support/flights/frame_lines.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 using test_support::TemporaryFolder;
 using ::testing::HasSubstr;
+
+const std::string kConfigs = test_support::source_dir() + "/configs/";
 
 ReplayOptions round_trip(const ReplayOptions& options) {
     const TemporaryFolder folder;
@@ -31,7 +34,7 @@ TEST(ReplayConfig, DefaultsStayDefaults) {
     EXPECT_EQ(loaded.log, options.log);
     EXPECT_EQ(loaded.switches, "");
     EXPECT_EQ(loaded.switch_config, "one_hot");
-    EXPECT_EQ(loaded.picture.design, "default");
+    EXPECT_EQ(loaded.picture.design, kConfigs + "designs/default.toml") << "a board knows no short names";
     EXPECT_EQ(loaded.picture.aircraft, "");
     EXPECT_EQ(loaded.picture.palette, "");
     EXPECT_EQ(loaded.picture.light, design::SymbologyLight::day);
@@ -87,7 +90,7 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.picture.costs, options.picture.costs);
     EXPECT_EQ(loaded.picture.foci, options.picture.foci);
     EXPECT_EQ(loaded.switches, options.switches);
-    EXPECT_EQ(loaded.switch_config, options.switch_config);
+    EXPECT_EQ(loaded.switch_config, kConfigs + "switches/coded_parity.toml");
     EXPECT_EQ(loaded.phase, options.phase);
     EXPECT_EQ(loaded.aircraft_class, options.aircraft_class);
     EXPECT_EQ(loaded.from_s, options.from_s);
@@ -96,11 +99,11 @@ TEST(ReplayConfig, EveryParameterComesBackToTheBit) {
     EXPECT_EQ(loaded.spread, options.spread);
     EXPECT_EQ(loaded.frames, options.frames);
     EXPECT_EQ(loaded.picture.terrain, options.picture.terrain);
-    EXPECT_EQ(loaded.picture.design, options.picture.design);
-    EXPECT_EQ(loaded.picture.device, options.picture.device);
-    EXPECT_EQ(loaded.picture.bus, options.picture.bus);
-    EXPECT_EQ(loaded.picture.aircraft, options.picture.aircraft);
-    EXPECT_EQ(loaded.picture.palette, options.picture.palette);
+    EXPECT_EQ(loaded.picture.design, kConfigs + "designs/" + options.picture.design + ".toml");
+    EXPECT_EQ(loaded.picture.device, kConfigs + "devices/" + options.picture.device + ".toml");
+    EXPECT_EQ(loaded.picture.bus, kConfigs + "buses/" + options.picture.bus + ".toml");
+    EXPECT_EQ(loaded.picture.aircraft, kConfigs + "aircraft/" + options.picture.aircraft + ".toml");
+    EXPECT_EQ(loaded.picture.palette, kConfigs + "palettes/symbology/" + options.picture.palette + ".toml");
     EXPECT_EQ(loaded.picture.light, options.picture.light);
     ASSERT_TRUE(loaded.picture.size);
     EXPECT_EQ(loaded.picture.size->width, 641u);
@@ -122,6 +125,36 @@ TEST(ReplayConfig, PathsHoldWhereverTheFileGoes) {
     EXPECT_EQ(loaded.picture.design, options.picture.design);
 }
 
+/// Each path of a configuration that was read from the working folder.
+TEST(ReplayConfig, PathsOfTheBoardHoldToo) {
+    const TemporaryFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    folder.write("board.toml", "device = '" + kConfigs + "devices/es2-small.toml'\ndesign = '" + kConfigs +
+                                   "designs/default.toml'\ndesigns = 'own'\nbus = '" + kConfigs +
+                                   "buses/canaerospace.toml'\n[programs]\nfolder = 'made'\n[records]\nsocket = 'r.sock'\n");
+    std::filesystem::current_path(folder.path());
+    const std::string saved = replay_config_text(load_replay_config("board.toml"));
+    std::filesystem::current_path(before);
+    for (const auto& [key, name] : {std::pair{"designs", "own/"}, {"palettes", ""}, {"folder", "made"}, {"socket", "r.sock"}})
+        EXPECT_THAT(saved, HasSubstr(key + (" = \"" + folder.file(name)) + "\"\n"));
+}
+
+TEST(ReplayConfig, WhatTheBoardAloneHasStays) {
+    const TemporaryFolder folder;
+    const std::string board =
+        folder.write("board.toml", "title = 'b'\ndevice = '" + kConfigs + "devices/es2-small.toml'\ndesign = '" + kConfigs +
+                                       "designs/default.toml'\nbus = '" + kConfigs +
+                                       "buses/canaerospace.toml'\n[can]\ninterface = 'can7'\nfd = true\n[surface]\nbackend "
+                                       "= 'kms'\n[screen]\nconnector = 'DSI-1'\n[records]\nsocket = '/run/r'\n");
+    const ReplayOptions loaded = load_replay_config(board);
+    EXPECT_EQ(loaded.picture.design_folders.palettes, folder.path() + "/") << "the file's own folder, as on a board";
+    const std::string saved = replay_config_text(loaded);
+    for (const char* line :
+         {"title = \"b\"", "interface = \"can7\"", "fd = true", "connector = \"DSI-1\"", "socket = \"/run/r\""})
+        EXPECT_THAT(saved, HasSubstr(line));
+    EXPECT_EQ(saved.find("[replay]"), std::string::npos) << "nothing of the desk was said";
+}
+
 TEST(ReplayConfig, OddNamesSurvive) {
     ReplayOptions options;
     options.log = "/tmp/a \"quoted\" \\ name = [1]\t\n#.log";
@@ -137,12 +170,15 @@ TEST(ReplayConfig, FaultsAreNamedWithTheirLine) {
         const std::string path = folder.write("x.toml", text);
         test_support::expect_user_error([&] { static_cast<void>(load_replay_config(path)); }, words);
     };
-    refused("log = 3\n", "x.toml:1");
-    refused("log = \"a\"\nnonsense = 1\n", "x.toml:2");
-    refused("log = \"a\"\nframes = \"gif\"\n", "x.toml:2");
-    refused("log = \"a\"\n[picture]\nwidth = 320\n", "x.toml:");
-    refused("log = \"a\"\n[picture]\nwidth = 3\nheight = 3\n", "x.toml:3");
-    refused("log = \"a\"\nfrom_s = nan\n", "x.toml:2");
+    const std::string head = "device = 'd'\ndesign = 'e'\nbus = 'b'\n[replay]\n";
+    refused(head + "log = 3\n", "x.toml:5");
+    refused(head + "log = \"a\"\nnonsense = 1\n", "x.toml:6");
+    refused(head + "log = \"a\"\nframes = \"gif\"\n", "x.toml:6");
+    refused(head + "phase = \"takeof\"\n", "x.toml:5");
+    refused(head + "from_s = nan\n", "x.toml:5");
+    refused(head + "[surface]\nwidth_px = 320\n", "x.toml:5");
+    refused(head + "[surface]\nwidth_px = 3\nheight_px = 3\n", "x.toml:6");
+    refused(head + "[picture]\ndesign = \"cruise\"\n", "picture");
     refused("log = \"a", "x.toml:1");
     test_support::expect_user_error([&] { static_cast<void>(load_replay_config(folder.file("none.toml"))); }, "none.toml");
 }
@@ -177,7 +213,7 @@ TEST(ReplayConfig, ASavedRunLoadsToTheSameHashes) {
     EXPECT_EQ(test_support::hashes_by_time(first).size(), 5u);
     EXPECT_EQ(test_support::hashes_by_time(first), test_support::hashes_by_time(second));
     EXPECT_NE(test_support::hashes_by_time(first), test_support::hashes_by_time(antenna)) << "the eye point is part of it";
-    EXPECT_EQ(test_support::summary_of(second).at("aircraft"), "jet");
+    EXPECT_EQ(test_support::summary_of(second).at("aircraft"), kConfigs + "aircraft/jet.toml");
     EXPECT_EQ(test_support::summary_of(antenna).at("aircraft"), "");
     EXPECT_EQ(command({"check", saved}, notes), 0) << notes;
 }
@@ -187,7 +223,7 @@ TEST(ReplayConfig, WhatTheFileSaysIsNotSaidTwice) {
     EXPECT_EQ(command({"replay", "--config", "x.toml", "-o", "y", "--size", "320x240"}, notes), 2);
     EXPECT_THAT(notes, HasSubstr("leave out --size"));
     EXPECT_EQ(command({"replay", "flight.log", "--config", "x.toml", "-o", "y"}, notes), 2);
-    EXPECT_THAT(notes, HasSubstr("leave out LOG"));
+    EXPECT_THAT(notes, HasSubstr("x.toml: ")) << "a log may stand there: the file is missing";
     EXPECT_EQ(command({"replay", "-o", "y"}, notes), 2);
     EXPECT_THAT(notes, HasSubstr("no log named"));
     EXPECT_EQ(command({"replay", "flight.log", "-o", "y", "--tour", "t.csv"}, notes), 2);

@@ -18,15 +18,35 @@ using test_support::HeadlessDisplay;
 
 constexpr std::uint32_t kWidth = 320, kHeight = 200;
 
-template <class T, class = void>
-constexpr bool kPlans = false;
+/// A name that two base classes have is ambiguous, so the address of such a member tells whether T has the name as well, as a
+/// function of any signature.
+struct PlanNames {
+    int plan, plan_again;
+};
 template <class T>
-constexpr bool
-    kPlans<T, std::void_t<decltype(std::declval<T&>().plan(std::declval<const flight::FrameInput&>(),
-                                                           std::declval<PlannerMemory&>(), std::declval<PlannedFrame&>()))>> =
-        true;
-static_assert(!kPlans<FramePainter>, "a painter that is asked to plan does not compile");
-static_assert(kPlans<FramePlanner>, "control");
+struct WithPlanNames : T, PlanNames {};
+
+template <class T, class = void>
+constexpr bool kPlans = true;
+template <class T>
+constexpr bool kPlans<T, std::void_t<decltype(&WithPlanNames<T>::plan)>> = false;
+
+template <class T, class = void>
+constexpr bool kPlansAgain = true;
+template <class T>
+constexpr bool kPlansAgain<T, std::void_t<decltype(&WithPlanNames<T>::plan_again)>> = false;
+
+static_assert(!kPlans<FramePainter> && !kPlansAgain<FramePainter>, "a painter that is asked to plan does not compile");
+static_assert(!kPlans<TerrainPainter> && !kPlansAgain<TerrainPainter>);
+static_assert(!kPlans<ElementPainter> && !kPlansAgain<ElementPainter>);
+
+struct PlansAgain {
+    void plan_again(int times);
+};
+static_assert(kPlans<ElementPlanner> && kPlansAgain<PlansAgain>, "control");
+static_assert(std::is_member_function_pointer_v<decltype(&FramePlanner::plan)> &&
+                  std::is_member_function_pointer_v<decltype(&FramePlanner::plan_again)>,
+              "control: these are the names of the planner, from which no class can be derived");
 
 design::DesignSettings stereo_design(StereoMode mode) {
     design::DesignSettings design = test_support::shipped_design("default");

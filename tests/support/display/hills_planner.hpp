@@ -13,8 +13,9 @@ namespace tedavis::test_support {
 
 class HillsPlanner {
 public:
+    /// `scene`: a scene database, which is read whole, or null. Data elements are planned only with a scene.
     explicit HillsPlanner(const design::DesignSettings& design, const char* device = "es3-mid",
-                          const design::PhaseDesigns* phases = nullptr)
+                          const design::PhaseDesigns* phases = nullptr, base::ByteSource* scene = nullptr)
         : bytes_(hills().image), reader_(bytes_, base::kMaxReadTickets) {
         display::DisplaySettings settings;
         settings.device = shipped_device(device);
@@ -30,7 +31,9 @@ public:
         must(planner_.start_symbology(arenas_.symbology()));
         must(planner_.start_intervals(arenas_.frames(), arenas_.memories()));
         must(planner_.start_terrain({&bytes_, &reader_, terrain::ArrivalMode::exact}, {&only, 1}, arenas_.terrain()));
-        must(planner_.start_scene(nullptr, arenas_.scene(), 0));
+        must(planner_.start_scene(scene, arenas_.scene(), 0));
+        const bool has_instances = settings.device.capability.lane == effects::Lane::es3;
+        if (scene != nullptr) must(planner_.start_elements(has_instances, arenas_.elements()));
         display::PainterAbilities painter;
         painter.fades = design.effects.fade_s > 0;
         planner_.start_memory({&only, 1}, memory);

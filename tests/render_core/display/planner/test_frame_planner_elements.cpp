@@ -8,70 +8,20 @@
 
 #include "render_core/display/preroll.hpp"
 #include "render_core/effects/design_effects.hpp"
+#include "tests/render_core/display/planner/crowd_of_data.hpp"
 #include "tests/support/perception/held_edges.hpp"
-#include "tests/support/scene/map_scene.hpp"
-#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::display::test_frame_planner_elements {
 namespace {
 
 using scene::LayerRole;
+using test_support::clutter_of;
+using test_support::crowd;
+using test_support::crowd_design;
 using test_support::HeadlessDisplay;
 
 constexpr std::uint32_t kWidth = 640, kHeight = 480;
 constexpr double kBudget = 0.08;
-
-/// 1000 samples in the air ahead of the aircraft over the hills, and names on the ground.
-const std::vector<std::uint8_t>& crowd() {
-    static const std::vector<std::uint8_t> kBytes = [] {
-        std::uint32_t state = 7;
-        const auto next = [&] { return static_cast<double>((state = state * 1664525u + 1013904223u) >> 8) / (1u << 24); };
-        host_sim::LayerDraft samples, places;
-        samples.name = "samples";
-        samples.role = LayerRole::sample;
-        host_sim::AttributeDraft dose;
-        dose.name = "dose";
-        for (int n = 0; n < 1000; ++n) {
-            samples.points.push_back(
-                test_support::scene_point(47.01 + 0.07 * next(), 9.69 + 0.12 * next(), static_cast<float>(1100 + 1500 * next())));
-            dose.values.push_back(static_cast<float>(next()));
-        }
-        samples.attributes = {dose};
-        places.name = "places";
-        places.role = LayerRole::place;
-        for (int n = 0; n < 60; ++n) {
-            places.points.push_back(test_support::scene_point(47.01 + 0.05 * next(), 9.7 + 0.06 * next(), std::nanf("")));
-            places.names.push_back("Ort " + std::to_string(n));
-        }
-        return host_sim::sdb_bytes({"crowd", "a test", 1, {samples, places}});
-    }();
-    return kBytes;
-}
-
-design::DesignSettings design_with(double budget, double data = 0.5) {
-    design::DesignSettings design = test_support::without_symbols(test_support::shipped_design("default"));
-    design.data = {};
-    design.foci = {};
-    design.effects = {};
-    design.warning_colors = false;
-    design.priority = {};
-    design.priority.is_stated = true;
-    design.priority.weights.of[design::kDataAspect] = data;
-    for (const double at : {0.0, 1.0}) EXPECT_TRUE(design.priority.data.knots.try_push_back({at, 1}));
-    design.priority.clutter_budget = budget;
-    design::DataElement spheres, names;
-    spheres.role = LayerRole::sample;
-    spheres.technique = design::DataTechnique::spheres;
-    spheres.by_color.attribute = "dose";
-    EXPECT_TRUE(spheres.by_color.scale.palette.stops.try_push_back({0, {255, 255, 80}}));
-    EXPECT_TRUE(spheres.by_color.scale.palette.stops.try_push_back({1, {40, 0, 120}}));
-    spheres.size_m = 150;
-    names.role = LayerRole::place;
-    names.technique = design::DataTechnique::billboard;
-    EXPECT_TRUE(design.data.elements.try_push_back(spheres));
-    EXPECT_TRUE(design.data.elements.try_push_back(names));
-    return design;
-}
 
 /// What a display showed, which is no more: one at a time.
 struct Still {
@@ -126,7 +76,7 @@ Still shown(const design::DesignSettings& design, const char* device = "es3-mid"
 
 TEST(DisplayClutter, EveryRegionIsWithinTheBudgetOrAsCalmAsItCanBe) {
     for (const char* const device : {"es3-mid", "es2-small"}) {
-        const Still without = shown(design_with(1), device), with = shown(design_with(kBudget), device);
+        const Still without = shown(crowd_design(1), device), with = shown(crowd_design(kBudget), device);
         const ClutterRecord& clutter = with.record.clutter;
         ASSERT_TRUE(clutter.measured.whole.is_known && clutter.measured.least.is_known && clutter.reached.is_known);
         int beyond = 0, decluttered = 0;
@@ -153,16 +103,9 @@ TEST(DisplayClutter, EveryRegionIsWithinTheBudgetOrAsCalmAsItCanBe) {
     }
 }
 
-effects::ClutterMap clutter_of(float measure) {
-    effects::ClutterMap map;
-    map.is_known = true;
-    map.measure.fill(measure);
-    return map;
-}
-
 /// What the painter measures enters as plain input; no picture is needed to plan all of them.
 TEST(DisplayClutter, PlansAskForPicturesUntilTheBudgetIsHeld) {
-    Shown one(design_with(kBudget));
+    Shown one(crowd_design(kBudget));
     const auto frame = std::make_unique<PlannedFrame>();
     const flight::FrameInput input{one.state, {}, test_support::kHillsNow + base::Duration::from_seconds(0.5)};
     FramePlanner& planner = one.display.display().planner();
@@ -189,7 +132,7 @@ TEST(DisplayClutter, PlansAskForPicturesUntilTheBudgetIsHeld) {
 }
 
 TEST(DisplayClutter, TerrainThatFailsEndsTheProbes) {
-    Shown one(design_with(kBudget));
+    Shown one(crowd_design(kBudget));
     const auto frame = std::make_unique<PlannedFrame>();
     PlannerMemory memory = one.display.display().memory();
     FramePlanner& planner = one.display.display().planner();
@@ -202,22 +145,22 @@ TEST(DisplayClutter, TerrainThatFailsEndsTheProbes) {
 
 /// Pictures that are drawn to be measured leave no trace.
 TEST(DisplayClutter, ABudgetThatIsNeverReachedChangesNothing) {
-    const Still without = shown(design_with(1)), with = shown(design_with(0.9));
+    const Still without = shown(crowd_design(1)), with = shown(crowd_design(0.9));
     EXPECT_EQ(with.rgba, without.rgba);
     EXPECT_TRUE(with.record.clutter.measured.whole.is_known);
     EXPECT_FALSE(with.record.clutter.measured.least.is_known) << "nobody asks for it";
-    EXPECT_NE(shown(design_with(kBudget)).rgba, without.rgba) << "control";
+    EXPECT_NE(shown(crowd_design(kBudget)).rgba, without.rgba) << "control";
 }
 
 TEST(DisplayClutter, WhatComesFirstDoesNotGiveWayAndIsNotMeasured) {
-    const Still without = shown(design_with(1, 1)), with = shown(design_with(kBudget, 1));
+    const Still without = shown(crowd_design(1, 1)), with = shown(crowd_design(kBudget, 1));
     EXPECT_EQ(with.rgba, without.rgba);
     EXPECT_FALSE(with.record.clutter.measured.whole.is_known);
     EXPECT_EQ(with.effect().reason.view(), "nothing is shown that gives way");
 }
 
 TEST(DisplayClutter, OnlyTheFirstFrameOfAnIntervalPaysForIt) {
-    Shown one(design_with(kBudget));
+    Shown one(crowd_design(kBudget));
     const auto passes = [&](double seconds) {
         one.display.display().plan({one.state, {}, test_support::kHillsNow + base::Duration::from_seconds(seconds)});
         static_cast<void>(test_support::drawn_pixels(one.display));
@@ -229,7 +172,7 @@ TEST(DisplayClutter, OnlyTheFirstFrameOfAnIntervalPaysForIt) {
 }
 
 TEST(DisplayClutter, ItsViewsLieOverThePicture) {
-    design::DesignSettings plain = design_with(1), edges = plain, regions = plain;
+    design::DesignSettings plain = crowd_design(1), edges = plain, regions = plain;
     edges.effects.clutter = design::ClutterView::edges;
     regions.effects.clutter = design::ClutterView::regions;
     EXPECT_NE(shown(regions).rgba, shown(plain).rgba);
@@ -245,10 +188,10 @@ TEST(DisplayClutter, ItsViewsLieOverThePicture) {
 
 /// A stereo pair has no regions of its own; sc2 cannot copy its picture.
 TEST(DisplayClutter, WhereItCannotBeMeasuredItSaysSo) {
-    design::DesignSettings stereo = design_with(kBudget);
+    design::DesignSettings stereo = crowd_design(kBudget);
     stereo.effects.stereo.mode = design::StereoMode::side_by_side;
     EXPECT_FALSE(shown(stereo).record.clutter.measured.whole.is_known);
-    const design::DesignSettings possible = effects::possible_design(design_with(kBudget), test_support::shipped_device("sc2"));
+    const design::DesignSettings possible = effects::possible_design(crowd_design(kBudget), test_support::shipped_device("sc2"));
     EXPECT_EQ(possible.priority.held_clutter(), 1) << "none is held";
     effects::PlanInput input;
     input[effects::Effect::clutter].kind = effects::EffectRequest::Kind::applicable;

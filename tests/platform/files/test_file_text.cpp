@@ -1,11 +1,11 @@
-#include "target/file_text.hpp"
+#include "platform/files/file_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/files/temporary_folder.hpp"
 
-namespace tedavis::target::test_file_text {
+namespace tedavis::platform::test_file_text {
 namespace {
 
 using ::testing::HasSubstr;
@@ -30,4 +30,4 @@ TEST(FileText, RefusesWhatIsNoConfiguration) {
 }
 
 }  // namespace
-}  // namespace tedavis::target::test_file_text
+}  // namespace tedavis::platform::test_file_text

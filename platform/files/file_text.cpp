@@ -1,20 +1,20 @@
-#include "target/file_text.hpp"
+#include "platform/files/file_text.hpp"
 
 #include <utility>
 
 #include "platform/files/file_byte_source.hpp"
 
-namespace tedavis::target {
+namespace tedavis::platform {
 
 base::Result<FileText, base::Error> read_file_text(const char* path) {
-    auto file = platform::open_file(path);
+    auto file = open_file(path);
     if (!file.ok()) return base::fail(base::make_error(file.error().message.view()));
     const std::uint64_t size = file.value().size();
     if (size > kMaxFileTextBytes)
         return base::fail(base::make_error(path, ": is larger than 1 MiB and no configuration file; name another"));
     FileText result;
     if (size == 0) return result;
-    auto block = platform::reserve_memory(size, platform::Residency::lazy);
+    auto block = reserve_memory(size, Residency::lazy);
     if (!block.ok()) return base::fail(base::make_error(path, ": ", block.error().message.view()));
     result.block_ = std::move(block.value());
     base::Arena arena = result.block_.arena();
@@ -25,4 +25,4 @@ base::Result<FileText, base::Error> read_file_text(const char* path) {
     return result;
 }
 
-}  // namespace tedavis::target
+}  // namespace tedavis::platform

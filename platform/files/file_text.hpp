@@ -10,7 +10,7 @@
 #include "render_core/base/error.hpp"
 #include "render_core/base/result.hpp"
 
-namespace tedavis::target {
+namespace tedavis::platform {
 
 /// Larger files are refused.
 inline constexpr std::size_t kMaxFileTextBytes = 1 << 20;
@@ -21,10 +21,10 @@ public:
 
 private:
     friend base::Result<FileText, base::Error> read_file_text(const char* path);
-    platform::MemoryReservation block_;
+    MemoryReservation block_;
     std::string_view text_;
 };
 
 [[nodiscard]] base::Result<FileText, base::Error> read_file_text(const char* path);
 
-}  // namespace tedavis::target
+}  // namespace tedavis::platform

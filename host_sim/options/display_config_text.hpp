@@ -1,0 +1,13 @@
+/// Writes the one configuration file of desk and board (platform/configuration/display_config.hpp).
+#pragma once
+
+#include <string>
+
+#include "platform/configuration/display_config.hpp"
+
+namespace tedavis::host_sim {
+
+/// TOML that reads back as the same configuration; names of files stand there as they are in `config`.
+[[nodiscard]] std::string display_config_text(const platform::DisplayConfig& config);
+
+}  // namespace tedavis::host_sim
