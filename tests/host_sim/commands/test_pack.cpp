@@ -146,7 +146,6 @@ TEST_F(PackCommand, WhatIsOutOfDateIsSaidAtTheStartAndInTheSummary) {
 }
 
 TEST_F(PackCommand, WhereAKeyIsNamedAnUnsignedPackIsRefused) {
-    if (std::system("minisign -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "minisign is not installed";
     const std::string make = "minisign -G -W -p " + place("k.pub") + " -s " + place("k.sec") + " >/dev/null";
     ASSERT_EQ(std::system(make.c_str()), 0);
     pack();
