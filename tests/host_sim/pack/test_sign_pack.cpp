@@ -53,7 +53,9 @@ TEST_F(SignPack, IsAcceptedWithItsKeyAlone) {
 /// A program of this name that is stopped as by Ctrl-C.
 TEST(SignPackStopped, IsInterruptedAndNoFault) {
     const test_support::TemporaryFolder folder;
-    const std::string program = folder.write("minisign", "#!/bin/sh\nkill -INT $$\n"), path = std::getenv("PATH");
+    const std::string program = folder.write("minisign", "#!/bin/sh\nkill -INT $$\n");
+    const char* const given = std::getenv("PATH");
+    const std::string path = given != nullptr ? given : "";
     ASSERT_EQ(chmod(program.c_str(), 0755), 0);
     setenv("PATH", (folder.path() + ":" + path).c_str(), 1);
     EXPECT_THROW(sign_with_minisign(program, program), Interrupted);
