@@ -85,3 +85,10 @@ def corner(picture, share_x, share_y):
     width, height, data = picture
     columns, rows = int(width * share_x), int(height * share_y)
     return b"".join(data[3 * y * width:3 * (y * width + columns)] for y in range(rows))
+
+
+def without(picture, share_x, share_y):
+    """The bytes of a picture but for its upper right part: from this share of its width, to this one of its height."""
+    width, height, data = picture
+    columns, rows = int(width * share_x), int(height * share_y)
+    return b"".join(data[3 * y * width:3 * (y * width + columns)] for y in range(rows)) + data[3 * rows * width:]
