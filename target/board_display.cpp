@@ -25,7 +25,7 @@ base::Result<std::unique_ptr<base::Surface>, base::Error> make_screen(const void
 
 }  // namespace
 
-platform::DisplayHostSettings board_host_settings(const BoardSettings& settings) {
+platform::DisplayHostSettings board_host_settings(const BoardSettings& settings, base::Time utc) {
     platform::DisplayHostSettings of_host;
     of_host.display.device = settings.device;
     of_host.display.design = settings.design;
@@ -34,6 +34,7 @@ platform::DisplayHostSettings board_host_settings(const BoardSettings& settings)
     of_host.display.symbology = settings.symbology;
     of_host.display.light = settings.light;
     of_host.display.legend = settings.legend;
+    of_host.display.database_dates = policy::dates_at_start(platform::valid_period(settings.pack), utc);
     of_host.display.width_px = settings.width_px;
     of_host.display.height_px = settings.height_px;
     of_host.display.expects_scene = !settings.scene.empty();
@@ -62,8 +63,8 @@ platform::HostFault start_board_host(const BoardSettings& settings, const platfo
     return {fault.part, message_of(fault, settings)};
 }
 
-platform::HostFault start_board_display(const BoardSettings& settings, platform::DisplayHost& host) {
-    return start_board_host(settings, board_host_settings(settings), host);
+platform::HostFault start_board_display(const BoardSettings& settings, platform::DisplayHost& host, base::Time utc) {
+    return start_board_host(settings, board_host_settings(settings, utc), host);
 }
 
 base::Error hold_board_deadline(const BoardSettings& settings, platform::DisplayHost& host) {

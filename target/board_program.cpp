@@ -55,7 +55,7 @@ bool test_start(const BoardClocks& clocks, StartTest& test) {
 }
 
 void say_age(const platform::CheckedPack& pack, const BoardClocks& clocks) {
-    const auto words = platform::words_of_age(pack, clocks.live.wall().ns);
+    const auto words = platform::words_of_age(pack, clocks.live.wall());
     if (!words.empty()) EventLog().write({words.view()});
 }
 

@@ -19,7 +19,7 @@ DisplayApplication::DisplayApplication(const BoardSettings& settings, BoardPorts
 DisplayApplication::~DisplayApplication() { scene_watch_.stop(); }
 
 base::Error DisplayApplication::start() {
-    if (const platform::HostFault fault = start_board_display(settings_, host_)) return fault.error;
+    if (const platform::HostFault fault = start_board_display(settings_, host_, ports_.clocks.live.wall())) return fault.error;
     if (base::Error error = hold_board_deadline(settings_, host_)) return error;
     if (const base::Error& why = host_.terrain_fault(); !why.message.empty())
         ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});

@@ -30,6 +30,7 @@ LiveFlight::LiveFlight(const BoardSettings& settings, bus::CanSocketPort& can, s
       can_settings_(settings.can),
       explain_panel_(explain),
       node_(settings.bus.node),
+      phase_report_(settings.bus),
       can_(can, settings.can, clocks),
       has_switches_(settings.has_switches),
       switch_config_(settings.switches),
@@ -62,7 +63,14 @@ flight::FrameInput LiveFlight::at(base::Time now, flight::TerrainHeights& height
     const flight::FrameInput input = tracker_.advance_to(now, heights);
     report_bus(now);
     report_switches();
+    report_phase(input.phase, now);
     return input;
+}
+
+/// A message that the kernel does not take is due again in the next frame.
+void LiveFlight::report_phase(const flight::PhaseStatus& phase, base::Time now) {
+    const std::optional<bus::CanFrame> message = phase_report_.due(phase, now);
+    if (message && can_.send(*message)) phase_report_.sent(phase, now);
 }
 
 /// A controller at its limit turns bus-off and back many times a second: at most one line a second, the newest.

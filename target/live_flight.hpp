@@ -9,6 +9,7 @@
 
 #include <memory>
 
+#include "bus/canaerospace/phase_report.hpp"
 #include "bus/socketcan/socketcan_source.hpp"
 #include "bus/switches/gpiod_source.hpp"
 #include "bus/tracker/flight_tracker.hpp"
@@ -46,12 +47,14 @@ private:
     void report_bus(base::Time now);
     void write_bus_fault(bus::SourceHealth health);
     void report_switches();
+    void report_phase(const flight::PhaseStatus& phase, base::Time now);
 
     const EventLog& log_;
     bus::CanSocketPort& port_;
     bus::SocketCanSettings can_settings_;
     PanelExplainer explain_panel_;
     bus::NodeSettings node_;
+    bus::PhaseReport phase_report_;
     CanLatency latency_;
     bus::SocketCanSource can_;
     bool has_switches_;

@@ -1,5 +1,7 @@
 #include "bus/canaerospace/bus_settings.hpp"
 
+#include <utility>
+
 #include "bus/canaerospace/identifier_table.hpp"
 
 namespace tedavis::bus {
@@ -49,11 +51,16 @@ void read_phase(ConfigSection section, PhaseMessageSettings& phase) {
         static_cast<std::uint16_t>(section.integer("request_identifier", 200, 1999, phase.request_identifier));
     if (phase.request_identifier == phase.status_identifier)
         section.fault("request_identifier", "'request_identifier' equals 'status_identifier'; give each its own");
-    for (const std::string_view key : {"status_identifier", "request_identifier"}) {
-        const std::uint16_t identifier = key[0] == 's' ? phase.status_identifier : phase.request_identifier;
-        if (identifier_index(identifier) != kNotInTable)
+    if (section.has("report_identifier"))
+        phase.report_identifier = static_cast<std::uint16_t>(section.integer("report_identifier", 200, 1999));
+    if (phase.report_identifier == phase.status_identifier || phase.report_identifier == phase.request_identifier)
+        section.fault("report_identifier", "'report_identifier' is that of another message of the phase; give it its own");
+    const std::pair<std::string_view, std::uint16_t> stated[] = {{"status_identifier", phase.status_identifier},
+                                                                 {"request_identifier", phase.request_identifier},
+                                                                 {"report_identifier", phase.report_identifier}};
+    for (const auto& [key, identifier] : stated)
+        if (identifier != 0 && identifier_index(identifier) != kNotInTable)
             section.fault(key, "this identifier has a meaning in the standard; choose another");
-    }
     read_duration(section, "timeout_s", 0.1, 60.0, phase.timeout);
 }
 
@@ -79,9 +86,8 @@ std::uint16_t read_first_identifier(ConfigSection section, std::uint16_t count, 
     };
     for (std::uint16_t n = 0; n < count; ++n) {
         const auto identifier = static_cast<std::uint16_t>(first + n);
-        const bool states_phase = identifier == taken.phase.status_identifier || identifier == taken.phase.request_identifier;
         if (identifier_index(identifier) != kNotInTable) return fault("has a meaning in the standard"), first;
-        if (states_phase) return fault("states the phase of flight"), first;
+        if (taken.phase.has(identifier)) return fault("belongs to the phase of flight"), first;
         if (taken.traffic.has(identifier)) return fault("reports other aircraft"), first;
     }
     return first;
@@ -93,17 +99,15 @@ void read_display(ConfigSection section, const TakenIdentifiers& taken, DisplayR
     constexpr std::string_view kKey = "legend_identifier";
     display.legend_identifier = static_cast<std::uint16_t>(section.integer(kKey, 200, 1999));
     const std::uint16_t identifier = display.legend_identifier;
-    const bool is_taken = identifier_index(identifier) != kNotInTable || identifier == taken.phase.status_identifier ||
-                          identifier == taken.phase.request_identifier || taken.traffic.has(identifier) ||
-                          taken.guidance.has(identifier);
+    const bool is_taken = identifier_index(identifier) != kNotInTable || taken.phase.has(identifier) ||
+                          taken.traffic.has(identifier) || taken.guidance.has(identifier);
     if (is_taken) section.fault(kKey, "this identifier has a meaning already; choose another");
 }
 
 /// What the sections of a bus file give an identifier to; empty: nothing.
 std::string_view meaning_of(std::uint16_t identifier, const void* context) {
     const BusSettings& settings = *static_cast<const BusSettings*>(context);
-    if (identifier == settings.phase.status_identifier || identifier == settings.phase.request_identifier)
-        return "the phase of flight";
+    if (settings.phase.has(identifier)) return "the phase of flight";
     if (settings.traffic.has(identifier)) return "other aircraft";
     if (settings.guidance.has(identifier)) return "what is selected ([guidance])";
     return settings.display.has(identifier) ? "which legend is shown" : "";

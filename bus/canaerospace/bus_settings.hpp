@@ -49,7 +49,13 @@ struct BusDialect {
 struct PhaseMessageSettings {
     std::uint16_t status_identifier = 1830;
     std::uint16_t request_identifier = 1831;
+    std::uint16_t report_identifier = 0;  ///< of the phase that a display has (phase_report.hpp); 0: it sends none
     base::Duration timeout = base::Duration::seconds(3);
+
+    [[nodiscard]] bool has(std::uint16_t identifier) const {
+        return identifier == status_identifier || identifier == request_identifier ||
+               (report_identifier != 0 && identifier == report_identifier);
+    }
 };
 
 /// Reports of other aircraft (traffic_profile.hpp) use this many consecutive identifiers.
@@ -83,7 +89,7 @@ struct DisplayRequestSettings {
 
 /// The answer to an identification request (section 4, IDS).
 struct NodeSettings {
-    bool answer_identification = false;  ///< off: a passive listener that never sends
+    bool answer_identification = false;  ///< off: requests are not answered
     std::uint8_t node = 30;              ///< 1..199
     std::uint8_t hardware_revision = 1;
     std::uint8_t software_revision = 1;

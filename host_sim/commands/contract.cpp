@@ -87,9 +87,7 @@ int run_contract(const ContractOptions& options, Console& console) {
     if (!options.output.empty()) require_no_run(options.output);
     const auto workers = evaluation_workers(options.threads);
     const InterruptGuard interrupt;
-    EvaluationWork work{*workers, console, [&] { return interrupt.requested(); }, {}};
-    work.settings.saliency_start_level = kFlightStartLevel;
-    if (contract.canny) work.settings.canny = *contract.canny;
+    EvaluationWork work{*workers, console, [&] { return interrupt.requested(); }, settings_of(contract)};
     std::optional<NewFolder> folder;
     if (!options.output.empty()) folder.emplace(options.output);
     const JudgedContract judged = judge_contract(contract, run, measured_readings(contract, run, work));

@@ -54,8 +54,7 @@ int run_shot(const ShotOptions& options, Console& console) {
     pose.time = options.time.value_or(kPosedTime);
     FrameResult result = posed_frame(session, pose, phase);
     result.has_layers = options.layers;
-    if (options.layers)
-        result.obstacles = session.display().planner().obstacles_ahead(session.display().planned(), session.display().memory());
+    if (options.layers) result.obstacles = obstacles_of_frame(session);
     result.warnings = pose_findings(pose, result.record, options.picture.terrain, session.display());
     append(*result.warnings, scene_findings(options.picture.scene, extent_of_scene(options.picture.scene),
                                             {pose.latitude_deg, pose.latitude_deg, pose.longitude_deg, pose.longitude_deg}));

@@ -79,20 +79,32 @@ std::string lacking(const ContractCondition& condition, const FlightFrame& frame
 
 }  // namespace
 
+EvaluationSettings settings_of(const Contract& contract) {
+    EvaluationSettings settings;
+    settings.saliency_start_level = kFlightStartLevel;
+    if (contract.canny) settings.canny = *contract.canny;
+    return settings;
+}
+
 ContractMeter::ContractMeter(const Contract& contract, const FlightRun& run)
     : contract_(contract), gaps_(gaps_of_run(contract, run)), palette_(palette_of_run(contract, run)) {}
 
 std::vector<ContractReading> ContractMeter::readings(PictureMeter& meter, const FlightFrame& frame) const {
     const RgbaPicture picture = read_picture(frame.picture);
     const auto mask = read_layer_mask(frame.picture, frame.layers, picture.width, picture.height);
-    const PictureMeasures measures = meter.measure(picture, frame.picture, mask ? &*mask : nullptr, {});
-    const MeasuredFrame measured{frame, picture, mask ? &*mask : nullptr, measures, meter};
+    return readings(meter, frame, picture, mask ? &*mask : nullptr);
+}
+
+std::vector<ContractReading> ContractMeter::readings(PictureMeter& meter, const FlightFrame& frame, const RgbaPicture& picture,
+                                                     const LayerMask* mask) const {
+    const PictureMeasures measures = meter.measure(picture, frame.picture, mask, {});
+    const MeasuredFrame measured{frame, picture, mask, measures, meter};
     std::vector<ContractReading> readings;
     for (std::size_t n = 0; n < contract_.conditions.size(); ++n) {
         const ContractCondition& condition = contract_.conditions[n];
         if (!applies_in(condition, frame.phase)) {
             readings.emplace_back();
-        } else if (const std::string why = lacking(condition, frame, mask.has_value()); !why.empty()) {
+        } else if (const std::string why = lacking(condition, frame, mask != nullptr); !why.empty()) {
             readings.push_back(missing_reading(why));
         } else {
             readings.push_back(condition.measure == ContractMeasure::color_difference ? color_reading(n, frame)

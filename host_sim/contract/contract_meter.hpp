@@ -25,6 +25,9 @@ struct RunPalette {
     std::string name;
 };
 
+/// By which the pictures of a contract are measured.
+[[nodiscard]] EvaluationSettings settings_of(const Contract& contract);
+
 class ContractMeter {
 public:
     /// Reads the run's designs and palette, the current files, where a condition needs their colours. Throws UserError where they
@@ -33,6 +36,9 @@ public:
 
     /// Returns the readings of one frame, one per condition. Threads  any number at once, each with its own meter.
     [[nodiscard]] std::vector<ContractReading> readings(PictureMeter& meter, const FlightFrame& frame) const;
+    /// The same of a picture that lies in memory; `mask` may be null.
+    [[nodiscard]] std::vector<ContractReading> readings(PictureMeter& meter, const FlightFrame& frame, const RgbaPicture& picture,
+                                                        const LayerMask* mask) const;
 
 private:
     [[nodiscard]] ContractReading color_reading(std::size_t condition, const FlightFrame& frame) const;

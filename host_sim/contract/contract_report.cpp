@@ -60,6 +60,8 @@ Json failure_json(const JudgedCondition& one) {
             {"why", condition_gap(one)}};
 }
 
+bool is_rank_measured(const ContractCondition& condition) { return condition.measure == ContractMeasure::obstacle_rank; }
+
 std::string number_text(double value, bool is_rank) {
     if (!std::isfinite(value)) return "none";
     char text[32];
@@ -80,7 +82,7 @@ std::string place_text(const ContractReading& reading) {
 /// What was measured, in words behind the columns.
 std::string findings_text(const JudgedCondition& one) {
     const auto& verdict = one.verdict;
-    const bool is_rank = one.condition.measure == ContractMeasure::obstacle_rank;
+    const bool is_rank = is_rank_measured(one.condition);
     if (one.state == ConditionState::broken) {
         const std::string first =
             verdict.first.place == verdict.worst.place
@@ -97,6 +99,20 @@ std::string findings_text(const JudgedCondition& one) {
 }
 
 }  // namespace
+
+std::string limit_text(const ContractCondition& condition) {
+    return condition.name + (condition.limit.is_most ? " <= " : " >= ") +
+           number_text(condition.limit.limit, is_rank_measured(condition));
+}
+
+std::string bound_text(const ContractCondition& condition) {
+    return number_text(condition.limit.limit, is_rank_measured(condition)) +
+           (condition.limit.is_most ? " is the most" : " is the least");
+}
+
+std::string reading_text(const ContractCondition& condition, const ContractReading& reading) {
+    return number_text(reading.value, is_rank_measured(condition)) + " (" + place_text(reading) + ")";
+}
 
 std::string condition_gap(const JudgedCondition& judged) {
     if (judged.state == ConditionState::missing)
@@ -136,11 +152,9 @@ std::string contract_text(const JudgedContract& judged) {
                        " conditions, " + std::to_string(judged.times_s.size()) +
                        (judged.interrupted ? " frames, interrupted)" : " frames)");
     for (const JudgedCondition& one : judged.conditions) {
-        const bool is_rank = one.condition.measure == ContractMeasure::obstacle_rank;
         char state[32];
         std::snprintf(state, sizeof state, "\n  %-18s  ", kConditionStateNames[static_cast<std::size_t>(one.state)]);
-        text += state + one.condition.name + (one.condition.limit.is_most ? " <= " : " >= ") +
-                number_text(one.condition.limit.limit, is_rank) + ": " + findings_text(one);
+        text += state + limit_text(one.condition) + ": " + findings_text(one);
     }
     return text;
 }

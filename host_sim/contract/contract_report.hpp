@@ -15,6 +15,10 @@ namespace tedavis::host_sim {
 [[nodiscard]] nlohmann::ordered_json contract_json(const JudgedContract& judged);
 /// Returns the text without a line end.
 [[nodiscard]] std::string contract_text(const JudgedContract& judged);
+/// Returns "0.110 is the most".
+[[nodiscard]] std::string bound_text(const ContractCondition& condition);
+/// Returns "0.140 (whole picture)" of a value that was measured.
+[[nodiscard]] std::string reading_text(const ContractCondition& condition, const ContractReading& reading);
 /// Returns why a condition could not be measured, or is passed; empty where it was measured.
 [[nodiscard]] std::string condition_gap(const JudgedCondition& judged);
 

@@ -62,7 +62,7 @@ std::optional<std::vector<FrameObstacle>> frame_obstacles(const Json& record) {
     return all;
 }
 
-void read_flight_frame(const Json& record, FlightFrame& frame) {
+void read_from_record(const Json& record, FlightFrame& frame) {
     frame.phase_source = text_of(record, "phase_source");
     frame.weights = main_weights(record);
     frame.prioritized = prioritized_aspect(frame.weights);
@@ -73,6 +73,10 @@ void read_flight_frame(const Json& record, FlightFrame& frame) {
     frame.has_accuracy_overlay = record.contains("accuracy_overlay") && record["accuracy_overlay"] == true;
     frame.has_scene = record_number(record, "scene_revision") > 0;
     frame.obstacles = frame_obstacles(record);
+}
+
+void read_flight_frame(const Json& record, FlightFrame& frame) {
+    read_from_record(record, frame);
     if (!std::filesystem::exists(frame.picture))
         throw UserError(frame.picture + ": the run has no picture of this frame; replay it again with --frames png");
 }
@@ -109,6 +113,13 @@ std::vector<std::string> layer_names(const Json& record) {
     if (!record.contains("layers") || !record["layers"].is_array()) return names;
     for (const Json& name : record["layers"]) names.push_back(name.is_string() ? name.get<std::string>() : std::string());
     return names;
+}
+
+FlightFrame flight_frame_of(const Json& record) {
+    FlightFrame frame;
+    frame.phase = phase_of_record(record);
+    read_from_record(record, frame);
+    return frame;
 }
 
 bool is_folder(const std::string& path) {

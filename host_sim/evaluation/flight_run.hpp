@@ -54,6 +54,9 @@ struct FlightRun {
     std::vector<FlightFrame> frames;        ///< in the order of time
 };
 
+/// What a record says of its frame, whose number, time and picture are not read.
+[[nodiscard]] FlightFrame flight_frame_of(const nlohmann::ordered_json& record);
+
 /// Throws UserError where the folder holds no run, or a run without its pictures; the sentence says how they are made.
 [[nodiscard]] FlightRun read_flight_run(const std::string& folder);
 

@@ -21,7 +21,8 @@ struct BoardRecord {
 /// little.
 [[nodiscard]] BoardRecord read_board_record(std::string_view packet, std::string_view display);
 
-/// Whether a record can answer a condition of an expectation: it has no texts, and does not say whether there are obstacles.
+/// Whether a record can answer a condition of an expectation: it has no texts and no picture, and does not say
+/// whether there are obstacles.
 [[nodiscard]] bool is_in_board_record(const FrameCondition& condition);
 
 }  // namespace tedavis::host_sim

@@ -16,6 +16,7 @@
 #include "bus/switches/switch_config.hpp"
 #include "host_sim/flight_log/signal_sample.hpp"
 #include "host_sim/flight_test/placed_words.hpp"
+#include "host_sim/flight_test/shown_picture.hpp"
 #include "host_sim/options/picture_options.hpp"
 #include "render_core/display/planner/frame_record.hpp"
 
@@ -30,6 +31,7 @@ struct ObservedFrame {
     bool has_obstacles = false;         ///< data of obstacles ahead, of which there could be an alert
     SignalSample values;                ///< that the display was given, SI
     std::vector<PlacedWords> words;     ///< where a condition of the test asks for a text
+    ShownPicture* picture = nullptr;    ///< while this frame is judged; null: nobody can look at its picture, as on a board
 };
 
 /// Whether a condition holds in a frame, what was found there, and what the record says of the reason.
@@ -38,17 +40,27 @@ struct Observation {
     std::string found, reason;
 };
 
-struct FrameCondition {
-    std::string key, expected;
-    std::function<Observation(const ObservedFrame&)> observe;
-    std::optional<flight::Signal> signal{};  ///< whose state or value it asks for
-};
+using FrameObserver = std::function<Observation(const ObservedFrame&)>;
 
 /// When an expectation must hold.
 enum class WindowKind : std::uint8_t {
     at,      ///< in the first frame at or after from_s
     during,  ///< in every frame from from_s to to_s
     within,  ///< not in the first frame from from_s on, but in a later one up to to_s
+};
+
+struct FrameCondition {
+    std::string key, expected;
+    FrameObserver observe;
+    std::optional<flight::Signal> signal{};  ///< whose state or value it asks for
+    /// Of one that looks at frames together, the frames of a window in their order: makes what observes those of one window.
+    std::function<FrameObserver(WindowKind)> begin{};
+};
+
+/// What a script can name of the display that it tests.
+struct TestedDisplay {
+    std::vector<std::string> designs;  ///< names that a frame's design can have
+    PictureOptions picture;            ///< as the script says
 };
 
 struct Expectation {

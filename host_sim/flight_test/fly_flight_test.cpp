@@ -7,6 +7,7 @@
 
 #include "host_sim/flight_test/input_logs.hpp"
 #include "host_sim/flight_test/read_steps.hpp"
+#include "host_sim/flight_test/session_picture.hpp"
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/frame_preroll.hpp"
 #include "host_sim/replay/generated_flight.hpp"
@@ -36,7 +37,8 @@ public:
           player_(player),
           settings_(settings),
           rate_hz_(session.device().frame_rate_hz),
-          preroll_(player, session, rate_hz_) {
+          preroll_(player, session, rate_hz_),
+          picture_(session) {
         for (const Expectation& expectation : test.expectations) judges_.emplace_back(expectation, FrameTimes{rate_hz_});
         reads_text_ = std::any_of(test.expectations.begin(), test.expectations.end(),
                                   [](const Expectation& expectation) { return expectation.reads_text(); });
@@ -111,20 +113,21 @@ private:
         if (settings_.draws_failure) draw_failure();
     }
 
-    /// As a replay plans it; drawn only where later frames show it again.
+    /// As a replay plans it; drawn only where later frames show it again, or a condition looks at its picture.
     ObservedFrame plan(double time_s) {
         const base::Time time = player_.first() + base::Duration::from_seconds(time_s);
         if (!preroll_.preroll(time)) throw Interrupted(kTestInterrupted);
         const flight::FrameInput input = player_.at(time);
         display::Display& display = session_.display();
         display.plan({input.state, input.phase, time, input.trail, input.legend});
-        is_drawn_ = display.memory().must_be_drawn();
-        if (is_drawn_) session_.draw();
+        picture_.begin_frame();
+        if (display.memory().must_be_drawn()) picture_.draw();
         ObservedFrame frame;
         frame.time_s = time_s;
+        frame.picture = &picture_;
         frame.record = display.record();
         const display::PlannedFrame& plan = display.planned();
-        if (!is_drawn_)
+        if (!picture_.is_drawn())
             display::record_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn},
                                     frame.record);
         latency_s_ = (time - player_.newest_frame()).to_seconds();
@@ -149,9 +152,7 @@ private:
     }
 
     void draw_failure() {
-        if (!is_drawn_) session_.draw();
-        FrameResult drawn;
-        drawn.record = session_.display().record();
+        FrameResult drawn = picture_.result();
         drawn.hash = session_.frame_hash();
         drawn.latency_ms = latency_s_ * 1000;
         result_.picture = encode_png(session_.pixels());
@@ -163,9 +164,10 @@ private:
     const FlyTestSettings& settings_;
     double rate_hz_;
     FramePreroll preroll_;
+    SessionPicture picture_;
     std::vector<ExpectationJudge> judges_;
     FlightTestResult result_;
-    bool has_failed_ = false, is_drawn_ = false, reads_text_ = false, has_obstacles_ = false;
+    bool has_failed_ = false, reads_text_ = false, has_obstacles_ = false;
     double latency_s_ = 0;
 };
 

@@ -11,6 +11,12 @@ constexpr double kSameTime_s = 1e-6;  // by which a frame may miss its time, as 
 
 }  // namespace
 
+ExpectationJudge::ExpectationJudge(const Expectation& expectation, const FrameTimes& times)
+    : expectation_(expectation), times_(times) {
+    for (const FrameCondition& condition : expectation.conditions)
+        observers_.push_back(condition.begin ? condition.begin(expectation.kind) : condition.observe);
+}
+
 /// An expectation that must be reached also looks at the last frame up to from_s. On the desk that frame is known by its time; a
 /// running display has no fixed rate, so there each frame before from_s is looked at.
 bool ExpectationJudge::wants(double time_s) const {
@@ -50,10 +56,10 @@ bool ExpectationJudge::take(const ObservedFrame& frame) {
 }
 
 bool ExpectationJudge::observe(const ObservedFrame& frame) {
-    for (const FrameCondition& condition : expectation_.conditions) {
-        const Observation observation = condition.observe(frame);
+    for (std::size_t n = 0; n < observers_.size(); ++n) {
+        const Observation observation = observers_[n](frame);
         if (observation.holds) continue;
-        note_failure(frame, condition, observation);
+        note_failure(frame, expectation_.conditions[n], observation);
         return false;
     }
     return true;

@@ -34,7 +34,7 @@ public:
     static constexpr double kLatestFrame_s = 0.5;
 
     /// The expectation must outlive the judge.
-    ExpectationJudge(const Expectation& expectation, const FrameTimes& times) : expectation_(expectation), times_(times) {}
+    ExpectationJudge(const Expectation& expectation, const FrameTimes& times);
 
     /// Whether the frame at this time matters to what is still open.
     [[nodiscard]] bool wants(double time_s) const;
@@ -61,6 +61,7 @@ private:
 
     const Expectation& expectation_;
     FrameTimes times_;
+    std::vector<FrameObserver> observers_;  ///< one per condition
     bool is_settled_ = false;
     bool has_frame_ = false;  ///< of its time
     double passed_s_ = -std::numeric_limits<double>::infinity();

@@ -24,9 +24,46 @@ const draw::Glyph* glyph_at(float x, float y) {
     return nullptr;
 }
 
+constexpr float kGlyphItself = -1;  // extent_x of a QuadVertex: less for halos
+
+/// Of the corners of a quad.
+WrittenGlyph written_glyph(const draw::QuadVertex& a, const draw::QuadVertex& b, const draw::QuadVertex& d) {
+    WrittenGlyph written;
+    written.corner = {a.x, a.y};
+    written.right = {b.x, b.y};
+    written.down = {d.x, d.y};
+    written.uv = {a.u, a.v};
+    written.uv_right = {b.u, b.v};
+    written.uv_down = {d.u, d.v};
+    written.range_px = a.extent_y;
+    written.color = {a.rgba[0], a.rgba[1], a.rgba[2], a.rgba[3]};
+    return written;
+}
+
+/// The halos of a text are drawn before its characters, one for each.
+class HaloCount {
+public:
+    void take_halo(float width_px) {
+        if (is_taking_characters_) halos_ = 0;
+        is_taking_characters_ = false;
+        width_px_ = width_px;
+        ++halos_;
+    }
+    float take_character() {
+        is_taking_characters_ = true;
+        if (halos_ == 0) return 0;
+        --halos_;
+        return width_px_;
+    }
+
+private:
+    std::size_t halos_ = 0;
+    float width_px_ = 0;
+    bool is_taking_characters_ = false;
+};
+
 /// Of a quad's first and third corner. Nothing for a halo, which repeats its character.
 std::optional<PlacedGlyph> placed_glyph(const draw::QuadVertex& a, const draw::QuadVertex& c) {
-    constexpr float kGlyphItself = -1;  // QuadBatch: less for halos
     if (a.extent_x != kGlyphItself) return std::nullopt;
     const draw::FontAtlas& atlas = draw::font_atlas();
     const float x = (a.u + c.u) / 2 * static_cast<float>(atlas.width), y = (a.v + c.v) / 2 * static_cast<float>(atlas.height);
@@ -75,16 +112,24 @@ std::vector<std::string> boxes_at(draw::Point at, const draw::Layout& layout) {
 std::vector<PlacedWords> placed_words(const draw::QuadBatch& batch, const draw::Layout& layout) {
     std::vector<PlacedWords> words;
     std::optional<PlacedGlyph> last;
+    HaloCount halos;
     const auto vertices = batch.vertices();
     const auto indices = batch.indices();
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const auto glyph = placed_glyph(vertices[indices[i]], vertices[indices[i + 2]]);
+        const draw::QuadVertex& a = vertices[indices[i]];
+        const auto glyph = placed_glyph(a, vertices[indices[i + 2]]);
         const bool is_first_half = i + 5 < indices.size() && indices[i + 3] == indices[i];
-        if (!glyph || !is_first_half) continue;
+        if (is_first_half && a.extent_x < kGlyphItself) halos.take_halo(-a.extent_x - 1);
+        if (!is_first_half || a.extent_x >= 0) continue;
+        WrittenGlyph written = written_glyph(a, vertices[indices[i + 1]], vertices[indices[i + 5]]);
         i += 3;  // a quad's second triangle begins with the first corner of its first one
+        if (!glyph) continue;
         const std::optional<int> blanks = last ? blanks_between(*last, *glyph) : std::nullopt;
         if (!blanks) words.push_back({"", glyph->at.x, glyph->at.y, boxes_at(glyph->at, layout)});
         if (blanks.value_or(0) > 0) words.back().text += ' ';
+        written.at = words.back().text.size();
+        written.halo_px = halos.take_character();
+        words.back().glyphs.push_back(written);
         append_code_point(glyph->glyph != nullptr ? glyph->glyph->code_point : '?', words.back().text);
         last = glyph;
     }
@@ -105,13 +150,17 @@ std::string with_single_blanks(const std::string& text) {
     return kept;
 }
 
-bool has_words(const std::string& text, const std::string& words) {
+std::vector<std::size_t> places_of_words(const std::string& text, const std::string& words) {
+    std::vector<std::size_t> places;
+    if (words.empty()) return places;
     for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
         const std::size_t end = at + words.size();
-        if ((at == 0 || text[at - 1] == ' ') && (end == text.size() || text[end] == ' ')) return !words.empty();
+        if ((at == 0 || text[at - 1] == ' ') && (end == text.size() || text[end] == ' ')) places.push_back(at);
     }
-    return false;
+    return places;
 }
+
+bool has_words(const std::string& text, const std::string& words) { return !places_of_words(text, words).empty(); }
 
 std::string unwritable_character(const std::string& text) {
     std::string_view rest = text;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "host_sim/flight_test/contract_condition.hpp"
 #include "host_sim/flight_test/nearest_names.hpp"
 #include "host_sim/flight_test/signal_value.hpp"
+#include "host_sim/flight_test/text_condition.hpp"
 #include "render_core/effects/effect_table.hpp"
 #include "render_core/policy/flag_table.hpp"
 
@@ -23,8 +25,6 @@ constexpr std::array<SignalState, 5> kTestedStates = {SignalState::missing, Sign
                                                       SignalState::lost, SignalState::invalid};
 const std::vector<std::string> kAlertNames = {"none", "caution", "warning", "not_watching"};
 constexpr std::size_t kNoAlert = 0, kNotWatching = 3;
-/// Boxes whose numbers move past a value.
-const std::vector<std::string> kBoxesWithMarks = {"", "airspeed", "altitude", "vertical_speed", "heading", "attitude"};
 const std::vector<std::string> kEffectStateNames = {"run", "replaced", "skipped"};
 
 template <class Values>
@@ -34,20 +34,8 @@ std::vector<std::string> names_of_values(const Values& values) {
     return names;
 }
 
-std::string list_of_flags(const display::FrameRecord& record) {
-    std::string list;
-    for (const display::Name& flag : record.flags) list += (list.empty() ? "" : ", ") + std::string(flag.view());
-    return list.empty() ? "no flag" : list;
-}
-
 bool has_flag(const display::FrameRecord& record, const std::string& name) {
     return std::any_of(record.flags.begin(), record.flags.end(), [&](const display::Name& flag) { return flag.view() == name; });
-}
-
-/// Why the phase is what it is.
-std::string words_of_phase(const flight::PhaseStatus& status) {
-    return "phase " + phase_text(status.phase) + " of source " + flight::to_string(status.source) +
-           (status.switch_fault ? ", the switch pattern is impossible" : "") + (status.disagreement ? ", sources disagree" : "");
 }
 
 void read_phase_condition(ScriptTable& table, Conditions& conditions) {
@@ -247,54 +235,6 @@ void read_latency_condition(ScriptTable& table, Conditions& conditions) {
                           [limit = *limit](const ObservedFrame& frame) { return observe_latency(frame, limit); }});
 }
 
-/// A text of the symbology; `box` is empty for one anywhere.
-Observation observe_text(const ObservedFrame& frame, const std::string& says, const std::string& box, bool is_there) {
-    std::string found;
-    bool has = false;
-    for (const PlacedWords& words : frame.words) {
-        if (!box.empty() && std::find(words.boxes.begin(), words.boxes.end(), box) == words.boxes.end()) continue;
-        has = has || has_words(words.text, says);
-        found += (found.empty() ? "\"" : ", \"") + words.text + "\"";
-    }
-    return {has == is_there, found.empty() ? "no text" : found, list_of_flags(frame.record)};
-}
-
-/// What is wrong with a text that is asked for; empty where nothing is.
-std::string fault_of_text(const std::string& says, const std::string& box) {
-    if (says.empty()) return "'text' needs says, such as { says = \"TERRAIN AHEAD\" }";
-    if (const std::string strange = unwritable_character(says); !strange.empty())
-        return "'says': the display's typeface has no '" + strange + "'; remove it";
-    const bool is_number = says.find_first_not_of("0123456789+-. ") == std::string::npos;
-    if (is_number && std::find(kBoxesWithMarks.begin(), kBoxesWithMarks.end(), box) != kBoxesWithMarks.end())
-        return "'says': \"" + says + "\" may be a mark of a scale; say values = { indicated_airspeed_kt = [89, 91] } or the like";
-    return {};
-}
-
-/// text = { says = "TERRAIN AHEAD", in = "annunciations", there = true }, or a list of such.
-void read_text_condition(const ScriptValue& value, ScriptFaults& faults, Conditions& conditions) {
-    if (value.kind != ScriptValue::Kind::table)
-        return faults.add(value.file, value.line, "'text' must be a table such as { says = \"TERRAIN AHEAD\" }");
-    ScriptTable text(value, faults);
-    const std::size_t before = faults.count();
-    const std::string says = with_single_blanks(text.text("says").value_or(""));
-    const std::string box = text.text("in").value_or("");
-    const bool is_there = text.boolean("there").value_or(true);
-    text.finish();
-    if (!box.empty() && !place_among(text, "in", box, layout_box_names())) return;
-    if (faults.count() != before) return;
-    if (const std::string sentence = fault_of_text(says, box); !sentence.empty()) return text.fault("says", sentence);
-    conditions.push_back(
-        {"text", (is_there ? "\"" : "no \"") + says + "\"" + (box.empty() ? "" : " in " + box),
-         [says, box, is_there](const ObservedFrame& frame) { return observe_text(frame, says, box, is_there); }});
-}
-
-void read_text_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
-    const ScriptValue* const value = table.take("text");
-    if (value == nullptr) return;
-    if (value->kind != ScriptValue::Kind::list) return read_text_condition(*value, faults, conditions);
-    for (const ScriptValue& one : value->items) read_text_condition(one, faults, conditions);
-}
-
 /// What asks for nothing would hold always.
 void refuse_empty(ScriptTable& table) {
     for (const char* const key : {"flags", "no_flags", "signals", "effects", "values", "text"}) {
@@ -307,6 +247,17 @@ void refuse_empty(ScriptTable& table) {
 }
 
 }  // namespace
+
+std::string list_of_flags(const display::FrameRecord& record) {
+    std::string list;
+    for (const display::Name& flag : record.flags) list += (list.empty() ? "" : ", ") + std::string(flag.view());
+    return list.empty() ? "no flag" : list;
+}
+
+std::string words_of_phase(const flight::PhaseStatus& status) {
+    return "phase " + phase_text(status.phase) + " of source " + flight::to_string(status.source) +
+           (status.switch_fault ? ", the switch pattern is impossible" : "") + (status.disagreement ? ", sources disagree" : "");
+}
 
 std::string phase_text(flight::FlightPhase phase) {
     const std::string sub_phase = flight::sub_phase_name(phase);
@@ -330,12 +281,12 @@ std::vector<std::string> record_flag_names() {
     return names;
 }
 
-std::vector<FrameCondition> read_conditions(ScriptTable& table, const std::vector<std::string>& designs, ScriptFaults& faults) {
+std::vector<FrameCondition> read_conditions(ScriptTable& table, const TestedDisplay& display, ScriptFaults& faults) {
     Conditions conditions;
     const std::size_t before = faults.count();
     read_phase_condition(table, conditions);
     read_source_condition(table, conditions);
-    read_design_condition(table, designs, conditions);
+    read_design_condition(table, display.designs, conditions);
     read_flag_conditions(table, "flags", true, conditions);
     read_flag_conditions(table, "no_flags", false, conditions);
     read_signal_conditions(table, faults, conditions);
@@ -344,6 +295,7 @@ std::vector<FrameCondition> read_conditions(ScriptTable& table, const std::vecto
     read_alert_conditions(table, conditions);
     read_latency_condition(table, conditions);
     read_text_conditions(table, faults, conditions);
+    read_contract_condition(table, display.picture, conditions);
     refuse_empty(table);
     if (conditions.empty() && faults.count() == before)
         table.fault("", "this [[expect]] asks for nothing; say phase, phase_source, design, flags, signals or the like");

@@ -9,11 +9,13 @@
 namespace tedavis::host_sim {
 
 /// Reads phase, phase_source, design, flags, no_flags, signals, effects, values, alert, obstacle_alert,
-/// latency_frames_at_most and text.
-/// A table without any of them is a fault. `designs` are the names that a frame's design can have.
-[[nodiscard]] std::vector<FrameCondition> read_conditions(ScriptTable& table, const std::vector<std::string>& designs,
-                                                          ScriptFaults& faults);
+/// latency_frames_at_most, text and contract. A table without any of them is a fault.
+[[nodiscard]] std::vector<FrameCondition> read_conditions(ScriptTable& table, const TestedDisplay& display, ScriptFaults& faults);
 
+/// The flags of a record, which say why something is shown.
+[[nodiscard]] std::string list_of_flags(const display::FrameRecord& record);
+/// Why the phase is what it is.
+[[nodiscard]] std::string words_of_phase(const flight::PhaseStatus& status);
 /// All names of flags that a record can have.
 [[nodiscard]] std::vector<std::string> record_flag_names();
 /// "approach.final", or the scenario alone where no sub-phase is stated.

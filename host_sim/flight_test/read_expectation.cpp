@@ -132,13 +132,13 @@ void find_contradiction(const Expectation& later, const Expectation& earlier, Sc
 
 }  // namespace
 
-Expectation read_expectation(ScriptTable& table, const std::vector<std::string>& designs, ScriptFaults& faults) {
+Expectation read_expectation(ScriptTable& table, const TestedDisplay& display, ScriptFaults& faults) {
     Expectation expectation;
     expectation.file = table.file();
     expectation.line = table.line();
     expectation.name = table.text("name").value_or("");
     read_window(table, expectation);
-    expectation.conditions = read_conditions(table, designs, faults);
+    expectation.conditions = read_conditions(table, display, faults);
     table.finish();
     if (expectation.name.empty()) expectation.name = words_of_expectation(expectation);
     find_own_contradictions(expectation, table);

@@ -11,7 +11,7 @@ namespace tedavis::host_sim {
 
 /// Reads at_s, from_s with to_s, or within_s after after_s with `stays`; the conditions (read_conditions.hpp); and `name`, whose
 /// default says them in words.
-[[nodiscard]] Expectation read_expectation(ScriptTable& table, const std::vector<std::string>& designs, ScriptFaults& faults);
+[[nodiscard]] Expectation read_expectation(ScriptTable& table, const TestedDisplay& display, ScriptFaults& faults);
 
 /// "3 s: phase cruise, phase_source can".
 [[nodiscard]] std::string words_of_expectation(const Expectation& expectation);

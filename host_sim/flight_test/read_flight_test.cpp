@@ -167,7 +167,7 @@ private:
     void read_expectations(ScriptTable& table) {
         for (const ScriptValue* const expect : table.tables("expect")) {
             ScriptTable section(*expect, faults_);
-            test_.expectations.push_back(read_expectation(section, designs_, faults_));
+            test_.expectations.push_back(read_expectation(section, {designs_, test_.picture}, faults_));
         }
     }
 

@@ -8,6 +8,7 @@
 
 #include "host_sim/options/asked_weights.hpp"
 #include "host_sim/options/ghost_options.hpp"
+#include "render_core/base/valid_period.hpp"
 #include "render_core/design/symbology_palette.hpp"
 #include "render_core/design/view_effects.hpp"
 #include "render_core/effects/effect_planner.hpp"
@@ -34,9 +35,10 @@ struct PictureSize {
 
 /// Names of shipped files may be short ("cruise"); the command resolves them.
 struct PictureOptions {
-    std::string terrain;  ///< .tdb; empty: no terrain
-    std::string scene;    ///< .sdb; empty: no spatial data
-    ShownGhosts ghosts;   ///< of a replay, which makes them
+    std::string terrain;             ///< .tdb; empty: no terrain
+    std::string scene;               ///< .sdb; empty: no spatial data
+    ShownGhosts ghosts;              ///< of a replay, which makes them
+    base::ValidPeriod valid_period;  ///< of terrain and scene; open: no dates are stated
     std::string design = "default";
     DesignFolders design_folders;
     std::string device = "es3-mid";

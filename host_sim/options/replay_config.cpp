@@ -200,6 +200,7 @@ ReplayOptions load_replay_config(const std::string& path, const std::string& pac
     ReplayOptions options;
     options.pack = found.value().pack;
     take_picture(*config, options.picture);
+    options.picture.valid_period = platform::valid_period(options.pack);
     if (!config->switches.empty()) options.switch_config = config->switches.view();
     ReplaySection(reader.root().section("replay"), file).read(options);
     options.config = std::move(config);

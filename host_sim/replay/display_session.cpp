@@ -57,6 +57,7 @@ platform::DisplayHostSettings host_settings(const PictureOptions& options, const
     settings.display.symbology = load_symbology_palettes(options);
     settings.display.light = options.light;
     settings.display.legend = options.legend;
+    settings.display.database_dates.period = options.valid_period;
     settings.surface = headless_surface(options.gl);
     settings.terrain.path = options.terrain.c_str();
     settings.scene.path = options.drawn_scene().c_str();

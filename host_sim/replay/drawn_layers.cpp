@@ -23,6 +23,11 @@ std::vector<std::uint8_t> drawn_layers(DisplaySession& session) {
     return mask;
 }
 
+display::ObstaclePlaces obstacles_of_frame(DisplaySession& session) {
+    display::Display& display = session.display();
+    return display.planner().obstacles_ahead(display.planned(), display.memory());
+}
+
 void write_drawn_layers(const std::string& picture, DisplaySession& session) {
     const std::vector<std::uint8_t> layers = drawn_layers(session);
     write_layer_mask(picture, {layers.data(), session.width(), session.height()});

@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "host_sim/replay/display_session.hpp"
+#include "render_core/display/planner/obstacle_places.hpp"
 
 namespace tedavis::host_sim {
 
 /// Of the frame that was drawn last: a number of display::PictureLayer a pixel, top row first. Afterwards the session's picture
 /// is the whole one again. Costs as many drawings as there are layers.
 [[nodiscard]] std::vector<std::uint8_t> drawn_layers(DisplaySession& session);
+/// Where the obstacles ahead are in the frame that was planned last: what a contract asks for beside the layers.
+[[nodiscard]] display::ObstaclePlaces obstacles_of_frame(DisplaySession& session);
 /// Beside a picture (evaluation/layer_mask.hpp). Throws UserError.
 void write_drawn_layers(const std::string& picture, DisplaySession& session);
 

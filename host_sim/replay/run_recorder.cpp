@@ -77,9 +77,7 @@ const FrameResult& RunRecorder::draw(base::Time time) {
     draw_watched(time);
     result_.record = session_.display().record();
     result_.has_layers = options_.layers;
-    if (options_.layers)
-        result_.obstacles =
-            session_.display().planner().obstacles_ahead(session_.display().planned(), session_.display().memory());
+    if (options_.layers) result_.obstacles = obstacles_of_frame(session_);
     result_.latency_ms = milliseconds_between(player_.newest_frame(), time);
     result_.hash = options_.frame_output() == FrameOutput::none ? 0 : session_.frame_hash();
     if (overlay_) overlaid_ = overlay_(session_, result_);

@@ -15,6 +15,11 @@ std::string record_text(const RunRecords::Json& record, const char* key) {
 
 }  // namespace
 
+std::string phase_of_record(const RunRecords::Json& record) {
+    const std::string sub = record_text(record, "sub_phase");
+    return record_text(record, "phase") + (sub.empty() ? "" : "." + sub);
+}
+
 RunFrame read_run_frame(const RunRecords::Json& record, const RunRecords& records, const std::string& folder) {
     if (!record.contains("time_s") || !record["time_s"].is_number())
         throw UserError(records.path() + ":" + std::to_string(records.line()) +
@@ -22,8 +27,7 @@ RunFrame read_run_frame(const RunRecords::Json& record, const RunRecords& record
     RunFrame frame;
     frame.frame = record["frame"].get<std::uint64_t>();
     frame.time_s = record["time_s"].get<double>();
-    const std::string sub = record_text(record, "sub_phase");
-    frame.phase = record_text(record, "phase") + (sub.empty() ? "" : "." + sub);
+    frame.phase = phase_of_record(record);
     frame.picture = frame_picture_path(folder, frame.frame);
     return frame;
 }

@@ -19,6 +19,9 @@ struct RunFrame {
     std::string picture;  ///< path; of read_run_frame() also where there is no such file
 };
 
+/// "approach.final" of a record; empty where it has none.
+[[nodiscard]] std::string phase_of_record(const RunRecords::Json& record);
+
 /// Of the record that was read last. Throws UserError where it has no time.
 [[nodiscard]] RunFrame read_run_frame(const RunRecords::Json& record, const RunRecords& records, const std::string& folder);
 

@@ -1,5 +1,6 @@
 #include "host_sim/scenario/scenario.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -68,7 +69,7 @@ Guidance read_guidance(ConfigSection& section, const LandingStrip& strip) {
     guidance.decision_height_m = section.number("decision_height_m", 0, 1000);
     guidance.minimum_msl_m = section.number("minimum_msl_m", -500, 10000);
     guidance.flaps_travel_s = section.number("flaps_travel_s", 0.1, 120);
-    if (guidance.minimum_msl_m < strip.elevation_msl_m)
+    if (section.has("minimum_msl_m") && guidance.minimum_msl_m < strip.elevation_msl_m)
         section.fault("minimum_msl_m", "the minimum lies below the strip; give a height above mean sea level");
     return guidance;
 }
@@ -119,10 +120,11 @@ Leg read_leg(ConfigSection section) {
     section.choose("kind", kKinds, leg.kind);
     section.choose("stated_by", kStatedBy, leg.stated_by);
     const flight::ParsedPhase phase = flight::phase_from_name(section.text("phase"));
-    if (!phase.ok) section.fault("phase", "no such flight phase; say for example takeoff.first_climb");
+    if (section.has("phase") && !phase.ok) section.fault("phase", "no such flight phase; say for example takeoff.first_climb");
     leg.phase = phase.phase;
     leg.flaps = section.number("flaps", 0, 1, 0);
-    read_kind(section, leg);
+    const bool is_known = !section.has("kind") || std::find(kKinds.begin(), kKinds.end(), section.text("kind")) != kKinds.end();
+    if (is_known) read_kind(section, leg);  // of another kind nobody knows the keys
     return leg;
 }
 
@@ -163,6 +165,16 @@ RadioAltimeterSettings read_radio_altimeter(ConfigSection& section, const std::s
     return altimeter;
 }
 
+/// All faults of a file at once, a line each.
+std::string lines_of(base::Span<const base::Error> errors) {
+    std::string lines;
+    for (const base::Error& error : errors) {
+        if (!lines.empty()) lines += '\n';
+        lines += error.message.view();
+    }
+    return lines;
+}
+
 }  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::string& file_name) {
@@ -176,9 +188,10 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     const auto start = parse_iso8601(root.text("start_utc", kStart));
     if (!start) root.fault("start_utc", "no time such as 2026-06-01T14:00:00Z");
     scenario.start = start.value_or(base::Time{});
-    if (!root.has("strip"))
+    if (root.has("strip"))
+        scenario.strip = read_strip(root.section("strip"));
+    else
         root.fault("strip", "there is no table [strip]; add it with the place where the flight takes off and lands");
-    scenario.strip = read_strip(root.section("strip"));
     scenario.environment = read_environment(root.section("environment"));
     scenario.aircraft = read_aircraft(root.section("aircraft"));
     scenario.scene = read_scene(root, file_name);
@@ -191,7 +204,7 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     const std::size_t legs = root.table_count("leg");
     if (legs == 0 || legs > kMaxLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
     for (std::size_t i = 0; i < legs && i < kMaxLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
-    if (!reader.finish()) throw UserError(std::string(reader.error().message.view()));
+    if (!reader.finish()) throw UserError(lines_of(reader.errors()));
     return scenario;
 }
 

@@ -12,6 +12,7 @@
 #include "platform/files/file_text.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/hash.hpp"
+#include "render_core/base/utc_time.hpp"
 
 namespace tedavis::platform {
 namespace {
@@ -249,61 +250,14 @@ base::Result<FileText, base::Error> read_manifest(const CheckedPack& pack) {
     return read_file_text(path.c_str());
 }
 
-int number_at(std::string_view text, std::size_t at, std::size_t count) {
-    int number = 0;
-    for (const char c : text.substr(at, count)) number = 10 * number + (c - '0');
-    return number;
-}
-
-bool has_digits_of_day(std::string_view text) {
-    if (text.size() != 10) return false;
-    for (std::size_t n = 0; n < text.size(); ++n) {
-        const bool is_dash = n == 4 || n == 7;
-        if (is_dash ? text[n] != '-' : (text[n] < '0' || text[n] > '9')) return false;
-    }
-    return true;
-}
-
-void append_padded(DayText& text, std::int64_t number, std::size_t width) {
-    const auto digits = base::digits(static_cast<std::uint64_t>(number));
-    for (std::size_t n = digits.size(); n < width; ++n) text.append("0");
-    text.append(digits.view());
-}
-
-}  // namespace
-
-bool is_day(std::string_view text) {
-    if (!has_digits_of_day(text)) return false;
-    const int year = number_at(text, 0, 4), month = number_at(text, 5, 2), day = number_at(text, 8, 2);
-    constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-    if (year < 1900 || year > 2199 || month < 1 || month > 12) return false;
-    const bool is_leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-    return day >= 1 && day <= kDays[month - 1] + (month == 2 && is_leap ? 1 : 0);
-}
-
-/// By the proleptic Gregorian calendar in eras of 400 years, which begin in March.
-DayText day_of(std::int64_t unix_ns) {
-    constexpr std::int64_t kDayNs = 86'400'000'000'000, kToEra = 719'468, kEraDays = 146'097;
-    const std::int64_t days = (unix_ns >= 0 ? unix_ns : unix_ns - kDayNs + 1) / kDayNs + kToEra;
-    const std::int64_t era = days / kEraDays, of_era = days - era * kEraDays;
-    const std::int64_t year = (of_era - of_era / 1460 + of_era / 36'524 - of_era / 146'096) / 365;
-    const std::int64_t of_year = of_era - (365 * year + year / 4 - year / 100);
-    const std::int64_t from_march = (5 * of_year + 2) / 153, month = from_march < 10 ? from_march + 3 : from_march - 9;
-    DayText text;
-    append_padded(text, year + era * 400 + (month <= 2 ? 1 : 0), 4);
-    text.append("-");
-    append_padded(text, month, 2);
-    text.append("-");
-    append_padded(text, of_year - (153 * from_march + 2) / 5 + 1, 2);
-    return text;
-}
-
 CheckedPack pack_at(std::string_view folder) {
     CheckedPack pack;
     pack.folder.append(folder);
     if (folder.empty() || folder.back() != '/') pack.folder.append("/");
     return pack;
 }
+
+}  // namespace
 
 base::Result<CheckedPack, base::Error> list_pack(std::string_view folder) {
     const CheckedPack pack = pack_at(folder);
@@ -348,23 +302,26 @@ ConfigError fault_of_start(const CheckedPack& pack, const base::Error& error) {
     return change ? ConfigError{change, true} : ConfigError{error};
 }
 
-base::FixedString<511> words_of_age(const CheckedPack& pack, std::string_view day) {
+base::ValidPeriod valid_period(const CheckedPack& pack) {
+    base::ValidPeriod period;
+    if (!pack.valid_from.empty()) period.begin = start_of_day(pack.valid_from.view());
+    if (!pack.valid_until.empty()) period.end = start_of_day(pack.valid_until.view()) + kUtcDay;
+    return period;
+}
+
+base::FixedString<511> words_of_age(const CheckedPack& pack, base::Time utc) {
     base::FixedString<511> words;
-    const bool is_early = !pack.valid_from.empty() && day < pack.valid_from.view();
-    const bool is_late = !pack.valid_until.empty() && day > pack.valid_until.view();
-    if (!is_early && !is_late) return words;
+    const base::Currency currency = base::currency_at(valid_period(pack), utc);
+    if (!base::can_be_utc(utc) || currency == base::Currency::current) return words;
+    const bool is_early = currency == base::Currency::not_yet_valid;
     const auto& of = is_early ? pack.valid_from_of : pack.valid_until_of;
+    const DayText day = day_of(utc.ns);
     for (const std::string_view part :
          {pack.folder.view(), of.view(), std::string_view(is_early ? ": is valid from " : ": was valid until "),
-          is_early ? pack.valid_from.view() : pack.valid_until.view(), std::string_view(", and this is "), day,
+          is_early ? pack.valid_from.view() : pack.valid_until.view(), std::string_view(", and this is "), day.view(),
           std::string_view("; get data for this day")})
         words.append(part);
     return words;
-}
-
-base::FixedString<511> words_of_age(const CheckedPack& pack, std::int64_t unix_ns) {
-    if (unix_ns < kFirstDate_ns) return {};
-    return words_of_age(pack, day_of(unix_ns).view());
 }
 
 base::Result<FoundConfig, ConfigError> find_config(const char* named, const char* public_key) {

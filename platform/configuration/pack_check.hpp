@@ -28,8 +28,10 @@
 #include <type_traits>
 
 #include "platform/configuration/config_path.hpp"
+#include "platform/configuration/utc_day.hpp"
 #include "render_core/base/error.hpp"
 #include "render_core/base/result.hpp"
+#include "render_core/base/valid_period.hpp"
 
 namespace tedavis::platform {
 
@@ -38,13 +40,6 @@ inline constexpr const char* kPackSignature = "pack.toml.minisig";
 inline constexpr const char* kPackConfig = "config.toml";
 /// The key that packs must be signed with, where this file exists.
 inline constexpr const char* kInstalledPackKey = "/etc/tedavis/pack.pub";
-
-/// A UTC day as "2026-12-28"; empty: none.
-using DayText = base::FixedString<10>;
-/// True for a day that exists, from 1900 to 2199.
-[[nodiscard]] bool is_day(std::string_view text);
-/// The day of an instant, in ns since 1970 UTC.
-[[nodiscard]] DayText day_of(std::int64_t unix_ns);
 
 /// What was found in a pack whose files are as its manifest says.
 struct CheckedPack {
@@ -85,11 +80,11 @@ struct ConfigError : base::Error {
 /// The error of a start from the pack: that it changed, where confirm_pack() says so; else the one that is given.
 [[nodiscard]] ConfigError fault_of_start(const CheckedPack& pack, const base::Error& error);
 
-/// One sentence where the pack is out of date, or not valid yet, on a day; else empty.
-[[nodiscard]] base::FixedString<511> words_of_age(const CheckedPack& pack, std::string_view day);
-/// The same at an instant in ns since 1970 UTC; empty before 1990, which is no date but a clock that was not set.
-[[nodiscard]] base::FixedString<511> words_of_age(const CheckedPack& pack, std::int64_t unix_ns);
-inline constexpr std::int64_t kFirstDate_ns = 631'152'000'000'000'000;  ///< 1990-01-01
+/// The period in which all data of the pack may be used; open where there is no pack.
+[[nodiscard]] base::ValidPeriod valid_period(const CheckedPack& pack);
+/// One sentence where an instant lies outside of this period; else empty, as for an instant that is no date, since the clock was
+/// not set (base::can_be_utc).
+[[nodiscard]] base::FixedString<511> words_of_age(const CheckedPack& pack, base::Time utc);
 
 struct FoundConfig {
     Path file;         ///< the configuration file

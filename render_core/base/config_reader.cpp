@@ -27,13 +27,17 @@ struct ConfigReader::Document {
     std::set<const toml::node*> read;
     std::set<toml::node*> files;  ///< values that name a file
     std::string json;             ///< printed last
-    base::Error error;
-    bool failed = false;
+    std::vector<base::Error> errors;
+    std::set<const toml::node*> faulty;  ///< values that have a fault
+    bool is_toml = true;
 
     void report(const toml::source_region& place, std::string_view message);
+    void report_parse_error(const toml::parse_error& error);
 };
 
 namespace {
+
+constexpr std::size_t kMaxFaults = 32;  // more are not kept
 
 toml::table& as_table(void* table) { return *static_cast<toml::table*>(table); }
 toml::node& as_node(void* node) { return *static_cast<toml::node*>(node); }
@@ -51,8 +55,14 @@ std::string printed(double value) {
 
 std::string quoted(std::string_view key) { return "'" + std::string(key) + "'"; }
 
-/// The first node below `table` that was never read, or null. Depth is bounded by the document's own nesting.
-const toml::node* first_unread(const toml::table& root, const std::set<const toml::node*>& read, std::string& path) {
+struct UnreadKey {
+    const toml::node* node;
+    std::string path;
+};
+
+/// The nodes below `table` that were never read. Depth is bounded by the document's own nesting.
+std::vector<UnreadKey> unread_keys(const toml::table& root, const std::set<const toml::node*>& read) {
+    std::vector<UnreadKey> found;
     std::vector<std::pair<const toml::table*, std::string>> open{{&root, ""}};
     while (!open.empty()) {
         auto [table, prefix] = open.back();
@@ -60,8 +70,8 @@ const toml::node* first_unread(const toml::table& root, const std::set<const tom
         for (const auto& [key, node] : *table) {
             const std::string full = prefix + std::string(key.str());
             if (read.count(&node) == 0) {
-                path = full;
-                return &node;
+                found.push_back({&node, full});
+                continue;
             }
             if (const toml::table* child = node.as_table()) open.emplace_back(child, full + ".");
             if (const toml::array* array = node.as_array())
@@ -69,7 +79,7 @@ const toml::node* first_unread(const toml::table& root, const std::set<const tom
                     if (const toml::table* child = element.as_table()) open.emplace_back(child, full + ".");
         }
     }
-    return nullptr;
+    return found;
 }
 
 /// The text `name` of a table; empty where there is none.
@@ -142,7 +152,7 @@ ConfigReader::ConfigReader(std::string_view text, std::string_view name) : docum
     if (parsed) {
         document_->root = std::move(parsed).table();
     } else {
-        document_->report(parsed.error().source(), std::string(parsed.error().description()) + "; mend the TOML there");
+        document_->report_parse_error(parsed.error());
     }
 }
 
@@ -155,22 +165,27 @@ ConfigSection ConfigReader::root() { return {this, &document_->root}; }
 void ConfigReader::inherit(std::string_view text, std::string_view name, Span<const std::string_view> own,
                            Span<const KeyGroup> alternatives) {
     toml::parse_result parsed = toml::parse(text, name);
-    if (!parsed)
-        return document_->report(parsed.error().source(), std::string(parsed.error().description()) + "; mend the TOML there");
+    if (!parsed) return document_->report_parse_error(parsed.error());
     toml::table base = std::move(parsed).table();
     for (const std::string_view key : own) base.erase(key);
     inherit_tables(document_->root, base, alternatives);
 }
 
 bool ConfigReader::finish() {
-    std::string path;
-    if (const toml::node* unread = ok() ? first_unread(document_->root, document_->read, path) : nullptr)
-        report(unread, "unknown key " + quoted(path) + "; correct or remove it");
+    if (!ok()) return false;
+    for (const UnreadKey& unread : unread_keys(document_->root, document_->read))
+        report(unread.node, "unknown key " + quoted(unread.path) + "; correct or remove it");
     return ok();
 }
 
-bool ConfigReader::ok() const { return !document_->failed; }
-const base::Error& ConfigReader::error() const { return document_->error; }
+bool ConfigReader::ok() const { return document_->errors.empty(); }
+
+const base::Error& ConfigReader::error() const {
+    static const base::Error kNone;
+    return ok() ? kNone : document_->errors.front();
+}
+
+Span<const base::Error> ConfigReader::errors() const { return {document_->errors.data(), document_->errors.size()}; }
 
 std::string_view ConfigReader::json(PathFrom path_from) {
     for (toml::node* const node : document_->files) {
@@ -184,13 +199,22 @@ std::string_view ConfigReader::json(PathFrom path_from) {
     return document_->json;
 }
 
+/// Of a table there may be several faults: a key that is missing is one of its table.
 void ConfigReader::report(const void* node, std::string_view message) {
-    document_->report(node != nullptr ? static_cast<const toml::node*>(node)->source() : toml::source_region(), message);
+    const auto* const place = static_cast<const toml::node*>(node);
+    if (place != nullptr && !place->is_table() && !document_->faulty.insert(place).second) return;
+    document_->report(place != nullptr ? place->source() : toml::source_region(), message);
+}
+
+/// What was reported before stays the first fault; what would follow from the missing content is not reported.
+void ConfigReader::Document::report_parse_error(const toml::parse_error& error) {
+    report(error.source(), std::string(error.description()) + "; mend the TOML there");
+    is_toml = false;
 }
 
 void ConfigReader::Document::report(const toml::source_region& place, std::string_view message) {
-    if (failed) return;
-    failed = true;
+    if (!is_toml || errors.size() == kMaxFaults) return;
+    base::Error& error = errors.emplace_back();
     error.message.append(place.path ? *place.path : name);
     if (place.begin.line > 0) error.message.append(":" + std::to_string(place.begin.line));
     error.message.append(": ");
@@ -365,6 +389,7 @@ void ConfigSection::remove(std::string_view key) {
     if (table_ == nullptr) return;
     toml::node* const node = as_table(table_).get(key);
     reader_->document_->read.erase(node);
+    reader_->document_->faulty.erase(node);
     reader_->document_->files.erase(node);
     as_table(table_).erase(key);
 }

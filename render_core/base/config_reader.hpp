@@ -1,8 +1,9 @@
 /// Reads TOML settings and checks units and ranges at each read. Start-up only (allocates).
 ///
-/// The first fault is kept as one sentence "file:line: what, what to do"; a faulty read returns the lower bound (an empty text
-/// for texts), so a loader reads all keys and calls finish() once. A key that was not read is a fault too, so misspelt settings
-/// are never ignored. Returned texts live as long as the reader.
+/// Each fault is one sentence "file:line: what, what to do"; a faulty read returns the lower bound (an empty text for texts), so
+/// a loader reads all keys and calls finish() once. A value has one fault at most, and a file that is not TOML that one alone.
+/// Keys that were not read are faults where there is no other, so misspelt settings are never ignored. Returned texts live as
+/// long as the reader.
 ///
 /// A file may be based on other files: the loader reads the key that names them and passes their content to inherit() before it
 /// reads the rest.
@@ -114,7 +115,10 @@ public:
     /// True when nothing was wrong and every key was read.
     [[nodiscard]] bool finish();
     [[nodiscard]] bool ok() const;
+    /// The first fault; empty where there is none.
     [[nodiscard]] const base::Error& error() const;
+    /// The first 32 faults in the order in which they were found; they live as long as the reader.
+    [[nodiscard]] Span<const base::Error> errors() const;
 
     /// Returns how an inherited relative path is written in this reader's own file.
     using PathFrom = FixedString<1023> (*)(const StatedFile& stated, std::string_view own_file);

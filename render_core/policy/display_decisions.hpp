@@ -99,7 +99,7 @@ struct DisplayDecisions {
     MinimumsState radio_minimum = MinimumsState::none;  ///< by the radio height
     MinimumsState baro_minimum = MinimumsState::none;   ///< by the altimeter
     std::array<ElementDecision, kElementCount> elements{};
-    base::FixedVector<Notice, 18> notices;               ///< most urgent first
+    base::FixedVector<Notice, 19> notices;               ///< most urgent first
     base::FixedVector<base::FixedString<47>, 72> flags;  ///< "signal.state" or a name
 
     [[nodiscard]] const ElementDecision& operator[](Element element) const { return elements[static_cast<std::size_t>(element)]; }

@@ -60,6 +60,7 @@ public:
         check_accuracy(Signal::vertical_accuracy, design_.degradation.vertical_accuracy_m,
                        RecordFlag::vertical_accuracy_above_limit);
         decide_terrain();
+        if (conditions_.databases != base::Currency::current) flag(RecordFlag::database_out_of_date);
         decide_flight_path();
         add_notices();
         return out_;
@@ -264,6 +265,8 @@ private:
         notice_if(out_.radio_minimum == MinimumsState::at_or_below || out_.baro_minimum == MinimumsState::at_or_below,
                   NoticeId::minimums);
         add_phase_notices();
+        notice_if(conditions_.databases == base::Currency::expired, NoticeId::database_expired);
+        notice_if(conditions_.databases == base::Currency::not_yet_valid, NoticeId::database_not_yet_valid);
         notice_if(out_.show_terrain && conditions_.data_are_out_of_date, NoticeId::data_out_of_date);
         notice_if(out_.show_terrain && conditions_.data_are_stale, NoticeId::data_stale);
         notice_if(shows_measure(), NoticeId::analysis_overlay);

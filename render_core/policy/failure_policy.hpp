@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "render_core/base/time.hpp"
+#include "render_core/base/valid_period.hpp"
 #include "render_core/design/design_settings.hpp"
 #include "render_core/flight/aircraft_state.hpp"
 #include "render_core/flight/flight_phase.hpp"
@@ -37,8 +38,9 @@ struct DisplayConditions {
     bool image_is_missing = false;      ///< the design shows an image over the terrain, and there is none
     bool data_are_out_of_date = false;  ///< spatial data that the design shows are not valid at this time, and left out
     bool data_are_stale = false;        ///< spatial data that the design shows are older than its limit
-    bool is_reduced = false;            ///< the picture is reduced for the frame's deadline, and the design requests a notice
-    bool shows_measure = false;         ///< colours show a measure of the picture (saliency, clutter)
+    base::Currency databases = base::Currency::current;  ///< by their dates; they are shown in any case
+    bool is_reduced = false;     ///< the picture is reduced for the frame's deadline, and the design requests a notice
+    bool shows_measure = false;  ///< colours show a measure of the picture (saliency, clutter)
     TerrainAhead terrain_ahead = TerrainAhead::none;
     TerrainAhead obstacle_ahead = TerrainAhead::none;
     bool is_map = false;  ///< the picture is the map, which needs no attitude and, with north up, no heading

@@ -92,6 +92,8 @@ constexpr FlagRow kFlagRows[] = {
      "The data stay, and the whole legend shows their age in amber."},
     {RecordFlag::data_out_of_date, "data.out_of_date", "Data that the design shows are not valid at this time.",
      "These data are removed."},
+    {RecordFlag::database_out_of_date, "database.out_of_date", "The databases may not be used on this day.",
+     "The databases stay on the display, and a notice is shown."},
     {RecordFlag::traffic_cut, "traffic.cut", "More aircraft are received than the display can hold.",
      "Some of these aircraft are not shown."},
     {RecordFlag::legend_cut, "legend.cut", "There is no room for all entries of the legend.",

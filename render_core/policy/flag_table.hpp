@@ -54,6 +54,7 @@ enum class RecordFlag : std::uint8_t {
     data_missing,
     data_stale,
     data_out_of_date,
+    database_out_of_date,
     traffic_cut,
     legend_cut,
     phase_switch_fault,

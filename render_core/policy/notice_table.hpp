@@ -33,6 +33,8 @@ enum class NoticeId : std::uint8_t {
     minimums,
     phase_switch_fault,
     phase_disagreement,
+    database_expired,
+    database_not_yet_valid,
     data_out_of_date,
     data_stale,
     analysis_overlay,

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "bus/canaerospace/message_encoder.hpp"
 #include "host_sim/heap_trap/heap_trap.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/options/replay_config.hpp"
@@ -195,6 +197,30 @@ TEST_F(DisplayApplicationTest, APackReplacedWhileItRunsIsTakenAtTheNextStartOnly
     settings = load_board_settings(folder.file("pack").c_str()).value();
     (void)start().run(1, stop);
     EXPECT_EQ(application->display().record().scene_revision, 4u);
+}
+
+/// The board's clock says 2023-11-14 at the start; nothing on the bus says otherwise.
+TEST_F(DisplayApplicationTest, APackOutOfDateIsSaidInTheRecordsOnTheBoardsClockUntilTheBusStatesUtc) {
+    const auto is_said = [&] {
+        (void)application->run(1, stop);
+        return has_flag(application->display().record(), "database.out_of_date");
+    };
+    settings.pack.valid_until = platform::DayText("2023-11-14");
+    start();
+    EXPECT_FALSE(is_said()) << "control: its last day";
+    settings.pack.valid_until = platform::DayText("2023-11-13");
+    start();
+    EXPECT_TRUE(is_said());
+    EXPECT_FALSE(application->display().record().flight_time.is_date);
+    bus::MessageEncoder encoder(settings.bus, 1);
+    std::array<bus::CanFrame, 2> sent{};
+    ASSERT_EQ(encoder.encode_utc(12, 0, 0, {0}, {&sent[0], 1}) + encoder.encode_date(13, 11, 2023, {0}, {&sent[1], 1}), 2u);
+    for (const bus::CanFrame& frame : sent) ASSERT_TRUE(port.deliver(frame));
+    EXPECT_FALSE(is_said()) << "the bus states the day before";
+    EXPECT_TRUE(application->display().record().flight_time.is_date);
+    (void)application->run(350, stop);  // more than ten seconds
+    EXPECT_TRUE(has_flag(application->display().record(), "utc.lost"));
+    EXPECT_FALSE(is_said()) << "what the bus said goes before the board's clock";
 }
 
 TEST_F(DisplayApplicationTest, TheDevicesDeadlineIsHeldWithCostsOfThisBoard) {

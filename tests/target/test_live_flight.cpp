@@ -259,6 +259,41 @@ TEST_F(LiveFlightTest, IdentificationIsAnsweredOnlyWhereTheBusFileSaysSo) {
     EXPECT_EQ(reply.data[0], settings.bus.node.node);
 }
 
+TEST_F(LiveFlightTest, ThePhaseIsReportedOnTheBusOnlyWhereTheBusFileSaysSo) {
+    bus::CanFrame message;
+    for (const std::uint16_t identifier : {0, 1853}) {
+        settings = board_settings();
+        settings.bus.phase.report_identifier = identifier;
+        flight.emplace(settings, port, nullptr, FakeClock::clocks().live, log);
+        flight->start(FakeClock::monotonic());
+        (void)step();
+        EXPECT_EQ(port.receive(message), identifier != 0);
+    }
+    EXPECT_EQ(message.id, 1853u);
+    EXPECT_EQ(message.data[4], flight::FlightPhase{}.code());
+    EXPECT_FALSE(port.receive(message)) << "it is sent once, until something changes";
+}
+
+TEST_F(LiveFlightTest, TheReportedPhaseIsTheOneThatTheDisplayHas) {
+    settings = board_settings();
+    settings.bus.phase.report_identifier = 1853;
+    flight.emplace(settings, port, nullptr, FakeClock::clocks().live, log);
+    flight->start(FakeClock::monotonic());
+    (void)step();
+    EmbeddedFlight recorded;
+    flight::FrameInput instant;
+    bus::CanFrame message, last;
+    while (!recorded.over()) {
+        recorded.send_due(port);
+        instant = step();
+        while (port.receive(message)) last = message;
+    }
+    EXPECT_EQ(instant.phase.phase, flight::kApproachDescent);
+    EXPECT_EQ(last.id, 1853u);
+    EXPECT_EQ(last.data[4], flight::kApproachDescent.code());
+    EXPECT_EQ(last.data[5], static_cast<int>(flight::PhaseSource::can));
+}
+
 TEST_F(LiveFlightTest, AProgramThatWasHaltedGoesOnAtOnce) {
     start();
     (void)step();

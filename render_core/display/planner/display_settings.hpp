@@ -7,6 +7,7 @@
 #include "render_core/design/symbology_palette.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/flight/legend_show.hpp"
+#include "render_core/policy/database_dates.hpp"
 
 namespace tedavis::display {
 
@@ -20,6 +21,7 @@ struct DisplaySettings {
     std::uint32_t width_px = 0, height_px = 0;
     flight::LegendShow legend = flight::LegendShow::key;  ///< where neither the panel nor the bus asks for another
     bool generated_flight = false;                        ///< said on the display
+    policy::DatabaseDates database_dates;                 ///< of terrain and scene; what is out of date is said
     bool expects_scene = false;                           ///< one may come later, by take_scene()
     bool terrain_failed_at_start = false;    ///< there should be terrain, and start() is given none: said as a failure
     base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()

@@ -167,10 +167,12 @@ void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemor
 /// Where the eye is, and what it may be shown: all that does not depend on what has arrived of the terrain.
 void FramePlanner::begin_plan() {
     const flight::AircraftState& state = frame_->state;
+    frame_->flight_time = flight::flight_time(state.utc, frame_->time);
     frame_->conditions = {};
     frame_->conditions.terrain = terrain_source();
     frame_->conditions.phase = frame_->phase;
     frame_->conditions.generated_flight = settings_.generated_flight;
+    frame_->conditions.databases = policy::currency_of(settings_.database_dates, frame_->flight_time);
     const DrapeState drape = terrain_.drape(look_.terrain.style);
     frame_->conditions.image_is_missing = drape == DrapeState::not_in_database || drape == DrapeState::not_on_device;
     if (frame_->conditions.terrain == policy::TerrainSource::ready &&
@@ -252,7 +254,6 @@ void FramePlanner::state_frame() {
     for (std::size_t n = 0; n < flight::kSignalCount; ++n)
         frame_->signals[n] = frame_->state.state_of(static_cast<Signal>(n), frame_->time);
     frame_->scene_revision = data_.has_scene() ? data_.scene().header().revision : 0;
-    frame_->flight_time = flight::flight_time(frame_->state.utc, frame_->time);
     if (frame_->state.utc.state == base::SignalState::lost) flag(policy::RecordFlag::utc_lost, *frame_);
     frame_->light = policy::terrain_light(look_.terrain.style.shade, frame_->state.own_ship.position, frame_->flight_time.utc);
     frame_->symbology_light = settings_.light;

@@ -37,7 +37,7 @@ struct Annunciation {
 };
 
 /// The phase, its source, all notices and the number of the others.
-inline constexpr std::size_t kMaxAnnunciations = 20;
+inline constexpr std::size_t kMaxAnnunciations = 21;
 
 struct AnnunciationPlan {
     base::FixedVector<Annunciation, kMaxAnnunciations> fields;

@@ -20,6 +20,7 @@ constexpr ShortWording kShortWordings[] = {
     // Notices.
     {"GPS POSITION STALE", "GPS POS STALE"},
     {"PHASE SWITCH FAULT", "PHASE SW FAULT"},
+    {"DATABASE NOT YET VALID", "DB NOT YET VALID"},
     {"TRAFFIC INCOMPLETE", "TFC INCOMPLETE"},
     {"NO TERRAIN IMAGE", "NO IMAGE"},
     {"ORTHOGRAPHIC VIEW", "ORTHO VIEW"},

@@ -81,6 +81,14 @@ TEST(BusSettings, FaultsNameFileLineAndRemedy) {
     EXPECT_NE(error_of("[phase]\nstatus_identifier = 311\n").find("has a meaning in the standard"), std::string::npos);
     EXPECT_NE(error_of("[phase]\nstatus_identifier = 1840\nrequest_identifier = 1840\n").find("give each its own"),
               std::string::npos);
+    for (const char* other : {"1830", "1831"})
+        EXPECT_NE(error_of("[phase]\nreport_identifier = " + std::string(other) + "\n").find("bus.toml:2: 'report_identifier'"),
+                  std::string::npos);
+    EXPECT_NE(error_of("[phase]\nreport_identifier = 311\n").find("has a meaning in the standard"), std::string::npos);
+    EXPECT_NE(error_of("[phase]\nreport_identifier = 0\n").find("bus.toml:2"), std::string::npos);
+    EXPECT_EQ(error_of("[phase]\nreport_identifier = 1853\n"), "accepted");
+    EXPECT_NE(error_of("[phase]\nreport_identifier = 1852\n[display]\nlegend_identifier = 1852\n").find("bus.toml:4"),
+              std::string::npos);
     EXPECT_NE(error_of("[traffic]\n").find("first_identifier"), std::string::npos);
     EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1200\n").find("bus.toml:2: one of the twelve"), std::string::npos);
     EXPECT_NE(error_of("[traffic]\nfirst_identifier = 1820\n").find("phase of flight"), std::string::npos);

@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
 #include "host_sim/commands/command_line.hpp"
 #include "host_sim/input_file.hpp"
+#include "host_sim/png_file.hpp"
+#include "host_sim/reports/run_folder.hpp"
 #include "tests/host_sim/pack/configured_flight.hpp"
 #include "tests/support/flights/frame_lines.hpp"
 
@@ -39,9 +42,10 @@ struct PackCommand : testing::Test {
         const Ran ran = tedavis(more);
         ASSERT_EQ(ran.code, 0) << ran.notes;
     }
-    Ran fly(const std::string& config, const char* output, std::vector<std::string> more = {}) const {
+    Ran fly(const std::string& config, const char* output, std::vector<std::string> more = {},
+            const char* frames = "hash") const {
         more.insert(more.begin(), {"replay", flight.files.log, "--config", config, "-o", place(output), "--from", "1", "--to",
-                                   "4", "--step", "0.75", "--frames", "hash"});
+                                   "4", "--step", "0.75", "--frames", frames});
         return tedavis(more);
     }
     ConfiguredFlight flight;
@@ -143,6 +147,54 @@ TEST_F(PackCommand, WhatIsOutOfDateIsSaidAtTheStartAndInTheSummary) {
     const Ran now = fly(place("pack"), "now");
     EXPECT_THAT(now.notes, Not(HasSubstr("valid")));
     EXPECT_THAT(test_support::summary_of(place("now")).at("notes").dump(), Not(HasSubstr("valid")));
+}
+
+/// In how many frames of a run the flag stands.
+std::size_t frames_out_of_date(const std::string& run) {
+    std::size_t count = 0;
+    for (const nlohmann::json& line : test_support::frame_lines(run))
+        for (const nlohmann::json& flag : line.at("flags")) count += flag == "database.out_of_date" ? 1 : 0;
+    return count;
+}
+
+/// By rows from the top: whether two pictures differ in each.
+std::vector<bool> differing_rows(const std::string& one, const std::string& other) {
+    const RgbaPicture a = read_png(one), b = read_png(other);
+    std::vector<bool> rows(a.height);
+    if (a.pixels.size() != b.pixels.size()) return rows;
+    for (std::size_t n = 0; n < a.pixels.size(); ++n)
+        if (a.pixels[n] != b.pixels[n]) rows[n / (std::size_t{4} * a.width)] = true;
+    return rows;
+}
+
+/// One pack, and the same flight on its last day and on the day after it.
+TEST_F(PackCommand, WhatIsOutOfDateIsSaidInEachFrameAndOnThePictureAndADayEarlierItIsNot) {
+    constexpr std::int64_t kDay_s = 86'400;
+    const auto fly_on = [&](const std::string& config, std::int64_t days, const char* output) {
+        flight.files.folder.write("flight.log", test_support::log_of(test_support::FlownLater(days * kDay_s)));
+        const Ran ran = fly(config, output, {}, "png");
+        EXPECT_EQ(ran.code, 0) << ran.notes;
+    };
+    pack({"--valid-until", "2023-11-14"});
+    fly_on(place("pack"), 0, "last_day");
+    fly_on(flight.config, 0, "undated_last_day");
+    fly_on(place("pack"), 1, "day_after");
+    fly_on(flight.config, 1, "undated");
+    EXPECT_EQ(frames_out_of_date(place("last_day")), 0u);
+    EXPECT_EQ(frames_out_of_date(place("day_after")), 5u);
+    EXPECT_EQ(frames_out_of_date(place("undated")), 0u) << "control: no pack";
+    EXPECT_EQ(test_support::hashes_by_time(place("last_day")), test_support::hashes_by_time(place("undated_last_day")));
+    const auto frame = test_support::frame_lines(place("undated")).front().at("frame").get<std::uint64_t>();
+    const std::vector<bool> rows =
+        differing_rows(frame_picture_path(place("day_after"), frame), frame_picture_path(place("undated"), frame));
+    const std::size_t strip = rows.size() / 8;
+    EXPECT_TRUE(
+        std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(strip), [](bool differs) { return differs; }));
+    EXPECT_TRUE(std::none_of(rows.begin() + static_cast<std::ptrdiff_t>(strip), rows.end(), [](bool differs) { return differs; }))
+        << "the notice stands in the strip, and nothing else changes";
+    pack({"--replace", "--valid-from", "2023-11-16"});
+    fly_on(place("pack"), 1, "too_early");
+    EXPECT_EQ(frames_out_of_date(place("too_early")), 5u);
 }
 
 TEST_F(PackCommand, WhereAKeyIsNamedAnUnsignedPackIsRefused) {

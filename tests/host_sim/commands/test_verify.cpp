@@ -187,7 +187,7 @@ std::vector<std::string> examples_of(const std::string& page) {
 /// Whoever follows the guide gets tests that pass.
 TEST_F(Verify, TheGuidesExamplesHold) {
     const auto examples = examples_of(read_file(test_support::source_dir() + "/configs/flight_tests/README.md"));
-    ASSERT_EQ(examples.size(), 3u);
+    ASSERT_EQ(examples.size(), 4u);
     for (const std::string& example : examples) {
         const CommandRun run = verify_text(example);
         EXPECT_EQ(run.code, 0) << example << run.notes << run.results;
@@ -201,7 +201,7 @@ protected:
         namespace fs = std::filesystem;
         const std::string root = test_support::source_dir() + "/configs";
         fs::create_directories(place_.file("configs"));
-        for (const char* folder : {"flight_tests", "switches", "buses", "designs", "devices", "palettes"})
+        for (const char* folder : {"flight_tests", "switches", "buses", "designs", "devices", "palettes", "contracts"})
             fs::copy(root + "/" + folder, place_.file(std::string("configs/") + folder), fs::copy_options::recursive);
         setenv("TEDAVIS_ROOT", place_.path().c_str(), 1);
     }

@@ -64,6 +64,7 @@ TEST(BoardRecord, FaultsAreNamed) {
 
 TEST(BoardRecord, TextsAndObstaclesAreNotInIt) {
     EXPECT_FALSE(is_in_board_record({"text", "", {}}));
+    EXPECT_FALSE(is_in_board_record({"contract", "", {}}));
     EXPECT_FALSE(is_in_board_record({"obstacle_alert", "", {}}));
     for (const char* key : {"phase", "phase_source", "design", "flags", "no_flags", "signals", "values", "effects", "alert",
                             "latency_frames_at_most"})

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/commands/replay.hpp"
+#include "host_sim/contract/contract_meter.hpp"
 #include "host_sim/flight_test/read_conditions.hpp"
 #include "host_sim/flight_test/read_flight_test.hpp"
 #include "host_sim/flight_test/step_log.hpp"
+#include "host_sim/flight_test/text_in_pixels.hpp"
 #include "host_sim/user_error.hpp"
 #include "tests/support/files/temporary_folder.hpp"
 #include "tests/support/programs/command_run.hpp"
@@ -90,6 +92,85 @@ TEST_F(FlyFlightTest, IsWhatAReplayShows) {
         EXPECT_EQ(frame["signals"], record["signals"]);
     }
     EXPECT_TRUE(is_found);
+}
+
+const char* const kNeverHolds =
+    "[[condition]]\nname = \"a\"\nmeasure = \"clutter\"\nmost = 0\n[[condition]]\nname = \"b\"\nmeasure = "
+    "\"luminance_contrast\"\nlayer = \"symbology\"\nleast = 21\n[[condition]]\nname = \"c\"\nmeasure = "
+    "\"symbology_contrast\"\nleast = 21\n";
+
+/// A replay's pictures and layers of the same instant, measured for the same contract, are the oracle.
+TEST_F(FlyFlightTest, AContractMeasuresThePictureThatAReplayWrites) {
+    const std::string contract = place_.write("never.toml", kNeverHolds);
+    static_cast<void>(fly("[[expect]]\nat_s = 3.5\nphase = \"cruise\"\n"));  // writes its logs, which are flown here
+    ScriptFaults faults;
+    const FlightTest test = read_flight_test(place_.write("log.toml",
+                                                          "[input]\nlog = \"./steps.log\"\nswitch_log = \"./steps.switches\"\n"
+                                                          "[[expect]]\nat_s = 3.5\ncontract = \"./never.toml\"\n"),
+                                             {}, faults);
+    ASSERT_THAT(faults.sentences(), ::testing::IsEmpty());
+    FlightTestResult result;
+    {
+        TestDisplay own;  // gone before the replay starts another one
+        std::swap(own, display_);
+        result = fly_flight_test(test, own, {place_.path(), false, nullptr});
+    }
+    ASSERT_EQ(result.failed(), 1u);
+    ReplayOptions replay;
+    replay.log = place_.file("steps.log");
+    replay.switches = place_.file("steps.switches");
+    replay.output = place_.file("run");
+    replay.picture.device = "es2-small";
+    replay.layers = true;
+    replay.from_s = 3.4;
+    replay.to_s = 3.6;
+    ASSERT_EQ(test_support::run_command([&](Console& console) { return run_replay(replay, console); }).code, 0);
+    const Contract never = read_contract(contract);
+    const FlightRun run = read_flight_run(place_.file("run"));
+    PictureMeter meter(settings_of(never));
+    bool is_found = false;
+    for (const FlightFrame& frame : run.frames) {
+        if (std::abs(frame.time_s - result.first_failure()->failed_s) > 1e-6) continue;
+        is_found = true;
+        for (const ContractReading& one : ContractMeter(never, run).readings(meter, frame)) {
+            char value[32];
+            std::snprintf(value, sizeof value, " has %.3f (", one.value);
+            EXPECT_THAT(result.first_failure()->found, ::testing::HasSubstr(value)) << one.region;
+        }
+    }
+    EXPECT_TRUE(is_found);
+}
+
+TEST_F(FlyFlightTest, TheShippedContractOfAPictureHolds) {
+    EXPECT_TRUE(fly("[[expect]]\nat_s = 5\ncontract = \"symbology\"\n").holds());
+}
+
+/// The controls are the picture without its symbology, and each text at the place of another.
+TEST_F(FlyFlightTest, TextsAreSeenWhereTheyAreDrawn) {
+    const FlightTest test = read(
+        "[[expect]]\nat_s = 6\ntext = [{ says = \"ATTITUDE FAIL\" }, { says = \"PHASE BY SWITCH\" }, { says = \"HDG TRUE\" }]\n");
+    const FlyTestSettings settings{place_.path(), false, nullptr};
+    EXPECT_TRUE(fly_flight_test(test, display_, settings).holds());
+    DisplaySession& session = display_.session_for(test.picture, true);
+    int seen = 0;
+    const FrameWatcher watcher{[&](const ObservedFrame& frame) {
+                                   const RgbaPicture whole = frame.picture->pixels();
+                                   session.draw_up_to(display::PictureLayer::labels);
+                                   const RgbaPicture bare = upright(session.pixels());
+                                   session.draw_up_to(display::PictureLayer::symbology);
+                                   for (const PlacedWords& words : frame.words) {
+                                       if (words.text.size() < 5) continue;  // tapes cut their numbers
+                                       ++seen;
+                                       const auto look = [&](const RgbaPicture& picture) {
+                                           return faintest_character(picture, words, 0, words.text.size())->correlation;
+                                       };
+                                       EXPECT_GE(look(whole), kSeenCorrelation) << words.text;
+                                       EXPECT_LT(look(bare), kSeenCorrelation) << words.text;
+                                   }
+                               },
+                               nullptr};
+    static_cast<void>(watch_flight(test, display_, settings, {0, std::nullopt, {6}}, watcher));
+    EXPECT_GE(seen, 6);
 }
 
 /// Tests that share a display are what they are on one of their own.

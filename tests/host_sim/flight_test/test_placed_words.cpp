@@ -43,7 +43,23 @@ TEST_F(Words, AreReadBackFromATurnedText) {
     EXPECT_THAT(texts(), ElementsAre("AV 12"));
 }
 
+TEST_F(Words, HaveTheGlyphsThatTheyWereWrittenWith) {
+    write("A B", {40, 100}, 2);
+    write("C", {200, 100});
+    const auto words = placed_words(store_.batch, layout_);
+    ASSERT_EQ(words.size(), 2u);
+    ASSERT_EQ(words[0].glyphs.size(), 2u);
+    EXPECT_EQ(words[0].glyphs[1].at, 2u) << "behind the blank";
+    EXPECT_EQ(words[0].glyphs[1].halo_px, 2);
+    ASSERT_EQ(words[1].glyphs.size(), 1u);
+    EXPECT_EQ(words[1].glyphs[0].halo_px, 0) << "a text without a rim behind one with a rim";
+    EXPECT_EQ(words[1].glyphs[0].color.green, 255);
+    EXPECT_LT(words[1].glyphs[0].corner.x, words[1].x);
+    EXPECT_GT(words[1].glyphs[0].right.x, words[1].x);
+}
+
 TEST_F(Words, AreFoundWhole) {
+    EXPECT_THAT(places_of_words("AHEAD AND AHEAD", "AHEAD"), ElementsAre(0u, 10u));
     EXPECT_TRUE(has_words("TERRAIN AHEAD", "AHEAD"));
     EXPECT_TRUE(has_words("TERRAIN AHEAD", "TERRAIN AHEAD"));
     EXPECT_TRUE(has_words("AAHEAD AHEAD", "AHEAD"));

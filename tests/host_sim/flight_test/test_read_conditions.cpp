@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 
 std::vector<FrameCondition> read(const std::string& text, std::vector<std::string>& faults) {
     return test_support::read_sample(text, faults, [](ScriptTable& table, ScriptFaults& found) {
-        return read_conditions(table, {"default", "cruise"}, found);
+        return read_conditions(table, {{"default", "cruise"}, {}}, found);
     });
 }
 

@@ -13,8 +13,9 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Expectation read(const std::string& text, std::vector<std::string>& faults) {
-    return test_support::read_sample(
-        text, faults, [](ScriptTable& table, ScriptFaults& found) { return read_expectation(table, {"default"}, found); });
+    return test_support::read_sample(text, faults, [](ScriptTable& table, ScriptFaults& found) {
+        return read_expectation(table, {{"default"}, {}}, found);
+    });
 }
 Expectation read(const std::string& text) {
     std::vector<std::string> faults;

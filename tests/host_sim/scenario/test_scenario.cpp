@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "host_sim/input_file.hpp"
+#include "host_sim/user_error.hpp"
 #include "render_core/base/units.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/files/temporary_folder.hpp"
@@ -38,6 +41,51 @@ TEST(Scenario, ReadsTheShippedOne) {
     EXPECT_EQ(scenario.traffic.size(), 4u);
     ASSERT_TRUE(scenario.radio_altimeter.has_value());
     EXPECT_EQ(scenario.radio_altimeter->terrain, test_support::source_dir() + "/configs/data/jacksboro_srtm3.tif");
+}
+
+TEST(Scenario, SaysAllFaultsAtOnceAndNoneTwice) {
+    const std::string faulty =
+        "seed = -1\n"
+        "[strip]\n"
+        "latitude_deg = 47\n"
+        "heading_deg = 999\n"
+        "elevation_msl_m = 580\n"
+        "[guidance]\n"
+        "decision_height_m = 60\n"
+        "flaps_travel_s = 20\n"
+        "[[leg]]\n"
+        "kind = \"stnad\"\n"
+        "phase = \"ground\"\n"
+        "duration_s = 5\n"
+        "[[leg]]\n"
+        "kind = \"roll\"\n"
+        "phase = \"takeof\"\n"
+        "speed_mps = 5\n"
+        "acceleration_mps2 = 2\n";
+    try {
+        static_cast<void>(parse_scenario(faulty, "s.toml"));
+        FAIL() << "it was accepted";
+    } catch (const UserError& error) {
+        std::istringstream lines(error.what());
+        std::vector<std::string> places;
+        for (std::string line; std::getline(lines, line);) places.push_back(line.substr(0, line.find(": ")));
+        // Line 2: longitude_deg is missing; 6: minimum_msl_m is. What an unknown kind of leg has is nobody's fault.
+        const std::vector<std::string> expected{"s.toml:1",  "s.toml:4",  "s.toml:2", "s.toml:6",
+                                                "s.toml:10", "s.toml:16", "s.toml:15"};
+        std::multiset<std::string> found(places.begin(), places.end()), wanted(expected.begin(), expected.end());
+        EXPECT_EQ(found, wanted) << error.what();
+    }
+}
+
+TEST(Scenario, AnEmptyPhaseAndTheLowestMinimumAreFaults) {
+    const std::string text = shipped();
+    const auto parsed = [](const std::string& changed) {
+        return [changed] { static_cast<void>(parse_scenario(changed, "s.toml")); };
+    };
+    test_support::expect_user_error(parsed(replaced(text, "phase = \"ground\"", "phase = \"\"")), "no such flight phase");
+    const std::size_t at = text.find("minimum_msl_m = ");
+    const std::string minimum = text.substr(at, text.find('\n', at) - at);
+    test_support::expect_user_error(parsed(replaced(text, minimum, "minimum_msl_m = -500")), "below the strip");
 }
 
 TEST(Scenario, NeedsNeitherSceneNorWeather) {

@@ -22,6 +22,43 @@ std::string error_text_of(const std::string& text, const Loader& load) {
     return reader.finish() ? std::string() : std::string(reader.error().message.view());
 }
 
+TEST(ConfigReader, KeepsAllFaultsAndOneForEachValue) {
+    ConfigReader reader("a = 9\nb = true\n[t]\n", "f.toml");
+    ConfigSection root = reader.root();
+    root.integer("a", 0, 5);
+    root.fault("a", "is odd; choose an even number");
+    root.number("b", 0, 1);
+    ConfigSection table = root.section("t");
+    table.number("c", 0, 1);
+    table.number("d", 0, 1);
+    EXPECT_FALSE(reader.finish());
+    ASSERT_EQ(reader.errors().size(), 4u);
+    const char* places[] = {"f.toml:1: ", "f.toml:2: ", "f.toml:3: key 'c'", "f.toml:3: key 'd'"};
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(reader.errors()[i].message.view().substr(0, std::string_view(places[i]).size()), places[i]);
+    EXPECT_EQ(reader.errors()[0].message.view(), reader.error().message.view());
+}
+
+TEST(ConfigReader, SaysEveryKeyThatNobodyRead) {
+    ConfigReader reader("a = 1\nb = 2\n[t]\nc = 3\n", "f.toml");
+    reader.root().integer("a", 0, 5);
+    EXPECT_FALSE(reader.finish());
+    EXPECT_EQ(reader.errors().size(), 2u) << "b, and t as a whole";
+    ConfigReader whole("a = 1\n", "f.toml");
+    whole.root().integer("a", 0, 5);
+    EXPECT_TRUE(whole.finish());
+    EXPECT_TRUE(whole.errors().empty());
+    EXPECT_FALSE(whole.error());
+}
+
+TEST(ConfigReader, AFileThatIsNotTomlHasThatFaultAlone) {
+    ConfigReader reader("a = = 1\n", "f.toml");
+    reader.root().integer("a", 0, 5);
+    reader.root().text("b");
+    EXPECT_FALSE(reader.finish());
+    EXPECT_EQ(reader.errors().size(), 1u);
+}
+
 TEST(ConfigReader, reads_every_kind_of_value) {
     ConfigReader reader("name = 'alps'\nn = 7\nx = 2.5\nwhole = 3\non = true\nv = [1, 2.5]\nlist = ['a', 'b']\n", "x.toml");
     ConfigSection root = reader.root();

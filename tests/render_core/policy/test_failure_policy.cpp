@@ -422,6 +422,29 @@ TEST(FailurePolicy, DataThatAreNoLongerValidAreSaidToBeMissing) {
     EXPECT_FALSE(has_notice(decide_on(everything_valid(), conditions), "DATA OUT OF DATE")) << "no data are shown at all";
 }
 
+/// Whatever is shown of them; nothing is removed.
+TEST(FailurePolicy, DatabasesThatMayNotBeUsedAreSaid) {
+    for (const TerrainSource terrain : {TerrainSource::ready, TerrainSource::none, TerrainSource::failed}) {
+        DisplayConditions conditions = good_conditions();
+        conditions.terrain = terrain;
+        const DisplayDecisions current = decide_on(everything_valid(), conditions);
+        EXPECT_FALSE(has_flag(current, "database.out_of_date"));
+        conditions.databases = base::Currency::expired;
+        const DisplayDecisions expired = decide_on(everything_valid(), conditions);
+        conditions.databases = base::Currency::not_yet_valid;
+        const DisplayDecisions early = decide_on(everything_valid(), conditions);
+        EXPECT_TRUE(has_notice(expired, "DATABASE EXPIRED") && !has_notice(expired, "DATABASE NOT YET VALID"));
+        EXPECT_TRUE(has_notice(early, "DATABASE NOT YET VALID") && !has_notice(early, "DATABASE EXPIRED"));
+        for (const DisplayDecisions& decisions : {expired, early}) {
+            EXPECT_TRUE(has_flag(decisions, "database.out_of_date"));
+            EXPECT_EQ(decisions.show_terrain, current.show_terrain);
+            EXPECT_EQ(decisions.show_warning_colors, current.show_warning_colors);
+            EXPECT_EQ(decisions.notices.size(), current.notices.size() + 1);
+            EXPECT_EQ(decisions.flags.size(), current.flags.size() + 1);
+        }
+    }
+}
+
 /// Whatever the legend shows.
 TEST(FailurePolicy, StaleDataAreSaidToBeStale) {
     DisplayConditions conditions = good_conditions();
@@ -483,6 +506,7 @@ TEST(FailurePolicy, NoMixOfStatesOverflowsOrShowsTerrainOnBadAttitude) {
         conditions.phase.switch_fault = conditions.phase.disagreement = conditions.generated_flight = true;
         conditions.terrain_is_coarse = conditions.terrain_ends = conditions.image_is_missing = conditions.data_are_out_of_date =
             conditions.is_reduced = conditions.shows_measure = true;
+        conditions.databases = base::Currency::expired;
         const DisplayDecisions decisions = decide_on(state, conditions);
         const bool known = state.is_valid(Signal::pitch, kPolicyNow) && state.is_valid(Signal::roll, kPolicyNow) &&
                            state.own_ship.state == SignalState::valid && decisions.view_heading != Signal::count_;

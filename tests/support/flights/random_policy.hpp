@@ -76,6 +76,7 @@ private:
             one_of({policy::TerrainAhead::none, policy::TerrainAhead::caution, policy::TerrainAhead::warning});
         conditions.obstacle_ahead =
             one_of({policy::TerrainAhead::none, policy::TerrainAhead::caution, policy::TerrainAhead::warning});
+        conditions.databases = one_of({base::Currency::current, base::Currency::expired, base::Currency::not_yet_valid});
         for (bool* const condition : {&conditions.generated_flight, &conditions.terrain_is_coarse, &conditions.terrain_ends,
                                       &conditions.image_is_missing, &conditions.data_are_out_of_date, &conditions.data_are_stale,
                                       &conditions.is_reduced, &conditions.shows_measure, &conditions.is_map})

@@ -184,6 +184,54 @@ TEST(FramePlanner, TheLegendIsThatOfTheInputAndElseOfTheSettings) {
     EXPECT_EQ(hills->plan(input, hills->memory)->legend.show, LegendShow::none);
 }
 
+bool states(const PlannedFrame& frame, std::string_view name) {
+    return std::any_of(frame.flags.begin(), frame.flags.end(), [&](const Name& flag) { return flag.view() == name; });
+}
+
+/// The notices and the flag of the dates: "-" is nothing.
+std::string words_of_dates(const PlannedFrame& frame) {
+    std::string words = states(frame, "database.out_of_date") ? "flag" : "-";
+    for (const policy::Notice& notice : frame.decisions.notices)
+        if (notice.text.view().find("DATABASE") == 0) words += ", " + std::string(notice.text.view());
+    return words;
+}
+
+TEST(FramePlanner, DatabasesOutOfDateAreSaidInTheFramesOfThatTimeAndNothingElseChanges) {
+    auto hills = std::make_unique<HillsPlanner>(test_support::shipped_design("default"));
+    hills->settle(input_at(0));
+    const PlannerMemory before = hills->memory;
+    const Planned undated = planned(*hills, input_at(0.1), before);
+    EXPECT_EQ(words_of_dates(*undated.frame), "-");
+    policy::DatabaseDates& dates = hills->planner().settings().database_dates;
+    const base::Duration day = base::Duration::seconds(86'400);
+    dates.period = {kHillsNow - day, kHillsNow + day};
+    EXPECT_EQ(differences(undated, planned(*hills, input_at(0.1), before)), "") << "control: on a day within";
+    dates.period = {{}, kHillsNow};
+    const Planned expired = planned(*hills, input_at(0.1), before);
+    EXPECT_EQ(words_of_dates(*expired.frame), "flag, DATABASE EXPIRED");
+    EXPECT_EQ(differences(undated, expired), "statement conditions decisions symbology");
+    dates.period = {kHillsNow + day, {}};
+    EXPECT_EQ(words_of_dates(*hills->plan(input_at(0.1), hills->memory)), "flag, DATABASE NOT YET VALID");
+}
+
+/// A board's time begins with the machine: what was found at the start holds until the bus states UTC, and nothing after it.
+TEST(FramePlanner, TheBusDecidesOnTheDatesOfDatabasesAndTheStartUntilThen) {
+    auto hills = std::make_unique<HillsPlanner>(test_support::shipped_design("default"));
+    policy::DatabaseDates& dates = hills->planner().settings().database_dates;
+    dates = {{{}, kHillsNow}, base::Currency::not_yet_valid};
+    flight::FrameInput input = input_at(0.1);
+    const auto words_at = [&](base::Duration from_end, base::SignalState utc) {
+        input.time = base::Time{90'000'000'000};
+        input.state.utc = {kHillsNow + from_end - input.time, utc};
+        return words_of_dates(*hills->plan(input, hills->memory));
+    };
+    const base::Duration after = base::Duration::seconds(60), ahead = base::Duration::seconds(-60);
+    EXPECT_EQ(words_at(after, base::SignalState::missing), "flag, DATABASE NOT YET VALID");
+    EXPECT_EQ(words_at(ahead, base::SignalState::valid), "-");
+    EXPECT_EQ(words_at(after, base::SignalState::valid), "flag, DATABASE EXPIRED");
+    EXPECT_EQ(words_at(after, base::SignalState::lost), "flag, DATABASE EXPIRED");
+}
+
 TEST(FramePlanner, TheMemoryDecidesWhatTheFrameFollowsFrom) {
     design::DesignSettings design = test_support::shipped_design("default");
     design.view.mode = design::ViewMode::map;
