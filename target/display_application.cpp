@@ -20,6 +20,7 @@ DisplayApplication::~DisplayApplication() { scene_watch_.stop(); }
 
 base::Error DisplayApplication::start() {
     if (const platform::HostFault fault = start_board_display(settings_, host_, ports_.clocks.live.wall())) return fault.error;
+    if (!screen_.connector.empty()) screen_events_.started(screen_);
     if (base::Error error = hold_board_deadline(settings_, host_)) return error;
     if (const base::Error& why = host_.terrain_fault(); !why.message.empty())
         ports_.log.write({why.message.view(), "; the display shows TERRAIN FAIL until it is started again with sound terrain"});

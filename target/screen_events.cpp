@@ -2,6 +2,14 @@
 
 namespace tedavis::target {
 
+void ScreenEvents::started(const platform::ScreenReport& screen) {
+    if (!screen.seat_manager.empty())
+        log_.write({"screen ", screen.connector.view(), ": opened through ", screen.seat_manager.view()});
+    else
+        log_.write({"screen ", screen.connector.view(), ": opened without a seat manager", screen.seat_note.empty() ? "" : " (",
+                    screen.seat_note.view(), screen.seat_note.empty() ? "" : ")"});
+}
+
 void ScreenEvents::report(const platform::ScreenReport& screen) {
     if (screen.is_plugged != was_plugged_)
         log_.write({"screen ", screen.connector.view(),

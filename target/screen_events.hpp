@@ -1,5 +1,5 @@
-/// Writes to the event log when the board's screen is unplugged, taken away by another program, and when it is back: one line
-/// each.
+/// Writes to the event log which way the board's screen was opened, and when it is unplugged, taken away by another program, and
+/// back: one line each.
 ///
 /// Thread  one. Memory  inside.
 #pragma once
@@ -13,6 +13,8 @@ class ScreenEvents {
 public:
     /// `log` must outlive the object.
     explicit ScreenEvents(const EventLog& log) : log_(log) {}
+    /// Once, when the screen is there.
+    void started(const platform::ScreenReport& screen);
     /// After each frame. Nothing is written where nothing has changed.
     void report(const platform::ScreenReport& screen);
 

@@ -19,7 +19,7 @@
 namespace tedavis::platform {
 namespace {
 
-constexpr std::string_view kSessionManager = "systemd-logind";
+constexpr std::string_view kSeatManagers[] = {"systemd-logind", "seatd"};
 
 bool is_process_number(const char* name) {
     const char* at = name;
@@ -57,7 +57,8 @@ base::FixedString<31> name_of_process(const char* processes, const char* process
 
 void append_holder(const char* processes, const char* process, base::FixedString<191>& holders) {
     const auto name = name_of_process(processes, process);
-    if (name.view() == kSessionManager) return;
+    for (const std::string_view manager : kSeatManagers)
+        if (name.view() == manager) return;
     if (!holders.empty()) holders.append(", ");
     holders.append(name.view());
     holders.append(" (process ");

@@ -10,8 +10,8 @@
 
 namespace tedavis::platform {
 
-/// "Xorg (process 812), weston (process 900)": the programs that have this file open, but for this one and the session manager,
-/// which opens cards for others. Empty where there is none, or where this user may not see it. `processes` is /proc.
+/// "Xorg (process 812), weston (process 900)": the programs that have this file open, but for this one and seat managers,
+/// which open cards for others. Empty where there is none, or where this user may not see it. `processes` is /proc.
 [[nodiscard]] base::FixedString<191> find_card_holders(const char* path, const char* processes = "/proc");
 
 /// The sentence about a card, named "/dev/dri/card0 (virtio_gpu)", that other programs have.

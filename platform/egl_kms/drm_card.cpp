@@ -10,6 +10,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/egl_kms/card_holder.hpp"
@@ -28,6 +29,13 @@ bool has_capability(int card, std::uint64_t capability) {
     return drmGetCap(card, capability, &value) == 0 && value != 0;
 }
 
+base::Error seat_error(std::string_view card, SeatAccess access, std::string_view manager) {
+    if (access == SeatAccess::no_answer)
+        return base::make_error(card, ": the seat manager does not answer; start it again (`systemctl restart seatd`)");
+    return base::make_error(card, ": ", manager, " does not give this program the screen: another terminal or program has it; ",
+                            "switch to the terminal of the display (`chvt 1`), or end the other program");
+}
+
 constexpr std::int64_t kNanosecondsPerMillisecond = 1'000'000;
 
 }  // namespace
@@ -39,14 +47,15 @@ DrmCard::~DrmCard() {
     if (before_ != nullptr) drmModeFreeCrtc(before_);
     terminal_.stop();
     atomic_.close();
-    if (card_ >= 0) ::close(card_);
+    if (card_ >= 0 && !seat_.is_open()) ::close(card_);
+    seat_.close();
 }
 
-base::Error DrmCard::open(const ScreenCard& card, const ScreenChoice& choice) {
+base::Error DrmCard::open(const ScreenCard& card, const ScreenChoice& choice, std::unique_ptr<SeatPort> seat,
+                          base::Duration limit) {
     const base::DriverScope driver;
     name_ = card_text(card);
-    card_ = ::open(card.path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-    if (card_ < 0) return base::make_error(name_.view(), ": cannot be opened any more (", std::strerror(errno), "); start again");
+    if (base::Error error = open_file(card.path.c_str(), std::move(seat), limit)) return error;
     connector_ = card.connectors[choice.connector].id;
     crtc_ = choice.crtc_id;
     is_held_ = !become_master();
@@ -55,8 +64,18 @@ base::Error DrmCard::open(const ScreenCard& card, const ScreenChoice& choice) {
     before_ = drmModeGetCrtc(card_, crtc_);
     is_atomic_ = atomic_.open(card_, connector_, crtc_, choice.crtc_index, mode_);
     if (is_atomic_ && has_capability(card_, DRM_CAP_ADDFB2_MODIFIERS)) modifiers_ = atomic_.modifiers();
-    terminal_.start();
+    if (!seat_.is_open()) terminal_.start();
     return {};
+}
+
+/// A manager that gives no seat, or not this file, is none.
+base::Error DrmCard::open_file(const char* path, std::unique_ptr<SeatPort> seat, base::Duration limit) {
+    const SeatAccess access = seat_.open(std::move(seat), path, limit);
+    is_held_ = access == SeatAccess::not_enabled || access == SeatAccess::no_answer;
+    if (is_held_) return seat_error(name_.view(), access, seat_.manager());
+    card_ = access == SeatAccess::open ? seat_.descriptor() : ::open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
+    if (card_ >= 0) return {};
+    return base::make_error(name_.view(), ": cannot be opened any more (", std::strerror(errno), "); start again");
 }
 
 bool DrmCard::find_mode(const ScreenChoice& choice) {
@@ -100,6 +119,7 @@ void DrmCard::restore() {
 
 bool DrmCard::become_master() {
     const base::DriverScope driver;
+    if (seat_.is_open() && !seat_.is_enabled()) return false;
     if (drmSetMaster(card_) == 0) return true;
     // Who opened the card first is its master; older kernels let only root say so again.
     return errno == EACCES && drmIsMaster(card_) != 0;
@@ -107,7 +127,7 @@ bool DrmCard::become_master() {
 
 void DrmCard::drop_master() {
     const base::DriverScope driver;
-    drmDropMaster(card_);
+    if (!seat_.is_open()) drmDropMaster(card_);  // else the manager has done so
 }
 
 bool DrmCard::add_framebuffer(const ScanoutBuffer& buffer, std::uint32_t& id) {
@@ -210,6 +230,14 @@ bool DrmCard::is_connected() {
     const bool connected = connector->connection != DRM_MODE_DISCONNECTED;
     drmModeFreeConnector(connector);
     return connected;
+}
+
+TerminalRequest DrmCard::take_terminal_request() {
+    if (!seat_.is_open()) return terminal_.take_request();
+    const base::DriverScope driver;
+    const TerminalRequest request = seat_.take_request();
+    // As long as the card is still ours, pictures come without the manager, too.
+    return request == TerminalRequest::lost && drmIsMaster(card_) != 0 ? TerminalRequest::none : request;
 }
 
 base::Time DrmCard::now() { return monotonic_now(); }

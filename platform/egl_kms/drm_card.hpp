@@ -1,22 +1,30 @@
 /// One connector of a graphics card in one mode, through the kernel's DRM: atomic commits where the card takes them, else the
 /// older calls.
 ///
-/// The program is the card's master from open() on. At the end the console is shown again as it was before.
+/// The program is the card's master from open() on. At the end the console is shown again as it was before. With a seat manager
+/// the card is opened through it: it decides who is master, and what it asks for takes the place of what the console asks for.
 ///
-/// Thread  one. Memory  libdrm's, and one buffer of the card. Failure  one sentence at open(), states afterwards.
+/// Thread  one. Memory  libdrm's and libseat's, and one buffer of the card. Failure  one sentence at open(), states afterwards.
 #pragma once
 
 #if defined(TEDAVIS_HAVE_KMS)
 
 #include <xf86drmMode.h>
 
+#include <memory>
+#include <string_view>
+
 #include "platform/egl_kms/atomic_output.hpp"
 #include "platform/egl_kms/drm_port.hpp"
 #include "platform/egl_kms/screen_choice.hpp"
+#include "platform/egl_kms/seat.hpp"
 #include "platform/egl_kms/terminal_switch.hpp"
 #include "render_core/base/error.hpp"
 
 namespace tedavis::platform {
+
+/// A seat is waited for no longer; twice as long for a manager that stands still.
+inline constexpr base::Duration kSeatLimit = base::Duration::seconds(3);
 
 class DrmCard final : public DrmPort {
 public:
@@ -25,8 +33,10 @@ public:
     DrmCard(const DrmCard&) = delete;
     DrmCard& operator=(const DrmCard&) = delete;
 
-    /// May be called once. Nothing on the screen changes yet.
-    [[nodiscard]] base::Error open(const ScreenCard& card, const ScreenChoice& choice);
+    /// May be called once. Nothing on the screen changes yet. With a `seat` the card is opened through it, where it gives one;
+    /// null: by this program itself. Waits at most twice the `limit`.
+    [[nodiscard]] base::Error open(const ScreenCard& card, const ScreenChoice& choice, std::unique_ptr<SeatPort> seat = nullptr,
+                                   base::Duration limit = kSeatLimit);
     /// Sets the mode and shows black.
     [[nodiscard]] base::Error show_black();
     /// Shows what was shown before open().
@@ -35,6 +45,8 @@ public:
     /// Whether open() failed since another program has the screen.
     [[nodiscard]] bool is_held() const { return is_held_; }
     [[nodiscard]] int descriptor() const { return card_; }
+    /// Which manager opened the card, such as "seatd"; empty: this program itself.
+    [[nodiscard]] std::string_view seat_manager() const { return seat_.is_open() ? seat_.manager() : std::string_view(); }
     /// How a buffer of XRGB8888 may lie in memory; empty: the driver decides.
     [[nodiscard]] const FormatModifiers& modifiers() const { return modifiers_; }
 
@@ -48,11 +60,14 @@ public:
     void turn_off() override;
     bool is_connected() override;
     bool is_atomic() const override { return is_atomic_; }
-    TerminalRequest take_terminal_request() override { return terminal_.take_request(); }
-    bool answer_terminal(TerminalRequest request) override { return terminal_.answer(request); }
+    TerminalRequest take_terminal_request() override;
+    bool answer_terminal(TerminalRequest request) override {
+        return seat_.is_open() ? seat_.answer(request) : terminal_.answer(request);
+    }
     base::Time now() override;
 
 private:
+    [[nodiscard]] base::Error open_file(const char* path, std::unique_ptr<SeatPort> seat, base::Duration limit);
     [[nodiscard]] bool find_mode(const ScreenChoice& choice);
     [[nodiscard]] bool make_black();
     [[nodiscard]] bool set_mode_without_atomic(std::uint32_t framebuffer);
@@ -71,6 +86,7 @@ private:
     bool is_atomic_ = false;
     std::uint32_t cookie_ = 0;  // of the flip that was queued last: events of older ones are not its
     TerminalSwitch terminal_;
+    Seat seat_;
 };
 
 }  // namespace tedavis::platform

@@ -40,8 +40,13 @@ enum class DrmStatus : std::uint8_t {
     failed
 };
 
-/// What the console asks a program for that owns a terminal, when somebody switches terminals.
-enum class TerminalRequest : std::uint8_t { none, release, acquire };
+/// What the console asks a program for that owns a terminal, when somebody switches terminals, or a seat manager in its place.
+enum class TerminalRequest : std::uint8_t {
+    none,
+    release,
+    acquire,
+    lost  ///< the manager went away and has taken the card: only another start gets it back
+};
 
 /// One connector of one card in one mode.
 class DrmPort {
@@ -66,7 +71,7 @@ public:
     /// Without asking the screen itself, which would take long.
     [[nodiscard]] virtual bool is_connected() = 0;
     [[nodiscard]] virtual bool is_atomic() const = 0;
-    /// Since the last call; none where the program owns no terminal.
+    /// Since the last call; none where the program owns no terminal. Never waits.
     [[nodiscard]] virtual TerminalRequest take_terminal_request() = 0;
     /// Tells the console that it is done; false where the console had not asked.
     [[nodiscard]] virtual bool answer_terminal(TerminalRequest request) = 0;

@@ -14,6 +14,7 @@
 #include "platform/egl_kms/drm_inventory.hpp"
 #include "platform/egl_kms/gbm_buffers.hpp"
 #include "platform/egl_kms/scanout.hpp"
+#include "platform/egl_kms/seat_offer.hpp"
 #include "render_core/base/driver_scope.hpp"
 
 namespace tedavis::platform {
@@ -145,8 +146,16 @@ private:
         report_.mode = mode_text(mode.width_px, mode.height_px, mode.refresh_mhz);
         report_.refresh_mhz = mode.refresh_mhz;
         scanout_.emplace(card_, buffers_, report_, mode.refresh_mhz);
-        base::Error error = card_.open(card, choice.value());
+        return open_card(card, choice.value());
+    }
+
+    [[nodiscard]] base::Error open_card(const ScreenCard& card, const ScreenChoice& choice) {
+        const SeatOffer offer = find_seat();
+        base::Error error = card_.open(card, choice, offer.is_there ? make_libseat_port() : nullptr);
         report_.may_come = card_.is_held();
+        report_.seat_manager = card_.seat_manager();
+        report_.seat_note = offer.text.view();
+        if (offer.is_there) report_.seat_note.append(" does not give it");
         return error;
     }
 

@@ -24,7 +24,7 @@ bool Scanout::show() {
     show(front, now);
     report_.paced_by = clock_.paced_by();
     report_.is_atomic = drm_.is_atomic();
-    return drm_.now() - confirmed_at_ < kGiveUpAfter;
+    return !is_lost_ && drm_.now() - confirmed_at_ < kGiveUpAfter;
 }
 
 void Scanout::confirm(base::Time now) {
@@ -67,6 +67,8 @@ void Scanout::serve_terminal() {
         is_released_ = false;
         report_.is_master = report_.is_master || drm_.become_master();
         has_failed_ = false;
+    } else if (request == TerminalRequest::lost) {
+        is_lost_ = true;
     }
 }
 

@@ -5,7 +5,8 @@
 /// on planning and drawing. (Setting a mode may take longer.) When the screen is there again, the next frame sets the mode anew.
 ///
 /// A screen that is plugged and ours and confirms nothing shows an old picture. After kStuckAfter the report says so, and the
-/// mode is set anew; after kGiveUpAfter show() fails, so that the program is started again.
+/// mode is set anew; after kGiveUpAfter show() fails, so that the program is started again. So it does where the seat manager
+/// that opened the card went away with it.
 ///
 /// Thread   one. Memory  inside: two buffers at most are held at a time, framebuffers of four are known.
 /// Failure  show() returns false where the driver gives no buffer and where the screen is given up; all else is in the report.
@@ -79,6 +80,7 @@ private:
     bool has_begun_ = false, has_checked_ = false, has_failed_ = false;
     bool has_missed_ = false;  // since the screen confirmed a frame
     bool needs_mode_ = true;
+    bool is_lost_ = false;      // for good: the manager that opened the card is gone
     bool is_released_ = false;  // another terminal has the screen, and the console will say when it is ours again
 };
 

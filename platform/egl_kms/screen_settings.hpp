@@ -20,6 +20,8 @@ enum class FlipPacing : std::uint8_t {
 struct ScreenReport {
     base::FixedString<31> driver, connector;
     ModeText mode;
+    base::FixedString<31> seat_manager;  ///< which opened the card, such as "seatd"; empty: this program itself
+    base::FixedString<255> seat_note;    ///< why no manager opened it, where none did; empty: there is none
     std::uint32_t refresh_mhz = 0;       ///< thousandths of a hertz; 0: not known
     std::uint64_t flips = 0;             ///< frames that the screen confirmed
     std::uint64_t missed_flips = 0;      ///< frames whose flip was refused or did not come in time

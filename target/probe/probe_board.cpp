@@ -46,6 +46,13 @@ base::Error chosen_screen_text(const platform::ScreenInventory& inventory, const
                             platform::mode_text(mode.width_px, mode.height_px, mode.refresh_mhz).view());
 }
 
+/// Without a manager the program opens the card itself, which is no fault.
+base::Error seat_text(const platform::SeatOffer& offer) {
+    if (offer.text.empty()) return base::make_error("no seat manager; the program opens the card itself");
+    return base::make_error(offer.text.view(),
+                            offer.is_there ? " opens the card" : "; until then the program opens the card itself");
+}
+
 }  // namespace
 
 bool probe_screen(const BoardSettings& settings, const ProbePorts& ports, SelfTestReport& report) {
@@ -66,6 +73,7 @@ bool probe_screen(const BoardSettings& settings, const ProbePorts& ports, SelfTe
     if (error) error.message = base::make_error("[surface]: ", error.message.view()).message;
     const bool holds = !error;
     report.add("screen", holds, (holds ? chosen_screen_text(*inventory, choice.value()) : error).message.view());
+    report.add("seat", true, seat_text(ports.find_seat()).message.view());
     add_screens(*inventory, report);
     return holds;
 }

@@ -17,6 +17,7 @@ ProbePorts machine_probe_ports() {
     };
     ports.is_card_held = &platform::is_card_held;
     ports.card_holders = [](const char* path) { return platform::find_card_holders(path); };
+    ports.find_seat = [] { return platform::find_seat(); };
     ports.list_interfaces = &bus::list_interfaces;
     ports.list_gpio = [](GpioInventory& inventory) { list_gpio(inventory); };
     return ports;

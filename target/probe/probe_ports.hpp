@@ -6,6 +6,7 @@
 #include "bus/socketcan/interface_list.hpp"
 #include "bus/switches/switch_config.hpp"
 #include "platform/egl_kms/screen_inventory.hpp"
+#include "platform/egl_kms/seat_offer.hpp"
 #include "render_core/base/error.hpp"
 #include "target/probe/gpio_inventory.hpp"
 
@@ -17,6 +18,7 @@ struct ProbePorts {
     void (*list_screens)(std::string_view path, platform::ScreenInventory& inventory) = nullptr;
     bool (*is_card_held)(const char* path) = nullptr;  ///< by another program
     base::FixedString<191> (*card_holders)(const char* path) = nullptr;
+    platform::SeatOffer (*find_seat)() = nullptr;
     void (*list_interfaces)(bus::InterfaceList& list) = nullptr;
     void (*list_gpio)(GpioInventory& inventory) = nullptr;
 };

@@ -35,7 +35,7 @@ const std::vector<SystemHeaders>& system_headers() {
         {{"GLES2/", "GLES3/", "KHR/"}, {"render_core/gl/"}},
         {{"GL/osmesa.h"}, {"platform/osmesa/"}},
         {{"EGL/", "SDL"}, {"platform/"}},
-        {{"gbm.h", "xf86drm", "drm"}, {"platform/"}},
+        {{"gbm.h", "xf86drm", "drm", "libseat.h"}, {"platform/"}},
         {{"sodium.h"}, {"platform/configuration/"}},
         {{"toml++/"}, {"render_core/base/config_reader.cpp", "host_sim/flight_test/script_value.cpp"}},
         {{"glm/"}, {}},

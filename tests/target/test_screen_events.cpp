@@ -31,5 +31,22 @@ TEST(ScreenEvents, EachChangeIsOneLine) {
               "tedavis-display: screen DSI-1: is ours again\n");
 }
 
+TEST(ScreenEvents, TheStartSaysWhichWayTheScreenWasOpened) {
+    LogLines lines;
+    const EventLog log = lines.log();
+    ScreenEvents events(log);
+    platform::ScreenReport screen;
+    screen.connector = "DSI-1";
+    events.started(screen);
+    screen.seat_note = "seatd runs, but this user may not reach it";
+    events.started(screen);
+    screen.seat_manager = "seatd";
+    events.started(screen);
+    EXPECT_EQ(lines.str(),
+              "tedavis-display: screen DSI-1: opened without a seat manager\n"
+              "tedavis-display: screen DSI-1: opened without a seat manager (seatd runs, but this user may not reach it)\n"
+              "tedavis-display: screen DSI-1: opened through seatd\n");
+}
+
 }  // namespace
 }  // namespace tedavis::target::test_screen_events

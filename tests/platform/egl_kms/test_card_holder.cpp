@@ -48,9 +48,10 @@ TEST_F(CardHolder, ALinkToTheCardIsTheCard) {
     EXPECT_EQ(find_card_holders(folder.file("by-path").c_str(), processes.c_str()).view(), "Xorg (process 812)");
 }
 
-TEST_F(CardHolder, NeitherThisProgramNorTheSessionManagerHasIt) {
+TEST_F(CardHolder, NeitherThisProgramNorASeatManagerHasIt) {
     process(std::to_string(getpid()), "tedavis-display", card);
     process("400", "systemd-logind", card);
+    process("401", "seatd", card);
     EXPECT_EQ(holders(), "");
 }
 

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "tests/platform/egl_kms/fake_seat.hpp"
+
 namespace tedavis::platform::test_drm_card {
 namespace {
 
@@ -31,6 +33,63 @@ TEST(DrmCard, WithoutMasterRightsTheStartEnds) {
     EXPECT_NE(error.message.view().find("/dev/null (none): another program has the screen"), std::string_view::npos)
         << error.message.c_str();
     EXPECT_FALSE(card.is_atomic());
+}
+
+/// A file that is no card: what follows the opening fails, and what was opened is given back.
+TEST(DrmCard, AManagerThatGivesASeatOpensTheFile) {
+    FakeManager manager;
+    {
+        DrmCard card;
+        const base::Error error = card.open(no_card("/dev/dri/tedavis-absent"), {}, manager.port());
+        EXPECT_NE(error.message.view().find("another program has the screen"), std::string_view::npos)
+            << "the manager's file is no card, and the one that was named does not exist: " << error.message.c_str();
+        EXPECT_EQ(card.seat_manager(), "seatd");
+        EXPECT_EQ(card.descriptor(), manager.descriptor);
+        manager.says = {FakeManager::Says::disable};
+        EXPECT_EQ(card.take_terminal_request(), TerminalRequest::release);
+        EXPECT_FALSE(card.become_master());
+        card.drop_master();
+        EXPECT_TRUE(card.answer_terminal(TerminalRequest::release));
+        manager.is_gone = true;
+        // libdrm takes this program for the master of whatever does not deny it, and pictures go on as long as it is.
+        EXPECT_EQ(card.take_terminal_request(), TerminalRequest::none);
+    }
+    EXPECT_EQ(manager.calls, "open device:/dev/dri/tedavis-absent disable close:7 close ");
+    EXPECT_LT(::fcntl(manager.descriptor, F_GETFD), 0) << "closed";
+}
+
+TEST(DrmCard, WithoutASeatTheProgramOpensTheFileItself) {
+    FakeManager none, other;
+    none.gives_seat = false;
+    other.device_fault = EPERM;
+    for (FakeManager* manager : {&none, &other}) {
+        DrmCard card;
+        const base::Error error = card.open(no_card("/dev/null"), {}, manager->port());
+        EXPECT_NE(error.message.view().find("/dev/null (none): another program has the screen"), std::string_view::npos);
+        EXPECT_EQ(card.seat_manager(), "");
+        EXPECT_GE(card.descriptor(), 0);
+    }
+    EXPECT_EQ(other.calls, "open device:/dev/null close ");
+}
+
+TEST(DrmCard, AScreenThatTheManagerDoesNotGiveMayComeLater) {
+    constexpr base::Duration kShort = base::Duration::milliseconds(50);
+    FakeManager elsewhere, still;
+    elsewhere.says.clear();
+    still.stands_still = true;
+    {
+        DrmCard card, other;
+        EXPECT_EQ(card.open(no_card("/dev/null"), {}, elsewhere.port(), kShort).message.view(),
+                  "/dev/null (none): seatd does not give this program the screen: another terminal or program has it; switch to "
+                  "the terminal of the display (`chvt 1`), or end the other program");
+        EXPECT_TRUE(card.is_held());
+        EXPECT_EQ(other.open(no_card("/dev/null"), {}, still.port(), kShort).message.view(),
+                  "/dev/null (none): the seat manager does not answer; start it again (`systemctl restart seatd`)");
+        EXPECT_TRUE(other.is_held());
+        EXPECT_LT(other.descriptor(), 0);
+    }
+    sem_post(&still.may_answer);
+    sem_wait(&still.has_closed);
 }
 
 TEST(DrmCard, AWaitForAFlipEndsInTime) {

@@ -286,6 +286,15 @@ TEST_F(ScanoutTest, ADriverWithoutABufferIsAFailure) {
     EXPECT_FALSE(scanout.show());
 }
 
+TEST_F(ScanoutTest, ACardThatWentAwayWithItsManagerIsAFailureForGood) {
+    frames(3);
+    drm.asked = TerminalRequest::lost;
+    for (int n = 0; n < 3; ++n) {
+        ASSERT_TRUE(buffers.swap());
+        EXPECT_FALSE(scanout.show()) << "the program must be started again";
+    }
+}
+
 TEST_F(ScanoutTest, AtTheEndAllIsReturned) {
     frames(10);
     drm.flips_hang = true;

@@ -23,6 +23,7 @@ struct FakeMachine {
         };
         made.is_card_held = [](const char* path) { return now->held == path; };
         made.card_holders = [](const char*) { return base::FixedString<191>(now->holders); };
+        made.find_seat = [] { return now->seat; };
         made.list_interfaces = [](bus::InterfaceList& to) { to = now->interfaces; };
         made.list_gpio = [](GpioInventory& to) { to = *now->gpio; };
         return made;
@@ -81,6 +82,7 @@ struct FakeMachine {
     }();
     std::string held;  ///< path of a card that another program has
     std::string holders;
+    platform::SeatOffer seat;
 };
 
 }  // namespace tedavis::target

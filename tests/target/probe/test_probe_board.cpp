@@ -128,6 +128,20 @@ TEST_F(ProbeBoard, WhatTheScreenHasIsListed) {
     EXPECT_EQ(report.find("connector")->finding.view(), "Virtual-1 of /dev/dri/card1: 1024x768@60, 640x480@60");
 }
 
+TEST_F(ProbeBoard, WhoOpensTheCardIsTold) {
+    ask_for_screen();
+    const auto seat = [&] {
+        SelfTestReport report;
+        EXPECT_TRUE(probe_screen(settings, FakeMachine::ports(), report)) << "no manager is no fault";
+        return std::string(report.find("seat")->finding.view());
+    };
+    EXPECT_EQ(seat(), "no seat manager; the program opens the card itself");
+    machine.seat = {true, "seatd at /run/seatd.sock"};
+    EXPECT_EQ(seat(), "seatd at /run/seatd.sock opens the card");
+    machine.seat = {false, "seatd runs, but this user may not reach it (mend)"};
+    EXPECT_EQ(seat(), "seatd runs, but this user may not reach it (mend); until then the program opens the card itself");
+}
+
 TEST_F(ProbeBoard, WithoutItsScreenTheDisplayIsTriedOffScreen) {
     ask_for_screen();
     machine.held = "/dev/dri/card1";

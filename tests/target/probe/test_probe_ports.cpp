@@ -17,6 +17,8 @@ TEST(ProbePorts, AskThisMachine) {
     }
     EXPECT_TRUE(ports.card_holders("/nowhere/card0").empty());
     EXPECT_FALSE(ports.is_card_held("/nowhere/card0"));
+    const platform::SeatOffer seat = ports.find_seat();
+    EXPECT_TRUE(!seat.is_there || !seat.text.empty());
     bus::InterfaceList list;
     ports.list_interfaces(list);
     EXPECT_TRUE(list.is_read);
