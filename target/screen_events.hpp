@@ -1,5 +1,5 @@
 /// Writes to the event log which way the board's screen was opened, and when it is unplugged, taken away by another program, and
-/// back: one line each.
+/// back, and when the seat manager ended: one line each.
 ///
 /// Thread  one. Memory  inside.
 #pragma once
@@ -20,6 +20,7 @@ public:
 
 private:
     const EventLog& log_;
+    platform::ManagerEnd manager_end_ = platform::ManagerEnd::none;
     bool was_plugged_ = true, was_master_ = true, was_stuck_ = false;
 };
 

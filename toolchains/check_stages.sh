@@ -168,6 +168,7 @@ check_layout() {
         echo "lay the files out with toolchains/format_sources"
         return 1
     }
+    tests/flight_tests/seeded_faults --check  # each fault still has its place in the sources
 }
 
 # check_tidy FULL: the changed sources that the host build compiles, at most 40 unless FULL is true. Of a function that branches much the

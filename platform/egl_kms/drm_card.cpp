@@ -33,7 +33,7 @@ base::Error seat_error(std::string_view card, SeatAccess access, std::string_vie
     if (access == SeatAccess::no_answer)
         return base::make_error(card, ": the seat manager does not answer; start it again (`systemctl restart seatd`)");
     return base::make_error(card, ": ", manager, " does not give this program the screen: another terminal or program has it; ",
-                            "switch to the terminal of the display (`chvt 1`), or end the other program");
+                            "switch to the terminal that was shown when the display started, or end the other program");
 }
 
 constexpr std::int64_t kNanosecondsPerMillisecond = 1'000'000;
@@ -52,14 +52,15 @@ DrmCard::~DrmCard() {
 }
 
 base::Error DrmCard::open(const ScreenCard& card, const ScreenChoice& choice, std::unique_ptr<SeatPort> seat,
-                          base::Duration limit) {
+                          const SeatLimits& limits) {
     const base::DriverScope driver;
     name_ = card_text(card);
-    if (base::Error error = open_file(card.path.c_str(), std::move(seat), limit)) return error;
+    path_ = card.path;
+    if (base::Error error = open_file(card.path.c_str(), std::move(seat), limits)) return error;
     connector_ = card.connectors[choice.connector].id;
     crtc_ = choice.crtc_id;
     is_held_ = !become_master();
-    if (is_held_) return held_card_error(name_.view(), find_card_holders(card.path.c_str()).view());
+    if (is_held_) return held_error();
     if (!find_mode(choice)) return base::make_error(name_.view(), ": the screen has changed during the start; start again");
     before_ = drmModeGetCrtc(card_, crtc_);
     is_atomic_ = atomic_.open(card_, connector_, crtc_, choice.crtc_index, mode_);
@@ -69,13 +70,18 @@ base::Error DrmCard::open(const ScreenCard& card, const ScreenChoice& choice, st
 }
 
 /// A manager that gives no seat, or not this file, is none.
-base::Error DrmCard::open_file(const char* path, std::unique_ptr<SeatPort> seat, base::Duration limit) {
-    const SeatAccess access = seat_.open(std::move(seat), path, limit);
+base::Error DrmCard::open_file(const char* path, std::unique_ptr<SeatPort> seat, const SeatLimits& limits) {
+    const SeatAccess access = seat_.open(std::move(seat), path, limits);
     is_held_ = access == SeatAccess::not_enabled || access == SeatAccess::no_answer;
     if (is_held_) return seat_error(name_.view(), access, seat_.manager());
     card_ = access == SeatAccess::open ? seat_.descriptor() : ::open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (card_ >= 0) return {};
     return base::make_error(name_.view(), ": cannot be opened any more (", std::strerror(errno), "); start again");
+}
+
+base::Error DrmCard::held_error() const {
+    if (seat_.is_open() && !seat_.is_enabled()) return seat_error(name_.view(), SeatAccess::not_enabled, seat_.manager());
+    return held_card_error(name_.view(), find_card_holders(path_.c_str()).view());
 }
 
 bool DrmCard::find_mode(const ScreenChoice& choice) {
@@ -94,8 +100,17 @@ base::Error DrmCard::show_black() {
     if (!make_black())
         return base::make_error(name_.view(), ": gives no buffer for the screen (", std::strerror(errno),
                                 "); free the card's memory or use a smaller mode");
-    if (set_mode(black_) == DrmStatus::done) return {};
-    return base::make_error(name_.view(), ": refuses the mode ", mode_.name, " (", std::strerror(errno),
+    const DrmStatus status = set_mode(black_);
+    return status == DrmStatus::done ? base::Error{} : refused_mode(status);
+}
+
+/// The screen may be taken away during the start, which is no wrong setting. What the manager has said of it is read first.
+base::Error DrmCard::refused_mode(DrmStatus status) {
+    const int reason = errno;
+    is_held_ = status == DrmStatus::not_master;
+    if (is_held_ && seat_.is_open()) (void)seat_.take_request();
+    if (is_held_) return held_error();
+    return base::make_error(name_.view(), ": refuses the mode ", mode_.name, " (", std::strerror(reason),
                             "); use another mode of [screen], or a connector that shares no CRTC with another screen");
 }
 
@@ -119,7 +134,8 @@ void DrmCard::restore() {
 
 bool DrmCard::become_master() {
     const base::DriverScope driver;
-    if (seat_.is_open() && !seat_.is_enabled()) return false;
+    if (is_managed() && !seat_.is_enabled()) return false;
+    is_given_up_ = false;
     if (drmSetMaster(card_) == 0) return true;
     // Who opened the card first is its master; older kernels let only root say so again.
     return errno == EACCES && drmIsMaster(card_) != 0;
@@ -127,7 +143,9 @@ bool DrmCard::become_master() {
 
 void DrmCard::drop_master() {
     const base::DriverScope driver;
-    if (!seat_.is_open()) drmDropMaster(card_);  // else the manager has done so
+    // A manager has done so already, unless this program became the master again before it read the request.
+    if (!is_managed() || drmIsMaster(card_) != 0) drmDropMaster(card_);
+    is_given_up_ = !is_managed();
 }
 
 bool DrmCard::add_framebuffer(const ScanoutBuffer& buffer, std::uint32_t& id) {
@@ -235,9 +253,21 @@ bool DrmCard::is_connected() {
 TerminalRequest DrmCard::take_terminal_request() {
     if (!seat_.is_open()) return terminal_.take_request();
     const base::DriverScope driver;
+    if (manager_end_ != ManagerEnd::none) return take_request_without_manager();
     const TerminalRequest request = seat_.take_request();
-    // As long as the card is still ours, pictures come without the manager, too.
-    return request == TerminalRequest::lost && drmIsMaster(card_) != 0 ? TerminalRequest::none : request;
+    if (request != TerminalRequest::lost) return request;
+    manager_end_ = ManagerEnd::left_the_card;
+    const TerminalRequest next = take_request_without_manager();
+    if (next != TerminalRequest::lost) terminal_.start();
+    return next;
+}
+
+/// As long as the card is still ours, pictures come without the manager, too. The kernel lets only the process that opened the
+/// card, or root, give its screens up, so that a program without that right has to end for another terminal.
+TerminalRequest DrmCard::take_request_without_manager() {
+    if ((drmIsMaster(card_) != 0) != is_given_up_) return terminal_.take_request();
+    manager_end_ = is_given_up_ ? ManagerEnd::kept_the_card : ManagerEnd::took_the_card;
+    return TerminalRequest::lost;
 }
 
 base::Time DrmCard::now() { return monotonic_now(); }

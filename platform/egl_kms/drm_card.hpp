@@ -2,7 +2,8 @@
 /// older calls.
 ///
 /// The program is the card's master from open() on. At the end the console is shown again as it was before. With a seat manager
-/// the card is opened through it: it decides who is master, and what it asks for takes the place of what the console asks for.
+/// the card is opened through it: the manager decides who is master, and what it asks for takes the place of what the console
+/// asks for. Where the manager ends and leaves the card, the console is asked again.
 ///
 /// Thread  one. Memory  libdrm's and libseat's, and one buffer of the card. Failure  one sentence at open(), states afterwards.
 #pragma once
@@ -23,30 +24,34 @@
 
 namespace tedavis::platform {
 
-/// A seat is waited for no longer; twice as long for a manager that stands still.
-inline constexpr base::Duration kSeatLimit = base::Duration::seconds(3);
-
 class DrmCard final : public DrmPort {
 public:
     DrmCard() = default;
+    /// Waits for a manager no longer than `answering` of open()'s limits.
     ~DrmCard() override;
     DrmCard(const DrmCard&) = delete;
     DrmCard& operator=(const DrmCard&) = delete;
 
     /// May be called once. Nothing on the screen changes yet. With a `seat` the card is opened through it, where it gives one;
-    /// null: by this program itself. Waits at most twice the `limit`.
+    /// null: by this program itself. Waits no longer than the `limits` together.
     [[nodiscard]] base::Error open(const ScreenCard& card, const ScreenChoice& choice, std::unique_ptr<SeatPort> seat = nullptr,
-                                   base::Duration limit = kSeatLimit);
+                                   const SeatLimits& limits = {});
     /// Sets the mode and shows black.
     [[nodiscard]] base::Error show_black();
     /// Shows what was shown before open().
     void restore();
 
-    /// Whether open() failed since another program has the screen.
+    /// The sentence for a mode that was not set; after `not_master` is_held() is true.
+    [[nodiscard]] base::Error refused_mode(DrmStatus status);
+
+    /// Whether open() or show_black() failed since another program has the screen.
     [[nodiscard]] bool is_held() const { return is_held_; }
     [[nodiscard]] int descriptor() const { return card_; }
     /// Which manager opened the card, such as "seatd"; empty: this program itself.
     [[nodiscard]] std::string_view seat_manager() const { return seat_.is_open() ? seat_.manager() : std::string_view(); }
+    /// An errno: why the manager did not open the file that it was asked for; 0: another reason, or it did.
+    [[nodiscard]] int seat_fault() const { return seat_.reason(); }
+    [[nodiscard]] ManagerEnd manager_end() const { return manager_end_; }
     /// How a buffer of XRGB8888 may lie in memory; empty: the driver decides.
     [[nodiscard]] const FormatModifiers& modifiers() const { return modifiers_; }
 
@@ -62,12 +67,16 @@ public:
     bool is_atomic() const override { return is_atomic_; }
     TerminalRequest take_terminal_request() override;
     bool answer_terminal(TerminalRequest request) override {
-        return seat_.is_open() ? seat_.answer(request) : terminal_.answer(request);
+        return is_managed() ? seat_.answer(request) : terminal_.answer(request);
     }
     base::Time now() override;
 
 private:
-    [[nodiscard]] base::Error open_file(const char* path, std::unique_ptr<SeatPort> seat, base::Duration limit);
+    [[nodiscard]] base::Error open_file(const char* path, std::unique_ptr<SeatPort> seat, const SeatLimits& limits);
+    /// Whether a manager decides who is master.
+    [[nodiscard]] bool is_managed() const { return seat_.is_open() && manager_end_ == ManagerEnd::none; }
+    [[nodiscard]] TerminalRequest take_request_without_manager();
+    [[nodiscard]] base::Error held_error() const;
     [[nodiscard]] bool find_mode(const ScreenChoice& choice);
     [[nodiscard]] bool make_black();
     [[nodiscard]] bool set_mode_without_atomic(std::uint32_t framebuffer);
@@ -75,6 +84,7 @@ private:
     [[nodiscard]] bool read_events(FlipEvent& event);
 
     base::FixedString<300> name_;
+    base::FixedString<255> path_;
     bool is_held_ = false;
     int card_ = -1;
     std::uint32_t connector_ = 0, crtc_ = 0;
@@ -87,6 +97,8 @@ private:
     std::uint32_t cookie_ = 0;  // of the flip that was queued last: events of older ones are not its
     TerminalSwitch terminal_;
     Seat seat_;
+    ManagerEnd manager_end_ = ManagerEnd::none;
+    bool is_given_up_ = false;  // without a manager, until the console gives the screen back
 };
 
 }  // namespace tedavis::platform

@@ -71,7 +71,8 @@ public:
     /// Without asking the screen itself, which would take long.
     [[nodiscard]] virtual bool is_connected() = 0;
     [[nodiscard]] virtual bool is_atomic() const = 0;
-    /// Since the last call; none where the program owns no terminal. Never waits.
+    /// Since the last call; none where the program owns no terminal. Waits for no console; what libseat waits for
+    /// is in seat.hpp.
     [[nodiscard]] virtual TerminalRequest take_terminal_request() = 0;
     /// Tells the console that it is done; false where the console had not asked.
     [[nodiscard]] virtual bool answer_terminal(TerminalRequest request) = 0;

@@ -5,6 +5,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <cstring>
 #include <new>
 #include <optional>
 
@@ -83,7 +84,10 @@ public:
         if (base::Error error = buffers_.open(card_, settings_.width_px, settings_.height_px)) return error;
         if (const char* const missing = create_context()) return base::make_error(missing);
         is_lit_ = true;
-        if (base::Error error = card_.show_black()) return error;
+        if (base::Error error = card_.show_black()) {
+            report_.may_come = card_.is_held();
+            return error;
+        }
         scanout_->mode_is_set();
         report_.is_atomic = card_.is_atomic();
         return {};
@@ -119,7 +123,9 @@ public:
         if (!is_current(this)) return base::SurfaceState::failed;
         if (!swap()) return eglGetError() == EGL_CONTEXT_LOST ? base::SurfaceState::context_lost : base::SurfaceState::failed;
         if (reset_.is_lost()) return base::SurfaceState::context_lost;
-        return scanout_->show() ? base::SurfaceState::ready : base::SurfaceState::failed;
+        const bool is_shown = scanout_->show();
+        report_.manager_end = card_.manager_end();
+        return is_shown ? base::SurfaceState::ready : base::SurfaceState::failed;
     }
 
     const char* backend_name() const override { return "kms"; }
@@ -154,9 +160,17 @@ private:
         base::Error error = card_.open(card, choice, offer.is_there ? make_libseat_port() : nullptr);
         report_.may_come = card_.is_held();
         report_.seat_manager = card_.seat_manager();
-        report_.seat_note = offer.text.view();
-        if (offer.is_there) report_.seat_note.append(" does not give it");
+        if (report_.seat_manager.empty()) report_.seat_note = offer.text.view();
+        if (report_.seat_manager.empty() && offer.is_there) say_refusal(report_.seat_note);
         return error;
+    }
+
+    void say_refusal(base::FixedString<255>& note) const {
+        note.append(" does not give the card");
+        if (card_.seat_fault() == 0) return;
+        note.append(" (");
+        note.append(std::strerror(card_.seat_fault()));
+        note.append(")");
     }
 
     /// Null when all is there, else what is missing.

@@ -65,6 +65,7 @@ void Scanout::serve_terminal() {
     } else if (request == TerminalRequest::acquire) {
         (void)drm_.answer_terminal(request);
         is_released_ = false;
+        needs_mode_ = true;  // the other program's mode may be left, also where the release before was answered by itself
         report_.is_master = report_.is_master || drm_.become_master();
         has_failed_ = false;
     } else if (request == TerminalRequest::lost) {

@@ -5,8 +5,8 @@
 /// on planning and drawing. (Setting a mode may take longer.) When the screen is there again, the next frame sets the mode anew.
 ///
 /// A screen that is plugged and ours and confirms nothing shows an old picture. After kStuckAfter the report says so, and the
-/// mode is set anew; after kGiveUpAfter show() fails, so that the program is started again. So it does where the seat manager
-/// that opened the card went away with it.
+/// mode is set anew; after kGiveUpAfter show() fails, so that the program is started again. show() also
+/// fails where the seat manager ended and took the card away.
 ///
 /// Thread   one. Memory  inside: two buffers at most are held at a time, framebuffers of four are known.
 /// Failure  show() returns false where the driver gives no buffer and where the screen is given up; all else is in the report.

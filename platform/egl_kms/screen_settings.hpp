@@ -16,12 +16,20 @@ enum class FlipPacing : std::uint8_t {
     vblank  ///< flips come with the screen's vertical blanking
 };
 
+/// Whether the seat manager that opened the card ended during the run.
+enum class ManagerEnd : std::uint8_t {
+    none,
+    left_the_card,  ///< as a crashed one does: the display goes on, and the program itself answers the console
+    took_the_card,  ///< as an orderly end does: only another start gets the screen back
+    kept_the_card   ///< it left the card, and only the end of the run can give the screen to another terminal
+};
+
 /// What the screen has done since the start.
 struct ScreenReport {
     base::FixedString<31> driver, connector;
     ModeText mode;
     base::FixedString<31> seat_manager;  ///< which opened the card, such as "seatd"; empty: this program itself
-    base::FixedString<255> seat_note;    ///< why no manager opened it, where none did; empty: there is none
+    base::FixedString<255> seat_note;    ///< why no manager opened it, where none did; empty: a manager did, or there is none
     std::uint32_t refresh_mhz = 0;       ///< thousandths of a hertz; 0: not known
     std::uint64_t flips = 0;             ///< frames that the screen confirmed
     std::uint64_t missed_flips = 0;      ///< frames whose flip was refused or did not come in time
@@ -32,6 +40,7 @@ struct ScreenReport {
     base::Duration waited;               ///< of the last frame, for the screen: no work of ours
     std::optional<base::Time> shown_at;  ///< since when the screen shows the last frame; nothing: it does not yet
     FlipPacing paced_by = FlipPacing::timer;
+    ManagerEnd manager_end = ManagerEnd::none;
     bool is_atomic = false;
     bool is_plugged = true;
     bool is_master = true;

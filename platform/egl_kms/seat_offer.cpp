@@ -47,8 +47,6 @@ SeatOffer offer_of_seatd(const char* socket) {
                 .message.view()};
 }
 
-bool is_set(const char* text) { return text != nullptr && *text != '\0'; }
-
 }  // namespace
 
 SeatSigns machine_seat_signs() {
@@ -56,18 +54,20 @@ SeatSigns machine_seat_signs() {
     signs.backend = std::getenv("LIBSEAT_BACKEND");
     signs.session = std::getenv("XDG_SEAT");
     signs.socket = std::getenv("SEATD_SOCK");
-    if (!is_set(signs.socket)) signs.socket = "/run/seatd.sock";
+    if (signs.socket == nullptr) signs.socket = "/run/seatd.sock";
     signs.is_root = ::geteuid() == 0;
     return signs;
 }
 
 SeatOffer find_seat(const SeatSigns& signs) {
-    if (!can_use_seats()) return {};
-    if (is_set(signs.backend)) return {true, base::make_error(signs.backend, ", by LIBSEAT_BACKEND").message.view()};
-    if (signs.is_root) return {};
+    if (!can_use_seats()) return {false, "this build uses no seat managers, since libseat was missing"};
+    // libseat takes an empty name for one, too, and knows no such backend.
+    if (signs.backend != nullptr && *signs.backend == '\0') return {false, "LIBSEAT_BACKEND is set and empty; unset it"};
+    if (signs.backend != nullptr) return {true, base::make_error(signs.backend, " (by LIBSEAT_BACKEND)").message.view()};
+    if (signs.is_root) return {false, "root asks a seat manager only where LIBSEAT_BACKEND names one"};
     const SeatOffer seatd = offer_of_seatd(signs.socket);
-    if (seatd.is_there || !is_set(signs.session)) return seatd;
-    return {true, base::make_error("logind, for a session on ", signs.session).message.view()};
+    if (seatd.is_there || signs.session == nullptr || *signs.session == '\0') return seatd;
+    return {true, base::make_error("logind (session on ", signs.session, ")").message.view()};
 }
 
 bool can_use_seats() {

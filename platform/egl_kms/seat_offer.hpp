@@ -10,7 +10,7 @@ namespace tedavis::platform {
 
 /// What libseat would go by.
 struct SeatSigns {
-    const char* backend = nullptr;  ///< LIBSEAT_BACKEND: the backend that the user asks for; null: none
+    const char* backend = nullptr;  ///< LIBSEAT_BACKEND: the backend that the user asks for; null: not set
     const char* session = nullptr;  ///< XDG_SEAT: set by logind in a session that has a screen; null: none
     const char* socket = nullptr;   ///< of seatd
     bool is_root = false;
@@ -18,7 +18,7 @@ struct SeatSigns {
 
 struct SeatOffer {
     bool is_there = false;
-    /// What it is, or what keeps the program from it; empty where this machine has none.
+    /// What it is, or what keeps the program from it; empty where there is nothing to say.
     base::FixedString<255> text;
 };
 

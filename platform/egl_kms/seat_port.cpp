@@ -52,7 +52,7 @@ public:
         seat_ = libseat_open_seat(&kEvents, &listener);
         libseat_set_log_level(LIBSEAT_LOG_LEVEL_SILENT);
         manager_ = opened_backend;
-        // Where each manager refuses, libseat manages the terminal itself, without those that others rely on.
+        // Where each manager refuses, libseat manages the terminal itself, and other programs would not know of it.
         if (manager_.view() == "builtin" && std::getenv("LIBSEAT_BACKEND") == nullptr) close();
         return seat_ != nullptr;
     }
@@ -71,8 +71,10 @@ public:
     bool dispatch(int wait_ms) override {
         const base::DriverScope driver;
         if (libseat_dispatch(seat_, wait_ms) < 0) return false;
+        const int file = libseat_get_fd(seat_);
+        if (file < 0) return false;  // sd-bus has closed the connection to logind, and poll() ignores such a file
         // Without a wait libseat 0.7 takes a connection that was closed for one on which nothing came.
-        pollfd connection{libseat_get_fd(seat_), POLLIN, 0};
+        pollfd connection{file, POLLIN, 0};
         return ::poll(&connection, 1, 0) <= 0 || (connection.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
     }
     void close() override {

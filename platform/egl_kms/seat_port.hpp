@@ -28,9 +28,11 @@ public:
     /// Waits without a limit; the seat must be enabled. Returns the device's number and its descriptor, or -1 with errno.
     [[nodiscard]] virtual int open_device(const char* path, int& descriptor) = 0;
     virtual void close_device(int device) = 0;
-    /// Says that the screen is not used any more; the manager answers by on_enable() when it may be used again.
+    /// Says that the screen is not used any more; the manager answers by on_enable() when it may be used again. With libseat 0.8
+    /// the seatd backend waits here for the manager without a limit; that of libseat 0.7 does not wait.
     [[nodiscard]] virtual bool disable() = 0;
-    /// Hands on what the manager has said, and waits for it for at most `wait_ms`. False: the manager is gone.
+    /// Hands on what the manager has said, and waits for it for at most `wait_ms`. False: the manager is gone. The backend for
+    /// logind may wait longer, since it answers logind by a call of D-Bus.
     [[nodiscard]] virtual bool dispatch(int wait_ms) = 0;
     virtual void close() = 0;
     /// "seatd"; empty before open().

@@ -49,8 +49,8 @@ base::Error chosen_screen_text(const platform::ScreenInventory& inventory, const
 /// Without a manager the program opens the card itself, which is no fault.
 base::Error seat_text(const platform::SeatOffer& offer) {
     if (offer.text.empty()) return base::make_error("no seat manager; the program opens the card itself");
-    return base::make_error(offer.text.view(),
-                            offer.is_there ? " opens the card" : "; until then the program opens the card itself");
+    return base::make_error(
+        offer.text.view(), offer.is_there ? " would open the card" : "; the program opens the card itself as long as this is so");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-"""The faults that seeded_faults puts into a copy of the product, each of the code: what configuration files can state wrongly is
-seeded by the tests of `tedavis verify` (tests/host_sim/commands/test_verify.cpp)."""
+"""The faults that seeded_faults puts into a copy of the product. They are faults of the code. What configuration files can state
+wrongly is seeded by the tests of `tedavis verify` (tests/host_sim/commands/test_verify.cpp)."""
 import collections
 
 # One text of one file, which must be there exactly once, and what takes its place.

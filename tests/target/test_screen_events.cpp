@@ -31,6 +31,27 @@ TEST(ScreenEvents, EachChangeIsOneLine) {
               "tedavis-display: screen DSI-1: is ours again\n");
 }
 
+TEST(ScreenEvents, TheEndOfTheManagerIsOneLine) {
+    LogLines lines;
+    const EventLog log = lines.log();
+    ScreenEvents events(log);
+    platform::ScreenReport screen;
+    screen.connector = "DSI-1";
+    screen.seat_manager = "seatd";
+    events.report(screen);
+    screen.manager_end = platform::ManagerEnd::left_the_card;
+    events.report(screen);
+    events.report(screen);
+    screen.manager_end = platform::ManagerEnd::took_the_card;
+    screen.is_master = false;
+    events.report(screen);
+    EXPECT_EQ(lines.str(),
+              "tedavis-display: screen DSI-1: seatd ended and left the card; the display goes on without it, and the program "
+              "itself answers the console\n"
+              "tedavis-display: screen DSI-1: seatd ended and took the card away; start the program again, which the service "
+              "manager does by itself\n");
+}
+
 TEST(ScreenEvents, TheStartSaysWhichWayTheScreenWasOpened) {
     LogLines lines;
     const EventLog log = lines.log();

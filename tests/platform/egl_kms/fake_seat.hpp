@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <poll.h>
 #include <semaphore.h>
 
 #include <cerrno>
@@ -25,7 +26,9 @@ struct FakeManager {
     std::string calls;  ///< in their order, separated by spaces
     const char* device = "/dev/null";
     int device_fault = 0;  ///< errno; 0: it opens the device
-    bool gives_seat = true, is_gone = false, stands_still = false, disables_while_it_opens = false;
+    const char* name = "seatd";
+    bool gives_seat = true, is_gone = false, disables_while_it_opens = false;
+    bool stands_still = false, stands_still_at_close = false;  ///< until `may_answer`
     int longest_wait_ms = 0, descriptor = -1;
     SeatListener* listener = nullptr;
     sem_t may_answer{}, has_closed{};  ///< of a manager that stands still
@@ -56,6 +59,7 @@ public:
     [[nodiscard]] bool dispatch(int wait_ms) override {
         manager_.longest_wait_ms = wait_ms > manager_.longest_wait_ms ? wait_ms : manager_.longest_wait_ms;
         if (manager_.is_gone) return false;
+        if (manager_.says.empty()) ::poll(nullptr, 0, wait_ms < 5 ? wait_ms : 5);
         while (!manager_.says.empty()) {
             const bool enables = manager_.says.front() == FakeManager::Says::enable;
             manager_.says.pop_front();
@@ -65,9 +69,10 @@ public:
     }
     void close() override {
         manager_.calls += "close ";
+        if (manager_.stands_still_at_close) sem_wait(&manager_.may_answer);
         sem_post(&manager_.has_closed);
     }
-    [[nodiscard]] base::FixedString<31> manager() const override { return "seatd"; }
+    [[nodiscard]] base::FixedString<31> manager() const override { return manager_.name; }
 
 private:
     FakeManager& manager_;

@@ -52,7 +52,15 @@ TEST(DrmCard, AManagerThatGivesASeatOpensTheFile) {
         EXPECT_TRUE(card.answer_terminal(TerminalRequest::release));
         manager.is_gone = true;
         // libdrm takes this program for the master of whatever does not deny it, and pictures go on as long as it is.
+        EXPECT_EQ(card.manager_end(), ManagerEnd::none);
         EXPECT_EQ(card.take_terminal_request(), TerminalRequest::none);
+        EXPECT_EQ(card.manager_end(), ManagerEnd::left_the_card);
+        // From now on the console asks, and it has not.
+        EXPECT_FALSE(card.answer_terminal(TerminalRequest::release));
+        card.drop_master();
+        // The file lets nobody give it up, as a card that another process has opened.
+        EXPECT_EQ(card.take_terminal_request(), TerminalRequest::lost);
+        EXPECT_EQ(card.manager_end(), ManagerEnd::kept_the_card);
     }
     EXPECT_EQ(manager.calls, "open device:/dev/dri/tedavis-absent disable close:7 close ");
     EXPECT_LT(::fcntl(manager.descriptor, F_GETFD), 0) << "closed";
@@ -68,28 +76,61 @@ TEST(DrmCard, WithoutASeatTheProgramOpensTheFileItself) {
         EXPECT_NE(error.message.view().find("/dev/null (none): another program has the screen"), std::string_view::npos);
         EXPECT_EQ(card.seat_manager(), "");
         EXPECT_GE(card.descriptor(), 0);
+        EXPECT_EQ(card.seat_fault(), manager->device_fault);
     }
     EXPECT_EQ(other.calls, "open device:/dev/null close ");
 }
 
 TEST(DrmCard, AScreenThatTheManagerDoesNotGiveMayComeLater) {
-    constexpr base::Duration kShort = base::Duration::milliseconds(50);
+    constexpr base::Duration kShort = base::Duration::milliseconds(50), kNever = base::Duration::seconds(600);
     FakeManager elsewhere, still;
     elsewhere.says.clear();
     still.stands_still = true;
     {
         DrmCard card, other;
-        EXPECT_EQ(card.open(no_card("/dev/null"), {}, elsewhere.port(), kShort).message.view(),
+        EXPECT_EQ(card.open(no_card("/dev/null"), {}, elsewhere.port(), {kShort, kNever}).message.view(),
                   "/dev/null (none): seatd does not give this program the screen: another terminal or program has it; switch to "
-                  "the terminal of the display (`chvt 1`), or end the other program");
+                  "the terminal that was shown when the display started, or end the other program");
         EXPECT_TRUE(card.is_held());
-        EXPECT_EQ(other.open(no_card("/dev/null"), {}, still.port(), kShort).message.view(),
+        EXPECT_EQ(other.open(no_card("/dev/null"), {}, still.port(), {{}, kShort}).message.view(),
                   "/dev/null (none): the seat manager does not answer; start it again (`systemctl restart seatd`)");
         EXPECT_TRUE(other.is_held());
         EXPECT_LT(other.descriptor(), 0);
     }
     sem_post(&still.may_answer);
     sem_wait(&still.has_closed);
+}
+
+/// What the start says where the screen is taken away after the card was opened.
+TEST(DrmCard, AScreenThatIsTakenAwayDuringTheStartMayComeLater) {
+    DrmCard itself;
+    EXPECT_TRUE(itself.open(no_card("/dev/null"), {}));
+    const base::Error held = itself.refused_mode(DrmStatus::not_master);
+    EXPECT_NE(held.message.view().find("/dev/null (none): another program has the screen"), std::string_view::npos);
+    EXPECT_TRUE(itself.is_held());
+
+    FakeManager manager;
+    DrmCard managed;
+    EXPECT_TRUE(managed.open(no_card("/dev/null"), {}, manager.port()));
+    manager.says = {FakeManager::Says::disable};
+    const base::Error elsewhere = managed.refused_mode(DrmStatus::not_master);
+    EXPECT_NE(elsewhere.message.view().find("seatd does not give this program the screen"), std::string_view::npos)
+        << elsewhere.message.c_str();
+    EXPECT_TRUE(managed.is_held());
+    const base::Error mode = managed.refused_mode(DrmStatus::failed);
+    EXPECT_NE(mode.message.view().find("use another mode of [screen]"), std::string_view::npos);
+    EXPECT_FALSE(managed.is_held()) << "a wrong setting";
+}
+
+/// Disabled while it opens: another terminal has the screen, and no desktop.
+TEST(DrmCard, AManagerThatTakesTheScreenWhileItOpensIsSaid) {
+    FakeManager manager;
+    manager.disables_while_it_opens = true;
+    DrmCard card;
+    const base::Error error = card.open(no_card("/dev/null"), {}, manager.port());
+    EXPECT_NE(error.message.view().find("seatd does not give this program the screen"), std::string_view::npos)
+        << error.message.c_str();
+    EXPECT_TRUE(card.is_held());
 }
 
 TEST(DrmCard, AWaitForAFlipEndsInTime) {

@@ -207,6 +207,16 @@ TEST_F(ScanoutTest, AnotherTerminalGetsTheScreenAndGivesItBack) {
     EXPECT_EQ(report.flips, 20u);
 }
 
+TEST_F(ScanoutTest, AScreenThatComesBackWithoutHavingBeenAskedForGetsItsModeAnew) {
+    frames(10);
+    drm.asked = TerminalRequest::acquire;
+    frames(10);
+    EXPECT_EQ(drm.answers, "a");
+    EXPECT_EQ(drm.mode_sets, 2) << "the program between may have left another mode";
+    EXPECT_EQ(report.flips, 20u);
+    EXPECT_EQ(report.missed_flips, 0u);
+}
+
 TEST_F(ScanoutTest, AReleaseThatTheConsoleDidNotAskForChangesNothing) {
     frames(10);
     drm.refuses_answers = true;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <fstream>
 #include <string>
 
 #include "tests/support/files/temporary_folder.hpp"
@@ -37,6 +38,19 @@ struct AsNobody {
     bool was_root;
 };
 
+/// The name of the file's group, as the system's table has it, or its number where the table does not.
+std::string group_of(const std::string& path) {
+    struct stat file {};
+    EXPECT_EQ(::stat(path.c_str(), &file), 0);
+    std::ifstream table("/etc/group");  // "name:x:number:members"
+    const std::string number = std::to_string(file.st_gid);
+    for (std::string line; std::getline(table, line);) {
+        const std::size_t name_end = line.find(':'), begin = line.find(':', name_end + 1) + 1;
+        if (line.substr(begin, line.find(':', begin) - begin) == number) return line.substr(0, name_end);
+    }
+    return number;
+}
+
 struct SeatOfferOf : testing::Test {
     void SetUp() override {
         if (!can_use_seats()) GTEST_SKIP() << "libseat was missing at the build";
@@ -63,18 +77,22 @@ TEST_F(SeatOfferOf, AUserWhoMayNotReachSeatdIsToldHowToMendIt) {
     const Listener seatd(socket);
     ASSERT_EQ(::chmod(folder.file("").c_str(), 0755), 0);
     ASSERT_EQ(::chmod(socket.c_str(), 0), 0);
+    const std::string group = group_of(socket);
     const AsNobody user;
+    struct stat seen {};
+    if (::stat(socket.c_str(), &seen) != 0) GTEST_SKIP() << "the folder for temporary files is closed to this user";
     const SeatOffer offer = find_seat(signs);
     EXPECT_FALSE(offer.is_there);
     EXPECT_THAT(std::string(offer.text.view()),
-                HasSubstr("seatd runs, but this user may not reach it (" + socket + ": Permission denied); `usermod -aG "));
+                HasSubstr("seatd runs, but this user may not reach it (" + socket + ": Permission denied); `usermod -aG " +
+                          group + " USER`, then log in again"));
 }
 
 TEST_F(SeatOfferOf, ASessionOnAConsoleIsLogindsAndSeatdGoesBeforeIt) {
     signs.session = "";
     EXPECT_FALSE(find_seat(signs).is_there);
     signs.session = "seat0";
-    EXPECT_EQ(find_seat(signs).text.view(), "logind, for a session on seat0");
+    EXPECT_EQ(find_seat(signs).text.view(), "logind (session on seat0)");
     EXPECT_TRUE(find_seat(signs).is_there);
     const Listener seatd(socket);
     EXPECT_EQ(find_seat(signs).text.view(), "seatd at " + socket);
@@ -85,10 +103,21 @@ TEST_F(SeatOfferOf, RootGetsASeatOnlyFromABackendThatItNames) {
     signs.session = "seat0";
     signs.is_root = true;
     EXPECT_FALSE(find_seat(signs).is_there);
-    EXPECT_TRUE(find_seat(signs).text.empty());
+    EXPECT_EQ(find_seat(signs).text.view(), "root asks a seat manager only where LIBSEAT_BACKEND names one");
     signs.backend = "seatd";
     EXPECT_TRUE(find_seat(signs).is_there);
-    EXPECT_EQ(find_seat(signs).text.view(), "seatd, by LIBSEAT_BACKEND");
+    EXPECT_EQ(find_seat(signs).text.view(), "seatd (by LIBSEAT_BACKEND)");
+}
+
+TEST_F(SeatOfferOf, WhatIsSetAndEmptyNamesNothingAsForLibseat) {
+    const Listener seatd(socket);
+    signs.backend = "";
+    EXPECT_FALSE(find_seat(signs).is_there);
+    EXPECT_EQ(find_seat(signs).text.view(), "LIBSEAT_BACKEND is set and empty; unset it");
+    signs.backend = nullptr;
+    signs.socket = "";
+    EXPECT_FALSE(find_seat(signs).is_there);
+    EXPECT_TRUE(find_seat(signs).text.empty());
 }
 
 TEST_F(SeatOfferOf, APathThatIsTooLongIsSaid) {
@@ -98,12 +127,13 @@ TEST_F(SeatOfferOf, APathThatIsTooLongIsSaid) {
     EXPECT_THAT(std::string(find_seat(signs).text.view()), HasSubstr("File name too long"));
 }
 
-/// A build without libseat offers nothing, whatever the user asks for.
+/// A build without libseat offers nothing, whatever the user asks for, and says so.
 TEST(SeatOffer, OnlyTheLibraryCanOfferASeat) {
     SeatSigns signs;
     signs.backend = "seatd";
     EXPECT_EQ(find_seat(signs).is_there, can_use_seats());
-    EXPECT_EQ(find_seat(signs).text.empty(), !can_use_seats());
+    EXPECT_EQ(find_seat(signs).text.view(),
+              can_use_seats() ? "seatd (by LIBSEAT_BACKEND)" : "this build uses no seat managers, since libseat was missing");
 }
 
 }  // namespace

@@ -137,9 +137,10 @@ TEST_F(ProbeBoard, WhoOpensTheCardIsTold) {
     };
     EXPECT_EQ(seat(), "no seat manager; the program opens the card itself");
     machine.seat = {true, "seatd at /run/seatd.sock"};
-    EXPECT_EQ(seat(), "seatd at /run/seatd.sock opens the card");
+    EXPECT_EQ(seat(), "seatd at /run/seatd.sock would open the card");
     machine.seat = {false, "seatd runs, but this user may not reach it (mend)"};
-    EXPECT_EQ(seat(), "seatd runs, but this user may not reach it (mend); until then the program opens the card itself");
+    EXPECT_EQ(seat(),
+              "seatd runs, but this user may not reach it (mend); the program opens the card itself as long as this is so");
 }
 
 TEST_F(ProbeBoard, WithoutItsScreenTheDisplayIsTriedOffScreen) {
