@@ -113,7 +113,7 @@ private:
         until_now.end(frame.time_s);
         const perception::ConditionVerdict& verdict = until_now.verdict();
         if (!verdict.is_broken) return {};
-        const std::string words = words_of_moment(condition, state.readings[verdict.worst.place]);
+        std::string words = words_of_moment(condition, state.readings[verdict.worst.place]);
         if (!keeps_frames_ || condition.limit.for_s <= 0) return words;
         char times[96];
         std::snprintf(times, sizeof times, " at %.2f s, beyond it for %.2f s, %g s are allowed", verdict.worst.time_s,

@@ -43,7 +43,7 @@ std::string group_of(const std::string& path) {
     struct stat file {};
     EXPECT_EQ(::stat(path.c_str(), &file), 0);
     std::ifstream table("/etc/group");  // "name:x:number:members"
-    const std::string number = std::to_string(file.st_gid);
+    std::string number = std::to_string(file.st_gid);
     for (std::string line; std::getline(table, line);) {
         const std::size_t name_end = line.find(':'), begin = line.find(':', name_end + 1) + 1;
         if (line.substr(begin, line.find(':', begin) - begin) == number) return line.substr(0, name_end);

@@ -39,6 +39,10 @@ struct SeatPortOf : testing::Test {
     Events events;
 };
 
+// The backend `builtin` goes on in a child after fork(), which the thread sanitizer cannot follow where other threads run: the
+// child then stands still now and then.
+#if !defined(__SANITIZE_THREAD__)
+
 TEST_F(SeatPortOf, TheLibraryOpensASeatAndEnablesIt) {
     setenv("LIBSEAT_BACKEND", "builtin", 1);
     setenv("SEATD_VTBOUND", "0", 1);
@@ -58,7 +62,9 @@ pid_t child_process() {
         std::string line;
         std::getline(std::ifstream(entry.path() / "stat"), line);
         const std::size_t name_end = line.rfind(')');  // "123 (name) S 1 ..."
-        if (name_end != std::string::npos && std::atoi(line.c_str() + name_end + 4) == ::getpid()) return std::atoi(line.c_str());
+        if (name_end == std::string::npos) continue;
+        if (std::strtol(line.c_str() + name_end + 4, nullptr, 10) == ::getpid())
+            return static_cast<pid_t>(std::strtol(line.c_str(), nullptr, 10));
     }
     return 0;
 }
@@ -75,6 +81,8 @@ TEST_F(SeatPortOf, AManagerThatEndedIsNoticedWithoutWaiting) {
     ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(manager), &ended, WEXITED | WNOWAIT), 0) << "closed its connection";
     EXPECT_FALSE(port->dispatch(0));
 }
+
+#endif
 
 TEST_F(SeatPortOf, TheLibraryOpensADevice) {
     setenv("LIBSEAT_BACKEND", "noop", 1);
