@@ -10,6 +10,7 @@
 #include "host_sim/commands/command_groups.hpp"
 #include "host_sim/commands/option_texts.hpp"
 #include "host_sim/interrupt.hpp"
+#include "host_sim/user_errors.hpp"
 #include "host_sim/version.hpp"
 
 namespace tedavis::host_sim {
@@ -166,6 +167,8 @@ int run_command_line(int argc, const char* const* argv, std::ostream& results, s
                      std::istream* answers) {
     try {
         return parse_and_run(argc, argv, results, notes, live, answers);
+    } catch (const UserErrors& errors) {
+        for (const std::string& sentence : errors.sentences()) notes << "tedavis: " << one_sentence(sentence) << '\n';
     } catch (const UserError& error) {
         notes << "tedavis: " << one_sentence(error.what()) << '\n';
     } catch (const Interrupted& interrupted) {

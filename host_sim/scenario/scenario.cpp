@@ -9,7 +9,7 @@
 #include "host_sim/calendar_time.hpp"
 #include "host_sim/scenario/read_angle.hpp"
 #include "host_sim/shipped_files.hpp"
-#include "host_sim/user_error.hpp"
+#include "host_sim/user_errors.hpp"
 #include "render_core/base/config_reader.hpp"
 #include "render_core/base/units.hpp"
 
@@ -165,14 +165,10 @@ RadioAltimeterSettings read_radio_altimeter(ConfigSection& section, const std::s
     return altimeter;
 }
 
-/// All faults of a file at once, a line each.
-std::string lines_of(base::Span<const base::Error> errors) {
-    std::string lines;
-    for (const base::Error& error : errors) {
-        if (!lines.empty()) lines += '\n';
-        lines += error.message.view();
-    }
-    return lines;
+std::vector<std::string> sentences_of(base::Span<const base::Error> errors) {
+    std::vector<std::string> sentences;
+    for (const base::Error& error : errors) sentences.emplace_back(error.message.view());
+    return sentences;
 }
 
 }  // namespace
@@ -204,7 +200,7 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
     const std::size_t legs = root.table_count("leg");
     if (legs == 0 || legs > kMaxLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
     for (std::size_t i = 0; i < legs && i < kMaxLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
-    if (!reader.finish()) throw UserError(lines_of(reader.errors()));
+    if (!reader.finish()) throw UserErrors(sentences_of(reader.errors()));
     return scenario;
 }
 

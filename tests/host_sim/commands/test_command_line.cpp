@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "host_sim/input_file.hpp"
@@ -86,6 +88,18 @@ TEST(CommandLine, WrongInputIsOneSentenceAndTwo) {
     const Outcome outcome = run({"convert", "/nonexistent/flight.igc", "-o", "/nonexistent/x.log"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.notes, "tedavis: /nonexistent/flight.igc: no such file; check the path\n");
+}
+
+TEST(CommandLine, SeveralFaultsOfAFileAreALineEach) {
+    const test_support::TemporaryFolder folder;
+    const std::string file = folder.write("s.toml", "seed = -1\n[strip]\n");
+    const Outcome outcome = run({"scenario", "build", file.c_str(), "-o", folder.file("out").c_str()});
+    EXPECT_EQ(outcome.code, 2);
+    std::istringstream lines(outcome.notes);
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_EQ(line.substr(0, 9), "tedavis: ") << line;
+    EXPECT_EQ(count, 6) << "seed, four keys of the strip, and no leg:\n" << outcome.notes;
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
 }
 
 TEST(CommandLine, AWrongWordOrNumberIsToldInAShortSentence) {

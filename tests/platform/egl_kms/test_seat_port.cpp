@@ -26,7 +26,7 @@ struct Events final : SeatListener {
 
 struct SeatPortOf : testing::Test {
     void SetUp() override {
-        if (!can_use_seats()) GTEST_SKIP() << "libseat was missing at the build";
+        ASSERT_TRUE(can_use_seats()) << "libseat was missing at the build; toolchains/install_packages core installs it";
     }
     void TearDown() override {
         if (port != nullptr) port->close();
