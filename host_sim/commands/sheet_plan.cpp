@@ -76,7 +76,8 @@ public:
         SheetPlan::Group group;
         group.title = read_title(section);
         const std::size_t count = section.table_count("picture");
-        if (count == 0 || count > kMaxPictures) section.fault("picture", "1 to 64 tables [[group.picture]] are needed");
+        if (count == 0 || count > kMaxPictures)
+            section.fault("picture", "1 to 64 tables [[group.picture]] are needed; add one for each picture");
         for (std::size_t i = 0; i < count && i < kMaxPictures; ++i) add_pictures(section.table_at("picture", i), group);
         return group;
     }
@@ -139,7 +140,7 @@ void read_groups(ConfigSection root, const std::string& file_name, SheetPlan& pl
     if (!designs.empty()) plan.designs = path_from(file_name, designs);
     const std::size_t groups = root.table_count("group");
     if ((groups == 0 && other.empty()) || groups > kMaxGroups)
-        root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'");
+        root.fault("group", "1 to 16 tables [[group]] are needed, or 'groups_of'; add either");
     GroupReader reader(root.number("little_detail", 0, 0.99, 0));
     for (std::size_t i = 0; i < groups && i < kMaxGroups; ++i) plan.groups.push_back(reader.read(root.table_at("group", i)));
 }

@@ -198,7 +198,7 @@ Scenario parse_scenario(std::string_view text, const std::string& file_name) {
         scenario.radio_altimeter = read_radio_altimeter(altimeter, file_name);
     scenario.traffic = read_aircraft_around(root);
     const std::size_t legs = root.table_count("leg");
-    if (legs == 0 || legs > kMaxLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed");
+    if (legs == 0 || legs > kMaxLegs) root.fault("leg", "1 to 256 tables [[leg]] are needed; add one for each part of the way");
     for (std::size_t i = 0; i < legs && i < kMaxLegs; ++i) scenario.legs.push_back(read_leg(root.table_at("leg", i)));
     if (!reader.finish()) throw UserErrors(sentences_of(reader.errors()));
     return scenario;

@@ -81,7 +81,7 @@ UncertaintyRecipe read_uncertainty(ConfigSection section, const LayerRecipe& lay
     uncertainty.value = number(section, "value");
     uncertainty.classes = texts(section, "classes");
     if (!uncertainty.classes.empty() && (uncertainty.classes.size() < 2 || uncertainty.variable.empty()))
-        section.fault("classes", "two or more names are needed, and the 'variable' that holds them");
+        section.fault("classes", "two or more names are needed, and the 'variable' that holds them; give both");
     uncertainty.is_quality = section.boolean("is_quality", false);
     uncertainty.is_spread = section.boolean("is_spread", false);
     uncertainty.full = section.number("full", 1e-9, kLarge, 1);

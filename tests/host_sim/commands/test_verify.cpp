@@ -287,7 +287,7 @@ TEST_F(SeededFault, ALongerTimeOutOfTheClockIsFound) {
 
 TEST_F(SeededFault, ADoubledSettlingOfThePanelIsFound) {
     change("configs/switches/one_hot.toml", "settle_ms = 200", "settle_ms = 2000");
-    EXPECT_EQ(found_by("panel_faults"), "2.4 s: flags terrain.missing");
+    EXPECT_EQ(found_by("panel_faults"), "2.3 s: flags terrain.missing");
 }
 
 TEST_F(SeededFault, ASwappedDesignIsFound) {
