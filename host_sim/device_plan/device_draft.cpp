@@ -6,6 +6,7 @@
 #include "render_core/display/planner/terrain_planner.hpp"
 #include "render_core/draw/drawers/drape_atlas.hpp"
 #include "render_core/draw/drawers/page_atlas.hpp"
+#include "render_core/draw/drawers/picture_edges.hpp"
 #include "render_core/draw/traced_view.hpp"
 #include "render_core/terrain/directory_cache.hpp"
 #include "render_core/terrain/height_ceiling.hpp"
@@ -43,8 +44,7 @@ public:
 
     [[nodiscard]] base::BudgetTable table() {
         for (const base::BudgetLine& line : source_.shipped.budget.lines())
-            if (room_.is_traced || (line.name.view() != effects::kTracedTerrain && line.name.view() != effects::kTracedPictures))
-                static_cast<void>(table_.try_add(line));
+            if (is_needed(line.name.view())) static_cast<void>(table_.try_add(line));
         set_terrain();
         set_pages();
         set_pictures();
@@ -56,6 +56,10 @@ public:
     }
 
 private:
+    [[nodiscard]] bool is_needed(std::string_view name) const {
+        if (name == effects::kPictureEdges) return needs_.measures_clutter;
+        return room_.is_traced || (name != effects::kTracedTerrain && name != effects::kTracedPictures);
+    }
     void set(std::string_view name, std::uint64_t bytes, const std::string& reason = {}) {
         base::BudgetLine* const line = table_.find(name);
         if (line == nullptr) return;
@@ -113,6 +117,8 @@ private:
         set(effects::kRenderTargets, known == source_.target_bytes.end() ? kUnknownTargetBytes : known->second,
             room_.has_pictures ? "color and depth of what the design draws off screen, as a start takes it"
                                : "colors of the design; no pictures off screen");
+        set(effects::kPictureEdges, draw::PictureEdges::bytes(ask_.size.width, ask_.size.height),
+            "edges of the picture, a byte a pixel; rows of it, and a strip read back");
         if (!room_.is_traced) return;
         set(effects::kTracedPictures, 4 * asked_pixels(ask_), "depths of a traced picture, 4 bytes a pixel");
         if (needs_.terrain)

@@ -16,6 +16,8 @@ void add_design_needs(const design::DesignSettings& design, DeviceNeeds& needs) 
     needs.has_drape = needs.has_drape || needs_map(design.terrain.style, design::BakedMap::drape);
     needs.has_shadows = needs.has_shadows || design.effects.shadows.is_any();
     needs.is_traced = needs.is_traced || design.terrain.renderer == design::TerrainRenderer::trace;
+    needs.measures_clutter =
+        needs.measures_clutter || design.priority.held_clutter() < 1 || design.effects.clutter != design::ClutterView::none;
 }
 
 /// The coarsest chunks know what lies in all below them.

@@ -23,7 +23,7 @@ struct DeviceNeeds {
     std::string design;     ///< as the user named it
     design::MapSet maps;    ///< of all phases' designs
     bool has_coast = true;  ///< then the light's map is needed as well; so it is where the terrain is not known
-    bool has_drape = false, has_shadows = false, is_traced = false;
+    bool has_drape = false, has_shadows = false, is_traced = false, measures_clutter = false;
     std::optional<TerrainNeeds> terrain;
     std::optional<std::uint64_t> scene_file_bytes;
 };

@@ -61,10 +61,11 @@ PictureMeasures PictureMeter::measure(const RgbaPicture& picture, const std::str
 }
 
 void PictureMeter::measure_edges(const perception::PictureView& view, PictureMeasures& measures) {
-    edges_.resize(perception::pixels_of(view.width, view.height));
+    const base::Span<const std::uint8_t> found = detector_.detect(view, settings_.canny);
+    edges_.assign(found.begin(), found.end());
     measures.clutter_grid.resize(static_cast<std::size_t>(settings_.grid.count()));
-    const perception::EdgeView edges{{edges_.data(), edges_.size()}, view.width, view.height};
-    if (!detector_.detect(view, settings_.canny, {edges_.data(), edges_.size()}) ||
+    const perception::EdgeView edges{found, view.width, view.height};
+    if (found.empty() ||
         !perception::region_densities(edges, settings_.grid, {measures.clutter_grid.data(), measures.clutter_grid.size()}))
         throw std::logic_error("settings of an evaluation that are not valid");
     measures.clutter = perception::edge_density(edges);

@@ -60,7 +60,7 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
                              memory_->clutter,   settings.width_px,
                              settings.height_px, planner_.stereo_margin_px(planner_.design_at(0))};
     if (base::Error error = planner_.start_symbology(arenas_.symbology())) return error;
-    if (base::Error error = painter_.start(start, planner_)) return error;
+    if (base::Error error = painter_.start(start, planner_, arenas_)) return error;
     if (base::Error error = planner_.start_terrain(terrain, designs, arenas_.terrain())) return error;
     if (base::Error error = painter_.start_terrain(start, planner_.terrain(), arenas_, terrain.workers)) return error;
     const PainterAbilities painter = painter_.abilities();

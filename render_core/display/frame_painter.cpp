@@ -10,7 +10,7 @@ base::Error FramePainter::open(base::Surface& surface, const effects::DeviceSett
     return opened.ok() ? base::Error{} : opened.error();
 }
 
-base::Error FramePainter::start(const PainterStart& start, const FramePlanner& planner) {
+base::Error FramePainter::start(const PainterStart& start, const FramePlanner& planner, DisplayMemory& memory) {
     device_ = &start.device;
     width_px_ = start.width_px;
     height_px_ = start.height_px;
@@ -33,7 +33,8 @@ base::Error FramePainter::start(const PainterStart& start, const FramePlanner& p
     if (shows_map || shows_heat)
         if (base::Error error = saliency_.start(gl_, budget, width_px_, height_px_, shows_map, shows_heat)) return error;
     if (start.clutter.measures())
-        if (base::Error error = edges_.start(gl_, budget, width_px_, height_px_, start.clutter.shows())) return error;
+        if (base::Error error = edges_.start(gl_, budget, memory.picture_edges(), width_px_, height_px_, start.clutter.shows()))
+            return error;
     if (dims)
         if (base::Error error = dimmer_.start(gl_, budget)) return error;
     return symbology_.start(gl_, budget, planner.symbology());
@@ -133,7 +134,7 @@ draw::TerrainDrawResult FramePainter::draw_scene(const PlannedFrame& frame, cons
     const DrawContext context = draw_context_of(frame, picture.camera, last);
     return passes_.draw(gl_, place,
                         {context, frame.effects, terrain_, picture.terrain, elements_, picture.data, picture.casters, drawn_.work,
-                         frame.terrain_has_void, has_shadow_map});
+                         frame.terrain_has_void, has_shadow_map, frame.clutter.has_terrain});
 }
 
 draw::TerrainDrawResult FramePainter::draw_kept(const PlannedFrame& frame) {
@@ -168,8 +169,7 @@ void FramePainter::draw_symbology(const PlannedFrame& frame, const base::Surface
 
 effects::ClutterMap FramePainter::measure_clutter(const base::Surface& surface) {
     const WorkScope scope(gl_, drawn_.work[effects::Effect::clutter]);
-    edges_.measure(gl_, surface);
-    return edges_.densities(gl_, surface);
+    return edges_.measure(gl_, surface);
 }
 
 void FramePainter::draw_measures(const PlannedFrame& frame, const base::Surface& surface) {
@@ -181,7 +181,7 @@ void FramePainter::draw_edges(const PlannedFrame& frame, const base::Surface& su
     const design::ClutterView view = frame.shown->effects.clutter;
     if (view == design::ClutterView::none || !frame.effects.runs(effects::Effect::clutter)) return;
     const WorkScope scope(gl_, drawn_.work[effects::Effect::clutter], 2);
-    edges_.measure(gl_, surface);
+    static_cast<void>(edges_.measure(gl_, surface));
     edges_.show(gl_, view == design::ClutterView::edges ? draw::EdgeView::edges : draw::EdgeView::regions);
 }
 

@@ -14,7 +14,7 @@
 #include "render_core/display/scene_passes.hpp"
 #include "render_core/display/work_scope.hpp"
 #include "render_core/draw/drawers/dimmer.hpp"
-#include "render_core/draw/drawers/edge_pass.hpp"
+#include "render_core/draw/drawers/picture_edges.hpp"
 #include "render_core/draw/drawers/quad_drawer.hpp"
 #include "render_core/draw/drawers/saliency_pass.hpp"
 #include "render_core/draw/drawers/scene_fade.hpp"
@@ -43,7 +43,7 @@ class FramePainter {
 public:
     [[nodiscard]] base::Error open(base::Surface& surface, const effects::DeviceSettings& device, base::ProgramStore* programs);
     /// The planner must outlive the painter: what it builds is drawn from its memory.
-    [[nodiscard]] base::Error start(const PainterStart& start, const FramePlanner& planner);
+    [[nodiscard]] base::Error start(const PainterStart& start, const FramePlanner& planner, DisplayMemory& memory);
     [[nodiscard]] base::Error start_terrain(const PainterStart& start, TerrainPlanner& terrain, DisplayMemory& memory,
                                             base::Workers* workers);
     [[nodiscard]] base::Error start_elements(const FramePlanner& planner, DisplayMemory& memory);
@@ -104,7 +104,7 @@ private:
     draw::StereoPass stereo_;
     draw::SceneFade fade_;
     draw::SaliencyPass saliency_;
-    draw::EdgePass edges_;
+    draw::PictureEdges edges_;
     draw::Dimmer dimmer_;
     draw::QuadDrawer symbology_;
     DrawnFrame drawn_;

@@ -162,8 +162,8 @@ draw::TerrainDrawResult ScenePasses::draw(gl::Gl& gl, const gl::DrawPlace& place
     }
     const bool has_effects = effects.blurs || effects.smooths || has_shafts;
     draw::TerrainDrawResult drawn;
-    const PassInput drawing{frame,      input.plan,    input.terrain, input.seen,     input.elements,
-                            input.data, input.casters, input.work,    input.has_void, input.has_shadow_map};
+    const PassInput drawing{frame,         input.plan, input.terrain,  input.seen,           input.elements,   input.data,
+                            input.casters, input.work, input.has_void, input.has_shadow_map, input.has_terrain};
     draw_scene(gl, has_effects ? gl::DrawPlace(view_effects_.target()) : place, drawing, drawn);
     if (has_shafts) {
         draw_shafts(gl, drawing, shadow);
@@ -198,19 +198,16 @@ void ScenePasses::draw_shafts(gl::Gl& gl, const PassInput& input, const draw::Sh
 void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn) {
     place.bind(gl);
     const bool shows_terrain = input.frame.decisions.show_terrain;
-    const bool off_screen = shows_terrain && goes_off_screen_;
-    const bool is_traced = off_screen && input.seen.is_traced;
-    if (off_screen && !is_traced)
-        picture_.begin(gl);
-    else
+    if (!shows_terrain || !goes_off_screen_) {
         gl->Clear(GL_DEPTH_BUFFER_BIT);
-    if (is_traced)
-        input.terrain.draw_traced(gl, input.seen, make_terrain_input(input.frame), picture_.scene());
-    else if (shows_terrain)
-        draw_ranges(gl, input, drawn);
-    else
-        sky_.draw(gl, make_sky_input(input.frame));
-    if (!off_screen) return;
+        if (shows_terrain)
+            draw_ranges(gl, input, drawn);
+        else
+            sky_.draw(gl, make_sky_input(input.frame));
+        return;
+    }
+    if (!input.has_terrain) draw_off_screen(gl, input);
+    drawn = off_screen_;
     const draw::PictureInput picture = picture_input(input);
     EffectWork unlined;
     {
@@ -218,6 +215,17 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
         picture_.finish(gl, place, input.frame.design, picture);
     }
     if (draws_elements(input)) draw_elements_over_picture(gl, input);
+}
+
+void ScenePasses::draw_off_screen(gl::Gl& gl, const PassInput& input) {
+    off_screen_ = {};
+    if (input.seen.is_traced) {
+        gl->Clear(GL_DEPTH_BUFFER_BIT);
+        input.terrain.draw_traced(gl, input.seen, make_terrain_input(input.frame), picture_.scene());
+    } else {
+        picture_.begin(gl);
+        draw_ranges(gl, input, off_screen_);
+    }
 }
 
 /// Far terrain, the sky behind it, then near terrain with a depth of its own. The pass of an off-screen picture knows the sky.

@@ -34,6 +34,7 @@ struct PassInput {
     EffectWorkTable& work;
     bool has_void = false;        ///< ground without data is in view
     bool has_shadow_map = false;  ///< the frame's, from its other picture
+    bool has_terrain = false;     ///< the picture drawn before has the same terrain
 };
 
 class ScenePasses {
@@ -52,6 +53,7 @@ public:
 private:
     [[nodiscard]] draw::ShadowRead draw_shadows(gl::Gl& gl, const PassInput& input);
     [[nodiscard]] draw::AirFrame update_air(gl::Gl& gl, const PassInput& input);
+    void draw_off_screen(gl::Gl& gl, const PassInput& input);
     void draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input, draw::TerrainDrawResult& drawn);
     void finish_effects(gl::Gl& gl, const gl::DrawPlace& place, const draw::ViewEffectsInput& asked, bool is_of_context,
                         EffectWorkTable& work);
@@ -62,7 +64,8 @@ private:
     [[nodiscard]] static draw::PictureInput picture_input(const PassInput& input);
 
     draw::PicturePass picture_;
-    bool goes_off_screen_ = false;  ///< the design's terrain, for picture_
+    bool goes_off_screen_ = false;        ///< the design's terrain, for picture_
+    draw::TerrainDrawResult off_screen_;  ///< of the terrain in picture_
     draw::SkyDrawer sky_;
     draw::AirTable air_;
     ShadowCasters shadows_;

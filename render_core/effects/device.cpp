@@ -27,7 +27,8 @@ constexpr RequiredLine kRequiredLines[] = {
     {kSceneBillboards, base::MemoryKind::cpu},   {kSceneBillboardVertices, base::MemoryKind::gpu},
     {kPlannedFrames, base::MemoryKind::cpu},     {kPlannerMemory, base::MemoryKind::cpu}};
 
-constexpr RequiredLine kPossibleLines[] = {{kTracedTerrain, base::MemoryKind::cpu}, {kTracedPictures, base::MemoryKind::gpu}};
+constexpr RequiredLine kPossibleLines[] = {
+    {kPictureEdges, base::MemoryKind::cpu}, {kTracedTerrain, base::MemoryKind::cpu}, {kTracedPictures, base::MemoryKind::gpu}};
 
 void read_call_names(base::ConfigSection section, std::string_view key, base::FixedVector<CallName, kMaxCallExceptions>& out) {
     std::array<std::string_view, kMaxNamedCalls> names;

@@ -43,6 +43,8 @@ inline constexpr std::string_view kSceneBillboardVertices = "scene_billboard_ver
 inline constexpr std::string_view kPlannedFrames = "planned_frames";
 inline constexpr std::string_view kPlannerMemory = "planner_memory";
 
+/// An optional line, present where the device has room to measure the clutter of its picture.
+inline constexpr std::string_view kPictureEdges = "picture_edges";  ///< cpu
 /// Optional lines, present where the device has room for ray-traced terrain.
 inline constexpr std::string_view kTracedTerrain = "traced_terrain";    ///< cpu
 inline constexpr std::string_view kTracedPictures = "traced_pictures";  ///< gpu

@@ -328,12 +328,10 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .on_taking_out([](Design& design) { design.effects.saliency = {}; })
         .applies(always),
     Row(Effect::clutter, "clutter")
-        .needs(Need::picture_copy)
         .may_be_forbidden()
         .distracts()
-        .costs(
-            "for a budget, twice a second (once on ES 2): edges of the picture, and the scene up to six times; as a view edges "
-            "of every picture and a blended tap")
+        .costs("for a budget, twice a second (once on ES 2): the scene up to six times, each read back and searched for edges by "
+               "the processor; as a view that of every picture, and a tap")
         .asked_by("[priority] clutter_budget, [effects.clutter] view",
                   [](const Design& design) {
                       return design.priority.held_clutter() < 1 || design.effects.clutter != design::ClutterView::none;

@@ -6,9 +6,9 @@
 namespace tedavis::perception {
 namespace {
 
-constexpr std::size_t kSumRows = 2 * kMaxRadius + 1;
-
 std::size_t map_places(int width, int height) { return pixels_of(width + 2, height + 2); }
+/// Rows that a blur adds up.
+std::size_t rows_blurred(double sigma) { return 2 * static_cast<std::size_t>(gaussian_weights(sigma).radius) + 1; }
 /// As many branches as an edge seldom has; where it has more, the map is read once more.
 constexpr std::size_t kMaxWaiting = 256;
 
@@ -20,19 +20,19 @@ std::int32_t squared_threshold(double length) { return static_cast<std::int32_t>
 
 }  // namespace
 
-std::size_t EdgeDetector::bytes(int most_width, int most_height) {
+std::size_t EdgeDetector::bytes(int most_width, int most_height, double most_sigma) {
     const std::size_t row = row_elements(most_width);
-    const std::size_t rows = row * (4 + 2 * kSumRows + 2 * (3 + 3 + 2) + 4 * 4);
+    const std::size_t rows = row * (4 + 2 * rows_blurred(most_sigma) + 2 * (3 + 3 + 2) + 4 * 4);
     constexpr std::size_t kAlignments = 8 * 16;
     return rows + map_places(most_width, most_height) + 4 * kMaxWaiting + kAlignments;
 }
 
-bool EdgeDetector::start(base::Arena& arena, int most_width, int most_height) {
+bool EdgeDetector::start(base::Arena& arena, int most_width, int most_height, double most_sigma) {
     if (most_width < 1 || most_height < 1 || most_width > kMaxPictureSide || most_height > kMaxPictureSide) return false;
     const std::size_t row = row_elements(most_width);
     source_ = arena.allocate_array<std::uint8_t>(row);
     levels_ = arena.allocate_array<std::uint8_t>(3 * row);
-    sums_ = arena.allocate_array<std::uint16_t>(kSumRows * row);
+    sums_ = arena.allocate_array<std::uint16_t>(rows_blurred(most_sigma) * row);
     across_ = arena.allocate_array<std::int16_t>(3 * row);
     down_ = arena.allocate_array<std::int16_t>(3 * row);
     neighbors_ = arena.allocate_array<std::int16_t>(2 * row);
@@ -44,22 +44,52 @@ bool EdgeDetector::start(base::Arena& arena, int most_width, int most_height) {
         return false;
     most_width_ = most_width;
     most_height_ = most_height;
+    sum_rows_ = static_cast<int>(rows_blurred(most_sigma));
     return true;
 }
 
-bool EdgeDetector::detect(const PictureView& picture, const CannySettings& settings, base::Span<std::uint8_t> edges) {
-    if (!picture.is_valid() || !settings.is_valid() || picture.width > most_width_ || picture.height > most_height_ ||
-        edges.size() < pixels_of(picture.width, picture.height))
-        return false;
-    width_ = picture.width;
-    height_ = picture.height;
-    stride_ = row_elements(width_);
-    std::memset(map_.data(), 0, map_places(width_, height_));
-    find_crests(picture, settings);
+base::Span<const std::uint8_t> EdgeDetector::detect(const PictureView& picture, const CannySettings& settings) {
+    if (!picture.is_valid() || !begin(picture.width, picture.height, settings) || !add_rows(picture)) return {};
+    return finish();
+}
+
+bool EdgeDetector::begin(int width, int height, const CannySettings& settings) {
+    if (!settings.is_valid() || width < 1 || height < 1 || width > most_width_ || height > most_height_) return false;
+    const GaussianWeights weights = gaussian_weights(settings.sigma);
+    if (2 * weights.radius + 1 > sum_rows_) return false;
+    weights_ = weights;
+    width_ = width;
+    height_ = height;
+    stride_ = row_elements(width);
+    thresholds_ = {squared_threshold(settings.low), squared_threshold(settings.high)};
+    blurred_across_ = next_row_ = 0;
+    std::memset(map_.data(), 0, map_places(width, height));
+    std::memset(squared_.data(), 0, 4 * stride_ * sizeof(std::int32_t));
+    return true;
+}
+
+/// Rows follow each other from step to step, so that what a step reads is still near.
+bool EdgeDetector::add_rows(const PictureView& rows) {
+    if (!rows.is_valid() || rows.width != width_ || rows.height > height_ - blurred_across_) return false;
+    for (int y = 0; y < rows.height; ++y) {
+        blur_source(rows.row(y), rows.channels);
+        for (; next_row_ < height_ + 2 && blurred_across_ > std::min(next_row_ + weights_.radius, height_ - 1); ++next_row_) {
+            if (next_row_ < height_) blur_row(next_row_);
+            find_crests_above(next_row_);
+        }
+    }
+    return true;
+}
+
+/// A row of the map lies behind the same row of the result, which takes its place.
+base::Span<const std::uint8_t> EdgeDetector::finish() {
+    if (height_ < 1 || blurred_across_ < height_) return {};
     connect();
     for (int y = 0; y < height_; ++y)
-        write_edges(map_.data() + pixels_of(width_ + 2, y + 1) + 1, edges.data() + pixels_of(width_, y), width_);
-    return true;
+        write_edges(map_.data() + pixels_of(width_ + 2, y + 1) + 1, map_.data() + pixels_of(width_, y), width_);
+    const std::size_t pixels = pixels_of(width_, height_);
+    width_ = height_ = 0;
+    return {map_.data(), pixels};
 }
 
 GradientRow EdgeDetector::gradients(int y) {
@@ -67,42 +97,33 @@ GradientRow EdgeDetector::gradients(int y) {
     return {across_.data() + at, down_.data() + at, squared_.data() + at};
 }
 
-std::uint16_t* EdgeDetector::sums(int y) { return sums_.data() + static_cast<std::size_t>(y) % kSumRows * stride_ + kRowLead; }
+std::uint16_t* EdgeDetector::sums(int y) { return sums_.data() + static_cast<std::size_t>(y % sum_rows_) * stride_ + kRowLead; }
 
-void EdgeDetector::blur_source(const PictureView& picture, int y, const GaussianWeights& weights) {
+void EdgeDetector::blur_source(const std::uint8_t* pixels, int channels) {
     std::uint8_t* row = source_.data() + kRowLead;
-    copy_colors(picture, y, row);
-    repeat_ends(row, width_, weights.radius);
-    blur_across(row, sums(y), width_, weights);
+    copy_colors(packed_picture(pixels, width_, 1, channels), 0, row);
+    repeat_ends(row, width_, weights_.radius);
+    blur_across(row, sums(blurred_across_++), width_, weights_);
 }
 
-void EdgeDetector::blur_row(int y, int height, const GaussianWeights& weights) {
+void EdgeDetector::blur_row(int y) {
     BlurRows rows{};
-    for (int k = -weights.radius; k <= weights.radius; ++k) rows[k + weights.radius] = sums(std::clamp(y + k, 0, height - 1));
-    blur_down(rows, levels(y), width_, weights);
+    for (int k = -weights_.radius; k <= weights_.radius; ++k) rows[k + weights_.radius] = sums(std::clamp(y + k, 0, height_ - 1));
+    blur_down(rows, levels(y), width_, weights_);
     repeat_ends(levels(y), width_, 1);
 }
 
-/// Rows follow each other from step to step, so that what a step reads is still near.
-void EdgeDetector::find_crests(const PictureView& picture, const CannySettings& settings) {
-    const GaussianWeights weights = gaussian_weights(settings.sigma);
-    const EdgeThresholds thresholds{squared_threshold(settings.low), squared_threshold(settings.high)};
-    std::memset(squared_.data(), 0, 4 * stride_ * sizeof(std::int32_t));
+/// A row of levels completes the gradient of the row above, and the crests of the row above that.
+void EdgeDetector::find_crests_above(int y) {
     const std::int32_t* none = squared_.data() + 3 * stride_ + kRowLead;
-    int blurred_across = 0;
-    for (int y = 0; y < height_ + 2; ++y) {
-        const int last_needed = std::min(y + weights.radius, height_ - 1);
-        for (; blurred_across <= last_needed; ++blurred_across) blur_source(picture, blurred_across, weights);
-        if (y < height_) blur_row(y, height_, weights);
-        const int slope = y - 1, crest = y - 2;
-        if (slope >= 0 && slope < height_)
-            gradient({levels(std::max(slope - 1, 0)), levels(slope), levels(std::min(slope + 1, height_ - 1))}, neighbors_.data(),
-                     width_, gradients(slope));
-        if (crest < 0) continue;
-        const GradientRows rows{crest > 0 ? gradients(crest - 1).squared : none,
-                                crest + 1 < height_ ? gradients(crest + 1).squared : none, gradients(crest)};
-        thin(rows, thresholds, width_, map_.data() + pixels_of(width_ + 2, crest + 1) + 1);
-    }
+    const int slope = y - 1, crest = y - 2;
+    if (slope >= 0 && slope < height_)
+        gradient({levels(std::max(slope - 1, 0)), levels(slope), levels(std::min(slope + 1, height_ - 1))}, neighbors_.data(),
+                 width_, gradients(slope));
+    if (crest < 0) return;
+    const GradientRows rows{crest > 0 ? gradients(crest - 1).squared : none,
+                            crest + 1 < height_ ? gradients(crest + 1).squared : none, gradients(crest)};
+    thin(rows, thresholds_, width_, map_.data() + pixels_of(width_ + 2, crest + 1) + 1);
 }
 
 /// Makes strong what is connected with something strong. What finds no room to wait is found when the map is read again; each

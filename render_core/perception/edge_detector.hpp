@@ -34,19 +34,27 @@ inline constexpr std::uint8_t kEdge = 255;
 
 class EdgeDetector {
 public:
-    /// Bytes that start() allocates for pictures of at most this size.
-    [[nodiscard]] static std::size_t bytes(int most_width, int most_height);
+    /// Bytes that start() allocates for pictures of at most this size and blurs of at most this sigma.
+    [[nodiscard]] static std::size_t bytes(int most_width, int most_height, double most_sigma = kMaxSigma);
     /// Allocates memory; returns false where the arena is too small.
-    [[nodiscard]] bool start(base::Arena& arena, int most_width, int most_height);
+    [[nodiscard]] bool start(base::Arena& arena, int most_width, int most_height, double most_sigma = kMaxSigma);
 
-    /// Writes kEdge or 0 for each pixel, rows from the top without gaps. Returns false, and writes nothing, where picture or
-    /// settings are not valid, the picture is larger than at start(), or `edges` does not have one byte per pixel.
-    [[nodiscard]] bool detect(const PictureView& picture, const CannySettings& settings, base::Span<std::uint8_t> edges);
+    /// Returns kEdge or 0 for each pixel, rows from the top without gaps, in the detector's memory, valid until the next picture
+    /// begins. Returns nothing where picture or settings are not valid, or larger than at start().
+    [[nodiscard]] base::Span<const std::uint8_t> detect(const PictureView& picture, const CannySettings& settings);
+
+    /// The same of a picture that comes in parts, which need not stay: begin(), add_rows() from the top down until there are
+    /// `height` rows, finish().
+    [[nodiscard]] bool begin(int width, int height, const CannySettings& settings);
+    /// Takes the next rows. Returns false, and takes none, where they are not of the picture's width or more than it has left.
+    [[nodiscard]] bool add_rows(const PictureView& rows);
+    /// Returns the edges, once; nothing where rows are missing.
+    [[nodiscard]] base::Span<const std::uint8_t> finish();
 
 private:
-    void find_crests(const PictureView& picture, const CannySettings& settings);
-    void blur_source(const PictureView& picture, int y, const GaussianWeights& weights);
-    void blur_row(int y, int height, const GaussianWeights& weights);
+    void blur_source(const std::uint8_t* pixels, int channels);
+    void blur_row(int y);
+    void find_crests_above(int y);
     [[nodiscard]] std::uint8_t* levels(int y) { return levels_.data() + static_cast<std::size_t>(y % 3) * stride_ + kRowLead; }
     [[nodiscard]] GradientRow gradients(int y);
     [[nodiscard]] std::uint16_t* sums(int y);
@@ -54,14 +62,18 @@ private:
     void spread_from(std::size_t place);
     void promote(std::size_t place, std::uint8_t strong);
 
-    int most_width_ = 0, most_height_ = 0, width_ = 0, height_ = 0;
+    int most_width_ = 0, most_height_ = 0, sum_rows_ = 1, width_ = 0,
+        height_ = 0;                         ///< of the current picture 0 x 0 where none has begun
+    int blurred_across_ = 0, next_row_ = 0;  ///< rows that have been added, and the next one to be blurred downwards
+    GaussianWeights weights_;
+    EdgeThresholds thresholds_;
     std::size_t stride_ = 0;                              ///< elements of a row of the current picture
     base::Span<std::uint8_t> source_, levels_;            ///< 1 and 3 rows
     base::Span<std::uint16_t> sums_;                      ///< as many rows as the widest blur adds
     base::Span<std::int16_t> across_, down_, neighbors_;  ///< 3, 3 and 2 rows
     base::Span<std::int32_t> squared_;                    ///< 3 rows and one of zeros
-    base::Span<std::uint8_t> map_;                        ///< weak and strong edges, with a pixel of border round the picture
-    base::Span<std::uint32_t> waiting_;                   ///< positions in the map whose neighbours remain to be visited
+    base::Span<std::uint8_t> map_;  ///< weak and strong edges, with a pixel of border round the picture; then what is returned
+    base::Span<std::uint32_t> waiting_;  ///< positions in the map whose neighbours remain to be visited
     std::size_t waiting_count_ = 0;
     bool some_were_refused_ = false;
 };

@@ -100,6 +100,8 @@ class Channel:
             data = self._socket.recv(65536)
         except socket.timeout:
             return
+        except ConnectionError:
+            data = b""
         if not data or not self._is_alive():
             raise MachineError(f"the machine ended unexpectedly; it said: {self._tail()}")
         self._bytes += data if self._keeps_returns else data.replace(b"\r", b"")
@@ -397,13 +399,14 @@ class Machine:
 
 
 def prepare_guest(arch):
-    """Fetches the guest where it is missing, and packs its initramfs anew."""
+    """Fetches the guest, and the libraries that it reads, where they are missing, and packs its initramfs anew."""
     if shutil.which(EMULATORS[arch][0]) is None:
         raise MachineError(f"{EMULATORS[arch][0]} is missing; run toolchains/install_packages guest.")
     scripts = TOP / "tests" / "board"
     folder = TOP / "build" / "board" / arch
     folder.mkdir(parents=True, exist_ok=True)
-    for command in ([scripts / "fetch_guest", arch], [scripts / "make_initramfs", arch, folder / "initramfs.img"]):
+    sysroot = [] if arch == "x86_64" else [[TOP / "toolchains" / "make_sysroot", arch]]
+    for command in (*sysroot, [scripts / "fetch_guest", arch], [scripts / "make_initramfs", arch, folder / "initramfs.img"]):
         done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
         if done.returncode != 0:
             raise MachineError(done.stderr.strip().splitlines()[-1])

@@ -125,9 +125,7 @@ public:
     using Densities = std::array<double, 48>;
 
     explicit EdgeSizeKnob(const KnobGround& ground)
-        : Knob(edge_size_facts()),
-          memory_(perception::EdgeDetector::bytes(MeasuredPicture::kWidth, MeasuredPicture::kHeight)),
-          edges_(perception::pixels_of(MeasuredPicture::kWidth, MeasuredPicture::kHeight)) {
+        : Knob(edge_size_facts()), memory_(perception::EdgeDetector::bytes(MeasuredPicture::kWidth, MeasuredPicture::kHeight)) {
         base::Arena arena(memory_.data(), memory_.size());
         if (!detector_.start(arena, MeasuredPicture::kWidth, MeasuredPicture::kHeight)) throw UserError("no memory for edges");
         const std::vector<MeasuredPicture> pictures = measured_pictures(19, ground.is_quick);
@@ -154,9 +152,9 @@ public:
 private:
     Densities densities(std::size_t level, std::size_t sample) {
         const perception::PictureView picture = pictures_[level][sample].view();
-        const base::Span<std::uint8_t> edges = {edges_.data(), perception::pixels_of(picture.width, picture.height)};
+        const base::Span<const std::uint8_t> edges = detector_.detect(picture, canny_at(kShrinkings[level]));
         Densities found{};
-        if (!detector_.detect(picture, canny_at(kShrinkings[level]), edges) ||
+        if (edges.empty() ||
             !perception::region_densities({edges, picture.width, picture.height}, {}, {found.data(), found.size()}))
             throw UserError("the detector of edges refuses a measured picture");
         // A line stays one pixel wide, while a picture has fewer pixels.
@@ -167,7 +165,6 @@ private:
     std::array<std::vector<MeasuredPicture>, std::size(kShrinkings)> pictures_;
     std::vector<unsigned char> memory_;
     perception::EdgeDetector detector_;
-    std::vector<std::uint8_t> edges_;
     std::vector<Densities> exact_;
 };
 

@@ -24,6 +24,7 @@ const DisplayMemory::Part DisplayMemory::kParts[] = {{effects::kTerrainHeights, 
                                                      {effects::kSceneBillboards, &DisplayMemory::billboards_},
                                                      {effects::kPlannedFrames, &DisplayMemory::frames_},
                                                      {effects::kPlannerMemory, &DisplayMemory::memories_},
+                                                     {effects::kPictureEdges, &DisplayMemory::edges_},
                                                      {effects::kTracedTerrain, &DisplayMemory::traced_}};
 
 std::uint64_t DisplayMemory::bytes_needed(const base::BudgetTable& budget) {

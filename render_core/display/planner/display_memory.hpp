@@ -19,8 +19,8 @@ public:
     /// What a reservation must hold for a table.
     [[nodiscard]] static std::uint64_t bytes_needed(const base::BudgetTable& budget);
 
-    /// The table has all the lines, as every device file has; but for what is traced, which it may have. An empty sentence means
-    /// success.
+    /// The table has all the lines, as every device file has; but for edges and what is traced, which it may have. An empty
+    /// sentence means success.
     [[nodiscard]] base::Error cut(const base::BudgetTable& budget, base::Arena& reservation);
     /// Writes into the lines what their owners have taken.
     void record_use(base::BudgetTable& budget) const;
@@ -29,6 +29,8 @@ public:
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
     /// Empty where the device has no such line.
     [[nodiscard]] base::Arena& traced_terrain() { return traced_; }
+    /// Likewise.
+    [[nodiscard]] base::Arena& picture_edges() { return edges_; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
     [[nodiscard]] base::Arena& frames() { return frames_; }
     [[nodiscard]] base::Arena& memories() { return memories_; }
@@ -40,10 +42,10 @@ private:
         std::string_view line;
         base::Arena DisplayMemory::*arena;
     };
-    static const Part kParts[16];
+    static const Part kParts[17];
 
     base::Arena payloads_, index_, records_, attributes_, drape_, staging_, lod_, symbology_, scene_, slices_, solids_, glyphs_,
-        billboards_, frames_, memories_, traced_;
+        billboards_, frames_, memories_, edges_, traced_;
 };
 
 }  // namespace tedavis::display

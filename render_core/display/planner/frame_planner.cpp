@@ -97,6 +97,8 @@ void FramePlanner::plan_again(const PainterFindings& findings, PlannerMemory& me
         plan_without_terrain();
     } else {
         memory.clutter.take(findings.edges);
+        // Shadows on it are those of data, which differ from probe to probe.
+        frame.clutter.has_terrain = !frame.effects.runs(effects::Effect::soft_shadows);
         if (memory.clutter.step() == DeclutterControl::Step::none) return plan_measured();
     }
     plan_probe();

@@ -188,6 +188,7 @@ PlannedPicture FramePlanner::plan_side(const StereoCameras& pair, draw::EyeSide 
 }
 
 void FramePlanner::conclude(PlannerMemory& memory, PlannedFrame& frame) {
+    frame.clutter.has_terrain = false;
     if (frame.saliency.is_measured) memory.saliency.take();
     if (look_.priority.held_clutter() >= 1) return;
     const DeclutterControl::Measured measured = memory.clutter.measured(frame.time, memory.shown);

@@ -55,6 +55,7 @@ struct PlannedSaliency {
 /// How the budget of clutter is held: what the frame follows from, and what gives way in it.
 struct PlannedClutter {
     Probe probe = Probe::none;
+    bool has_terrain = false;         ///< an earlier probe of the frame has drawn the same terrain
     policy::Declutter before_probes;  ///< of the frame, while its probes are planned
     effects::ClutterMeasures measured;
     effects::ClutterMap reached;

@@ -89,6 +89,9 @@ TEST(StartTrial, TheDesignDecidesWhatADeviceNeeds) {
                       device = small_device(place, "scene_glyphs", "4096");
     expect_user_error([&] { trial.require(device, "default"); }, "'scene_glyphs'");
     EXPECT_NO_THROW(trial.require(device, plain)) << "which shows no data";
+    const std::string no_edges = small_device(place, "picture_edges", "4096");
+    expect_user_error([&] { trial.require(no_edges, "effects/clutter_budget"); }, "'picture_edges'");
+    EXPECT_NO_THROW(trial.require(no_edges, "default")) << "which measures no clutter";
 }
 
 }  // namespace

@@ -87,6 +87,21 @@ TEST(DeviceDraft, HoldsTheSceneTwiceAndTheTablesOfTheTerrain) {
     EXPECT_LT(line(draft, "terrain_index"), 3'300'000u) << "of few pages";
 }
 
+TEST(DeviceDraft, HasRoomForTheEdgesOfADesignThatMeasuresClutter) {
+    for (const char* const name : {"es2-small", "es3-mid", "desktop"}) {
+        const DraftSource from = source(name);
+        const PictureSize size{from.shipped.width_px, from.shipped.height_px};
+        DeviceNeeds needs;
+        EXPECT_EQ(draft_device(from, ask(size), needs, {50, 0, 0, true, false}).budget.find("picture_edges"), nullptr);
+        needs.measures_clutter = true;
+        const std::uint64_t bytes = line(draft_device(from, ask(size), needs, {50, 0, 0, true, false}), "picture_edges");
+        EXPECT_LE(bytes, line(from.shipped, "picture_edges")) << name;
+        EXPECT_GT(bytes, std::uint64_t{size.width} * size.height) << name;
+        const PictureSize twice{2 * size.width, 2 * size.height};
+        EXPECT_GT(line(draft_device(from, ask(twice), needs, {50, 0, 0, true, false}), "picture_edges"), 3 * bytes) << name;
+    }
+}
+
 TEST(DeviceDraft, ALineIsNeverLessThanAStartHasAskedFor) {
     DraftSource from = source();
     from.raised["font_atlas"] = 1'000'001;

@@ -36,13 +36,18 @@ struct DeviceNeedsTest : ::testing::Test {
 TEST_F(DeviceNeedsTest, DesignsStateTheirMaps) {
     options.design = folder.write("plain.toml", "name = 'plain'\n[view]\n");
     const DeviceNeeds plain = device_needs(options);
-    EXPECT_FALSE(plain.has_drape || plain.has_shadows || plain.is_traced || plain.maps.has(BakedMap::horizon));
+    EXPECT_FALSE(plain.has_drape || plain.has_shadows || plain.is_traced || plain.measures_clutter ||
+                 plain.maps.has(BakedMap::horizon));
     EXPECT_TRUE(plain.has_coast) << "the terrain is not known";
     options.design = folder.write(
         "full.toml", "name = 'full'\n[view]\n[terrain.texture]\ntechnique = 'image'\n[terrain.shade]\ncast_shadows = true\n");
     const DeviceNeeds full = device_needs(options);
     EXPECT_TRUE(full.has_drape && full.maps.has(BakedMap::horizon));
     EXPECT_FALSE(full.terrain || full.scene_file_bytes);
+    for (const char* const name : {"effects/clutter_budget", "default"}) {
+        options.design = name;
+        EXPECT_EQ(device_needs(options).measures_clutter, options.design != "default") << name;
+    }
 }
 
 TEST_F(DeviceNeedsTest, TerrainAndSceneAreMeasured) {

@@ -176,5 +176,21 @@ TEST(PossibleDesign, HazeStandsInForAir) {
     EXPECT_EQ(possible_design(design, device).sky.haze_distance_m, design.sky.haze_distance_m);
 }
 
+/// What is measured is read back, which every device can do.
+TEST(PossibleDesign, EveryDeviceHoldsABudgetOfClutter) {
+    design::DesignSettings design;
+    design.priority.is_stated = true;
+    design.priority.clutter_budget = 0.2;
+    design.effects.saliency.view = design::SaliencyView::heat;
+    for (const char* const name : {"es2-small", "es3-mid", "desktop", "sc2"}) {
+        DeviceSettings device = test_support::shipped_device(name);
+        EXPECT_EQ(possible_design(design, device).priority.held_clutter(), 0.2) << name;
+        EXPECT_EQ(possible_design(design, device).effects.saliency.view == design::SaliencyView::none, name == std::string("sc2"))
+            << "control: it cannot copy";
+        device.forbidden.add(Effect::clutter);
+        EXPECT_EQ(possible_design(design, device).priority.held_clutter(), 1) << "control";
+    }
+}
+
 }  // namespace
 }  // namespace tedavis::effects::test_design_effects

@@ -141,6 +141,11 @@ TEST(Device, MayHaveRoomForTracedTerrain) {
                "\"\nbytes = 5000\nowner = \"draw\"\nreason = \"x\"\n";
     };
     EXPECT_EQ(refusal(with("traced_terrain", "cpu")), "");
+    const std::string without_edges = replaced(good(), "name = \"picture_edges\"", "name = \"other\"");
+    EXPECT_EQ(refusal(without_edges), "") << "nor does every device measure clutter";
+    EXPECT_NE(refusal(replaced(good(), "name = \"picture_edges\"\nkind = \"cpu\"", "name = \"picture_edges\"\nkind = \"gpu\""))
+                  .find("'picture_edges' of kind \"cpu\""),
+              std::string::npos);
     EXPECT_NE(refusal(with("traced_terrain", "gpu")).find("'traced_terrain' of kind \"cpu\""), std::string::npos);
     EXPECT_NE(refusal(with("traced_pictures", "cpu")).find("'traced_pictures' of kind \"gpu\""), std::string::npos);
     for (const char* name : {"es3-mid", "desktop"}) {

@@ -25,6 +25,27 @@ TEST(ReadPixels, GivesTheSameBytesThroughBothCalls) {
     }
 }
 
+/// The two lower rows are red, those above blue.
+TEST(ReadPixels, RowsAreCountedFromTheBottom) {
+    for (const char* device : {"es2-small", "sc2"}) {
+        test_support::GlSession at("egl", device, 20, 17);
+        at.gl->ClearColor(0, 0, 1, 1);
+        at.gl->Clear(GL_COLOR_BUFFER_BIT);
+        at.gl->Enable(GL_SCISSOR_TEST);
+        at.gl->Scissor(0, 0, 20, 2);
+        at.gl->ClearColor(1, 0, 0, 1);
+        at.gl->Clear(GL_COLOR_BUFFER_BIT);
+        std::vector<std::uint8_t> pixels(4 * 20 * 3);
+        ASSERT_TRUE(read_rows(at.gl, 1, 20, 3, pixels));
+        for (std::size_t i = 0; i < pixels.size(); i += 4) {
+            EXPECT_EQ(pixels[i], i < 80 ? 255 : 0) << device << " " << i;
+            EXPECT_EQ(pixels[i + 2], i < 80 ? 0 : 255) << device << " " << i;
+        }
+        EXPECT_FALSE(read_rows(at.gl, 1, 20, 4, pixels));
+        EXPECT_EQ(at.gl.denied().total, 0u);
+    }
+}
+
 TEST(ReadPixels, RefusesMemoryOfAnotherSize) {
     test_support::GlSession at("egl", "es3-mid");
     std::vector<std::uint8_t> pixels(64 * 48 * 4);

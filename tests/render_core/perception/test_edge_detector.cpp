@@ -214,18 +214,64 @@ TEST(EdgeDetector, ReadsFourChannelsAndRowsFromBelow) {
 TEST(EdgeDetector, RefusesWhatItCannotDo) {
     const SyntheticPicture picture = noise_picture(20, 10, 1);
     HeldEdges held(20, 10);
-    std::vector<std::uint8_t> edges(200, 7);
-    EXPECT_FALSE(held.detector.detect(picture.view(), {-1, 70, 170}, edges));
-    EXPECT_FALSE(held.detector.detect(picture.view(), {4, 70, 170}, edges));
-    EXPECT_FALSE(held.detector.detect(picture.view(), {1, 170, 70}, edges));
-    EXPECT_FALSE(held.detector.detect(picture.view(), {1, -1, 70}, edges));
-    EXPECT_FALSE(held.detector.detect({}, {}, edges));
-    EXPECT_FALSE(held.detector.detect(noise_picture(21, 10, 1).view(), {}, edges)) << "larger than at start";
-    EXPECT_FALSE(held.detector.detect(picture.view(), {}, base::Span<std::uint8_t>(edges).subspan(0, 199)));
-    EXPECT_EQ(edges, std::vector<std::uint8_t>(200, 7));
+    for (const CannySettings settings : {CannySettings{-1, 70, 170}, {4, 70, 170}, {1, 170, 70}, {1, -1, 70}})
+        EXPECT_TRUE(held.detector.detect(picture.view(), settings).empty());
+    EXPECT_TRUE(held.detector.detect({}, {}).empty());
+    EXPECT_TRUE(held.detector.detect(noise_picture(21, 10, 1).view(), {}).empty()) << "larger than at start";
     PictureView two = picture.view();
     two.channels = 2;
-    EXPECT_FALSE(held.detector.detect(two, {}, edges));
+    EXPECT_TRUE(held.detector.detect(two, {}).empty());
+    EXPECT_EQ(held.detector.detect(picture.view(), {}).size(), 200u) << "control";
+}
+
+/// The same to the byte, however many rows come at once.
+TEST(EdgeDetector, TakesAPictureInParts) {
+    for (const CannySettings settings : {CannySettings{}, {0, 40, 90}, {3, 10, 30}}) {
+        const SyntheticPicture picture = landscape(150, 61, 3);
+        const std::vector<std::uint8_t> whole = edges_of(picture, settings);
+        HeldEdges held(150, 61);
+        static_cast<void>(held.of(noise_picture(149, 60, 5).view()));  // which leaves no trace
+        for (const int rows : {1, 2, 7, 16, 60, 61}) {
+            ASSERT_TRUE(held.detector.begin(150, 61, settings));
+            for (int top = 0; top < 61; top += rows) {
+                EXPECT_TRUE(held.detector.finish().empty()) << "rows are missing";
+                PictureView part = picture.view();
+                part.pixels = part.row(top);
+                part.height = std::min(rows, 61 - top);
+                EXPECT_TRUE(held.detector.add_rows(part));
+            }
+            const base::Span<const std::uint8_t> found = held.detector.finish();
+            EXPECT_EQ(std::vector<std::uint8_t>(found.begin(), found.end()), whole) << rows;
+        }
+    }
+}
+
+TEST(EdgeDetector, RefusesRowsThatAreNotThePictures) {
+    const SyntheticPicture picture = noise_picture(20, 10, 1), wider = noise_picture(21, 3, 1), more = noise_picture(20, 11, 1);
+    HeldEdges held(30, 20);
+    EXPECT_FALSE(held.detector.add_rows(picture.view())) << "none has begun";
+    EXPECT_TRUE(held.detector.finish().empty());
+    ASSERT_TRUE(held.detector.begin(20, 10, {}));
+    EXPECT_FALSE(held.detector.add_rows(wider.view()));
+    EXPECT_FALSE(held.detector.add_rows(more.view()));
+    EXPECT_TRUE(held.detector.add_rows(picture.view())) << "control";
+    const base::Span<const std::uint8_t> found = held.detector.finish();
+    EXPECT_EQ(std::vector<std::uint8_t>(found.begin(), found.end()), edges_of(picture)) << "what was refused left no trace";
+    EXPECT_FALSE(held.detector.add_rows(picture.view())) << "it is over";
+    EXPECT_TRUE(held.detector.finish().empty());
+}
+
+TEST(EdgeDetector, TakesLessMemoryForNarrowBlurs) {
+    std::vector<unsigned char> block(EdgeDetector::bytes(300, 200, 1));
+    EXPECT_LT(block.size(), EdgeDetector::bytes(300, 200));
+    base::Arena arena(block.data(), block.size());
+    EdgeDetector detector;
+    ASSERT_TRUE(detector.start(arena, 300, 200, 1));
+    EXPECT_LE(arena.use().capacity - arena.use().in_use, 128u);
+    const SyntheticPicture picture = landscape(300, 200, 4);
+    EXPECT_TRUE(detector.detect(picture.view(), {1.4, 70, 170}).empty()) << "wider than at start";
+    const base::Span<const std::uint8_t> found = detector.detect(picture.view(), {});
+    EXPECT_EQ(std::vector<std::uint8_t>(found.begin(), found.end()), edges_of(picture));
 }
 
 TEST(EdgeDetector, TakesTheMemoryThatItSays) {

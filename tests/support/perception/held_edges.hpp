@@ -19,9 +19,9 @@ public:
     }
     /// kEdge or 0 a pixel.
     std::vector<std::uint8_t> of(const perception::PictureView& picture, const perception::CannySettings& settings = {}) {
-        std::vector<std::uint8_t> edges(perception::pixels_of(picture.width, picture.height), 77);
-        EXPECT_TRUE(detector.detect(picture, settings, edges));
-        return edges;
+        const base::Span<const std::uint8_t> edges = detector.detect(picture, settings);
+        EXPECT_EQ(edges.size(), perception::pixels_of(picture.width, picture.height));
+        return {edges.begin(), edges.end()};
     }
     perception::EdgeDetector detector;
 

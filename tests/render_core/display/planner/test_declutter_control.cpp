@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "render_core/design/design_settings.hpp"
-#include "render_core/draw/drawers/edge_pass.hpp"
+#include "render_core/draw/drawers/picture_edges.hpp"
 #include "render_core/effects/device.hpp"
+#include "render_core/gl/render_target.hpp"
 #include "tests/support/draw/screen_triangle.hpp"
 #include "tests/support/programs/gl_session.hpp"
 
@@ -44,7 +45,9 @@ public:
         const draw::DrawnDesign drawn{&design};
         control.start(session_.device.capability.lane, {&drawn, 1});
         if (control.measures()) {
-            const base::Error error = edges_.start(session_.gl, session_.device.budget, kWidth, kHeight, control.shows());
+            memory_.resize(draw::PictureEdges::bytes(kWidth, kHeight));
+            base::Arena arena(memory_.data(), memory_.size());
+            const base::Error error = edges_.start(session_.gl, session_.device.budget, arena, kWidth, kHeight, control.shows());
             EXPECT_EQ(error.message.view(), "");
         }
         session_.gl.seal();
@@ -66,8 +69,7 @@ public:
         measured = 0;
         while (control.step() != Step::none && measured < 9) {
             put(control.step() == Step::whole ? whole_px : control.step() == Step::least ? least_px : tried_px);
-            edges_.measure(session_.gl, *session_.surface);
-            control.take(edges_.densities(session_.gl, *session_.surface));
+            control.take(edges_.measure(session_.gl, *session_.surface));
             ++measured;
         }
     }
@@ -76,12 +78,15 @@ public:
     }
     [[nodiscard]] std::uint64_t target_bytes() { return session_.device.budget.find(effects::kRenderTargets)->use.in_use; }
 
+    [[nodiscard]] bool has_edges() const { return edges_.is_started(); }
+
     DeclutterControl control;
     int measured = 0;   ///< pictures, by the last frame
     int tried_px = 32;  ///< of the picture that may suffice
 
 private:
-    draw::EdgePass edges_;
+    std::vector<unsigned char> memory_;
+    draw::PictureEdges edges_;
     void put(int stripe_px) {
         std::vector<std::uint8_t> rgba(std::size_t{4} * kWidth * kHeight, 90);
         for (std::size_t n = 0; n < rgba.size(); n += 4) {
@@ -214,18 +219,20 @@ TEST(DeclutterControl, TheSmallLaneMeasuresEverySecond) {
 TEST(DeclutterControl, WhoHasNoBudgetAndShowsNoEdgesPaysNothing) {
     {
         Striped without("es3-mid", design_with(1));
-        EXPECT_EQ(without.target_bytes(), 0u);
+        EXPECT_FALSE(without.has_edges());
         EXPECT_EQ(without.control.needed_since(at(20.7)).ns, at(20.7).ns);
         EXPECT_TRUE(without.control.can_show(design_with(1)));
         EXPECT_FALSE(without.control.can_show(design_with(0.5)));
     }
     {
         Striped with("es3-mid");
-        EXPECT_GT(with.target_bytes(), 0u) << "control";
+        EXPECT_TRUE(with.has_edges()) << "control";
+        EXPECT_EQ(with.target_bytes(), 0u) << "nothing of the GPU's, as nothing is shown";
         EXPECT_TRUE(with.control.can_show(design_with(0.5)));
         EXPECT_FALSE(with.control.can_show(design_with(0.5, design::ClutterView::edges)));
     }
     Striped viewed("es3-mid", design_with(1, design::ClutterView::edges));
+    EXPECT_GT(viewed.target_bytes(), 0u);
     EXPECT_TRUE(viewed.control.can_show(design_with(1, design::ClutterView::regions)));
     EXPECT_FALSE(viewed.control.can_show(design_with(0.5)));
 }

@@ -37,11 +37,15 @@ TEST(DisplayMemory, EveryArenaIsAsLargeAsItsLine) {
     Cut cut(DisplayMemory::bytes_needed(small_budget()));
     ASSERT_EQ(cut.message, "");
     const TerrainMemory terrain = cut.memory.terrain();
-    const std::pair<const base::Arena*, const char*> arenas[] = {
-        {&terrain.index, "terrain_index"},      {&terrain.records, "terrain_chunk_slots"},
-        {&terrain.payloads, "terrain_heights"}, {&terrain.attributes, "terrain_attributes"},
-        {&terrain.drape, "terrain_drape"},      {&terrain.lod, "lod_scratch"},
-        {&terrain.staging, "staging"},          {&cut.memory.symbology(), "symbology"}};
+    const std::pair<const base::Arena*, const char*> arenas[] = {{&terrain.index, "terrain_index"},
+                                                                 {&terrain.records, "terrain_chunk_slots"},
+                                                                 {&terrain.payloads, "terrain_heights"},
+                                                                 {&terrain.attributes, "terrain_attributes"},
+                                                                 {&terrain.drape, "terrain_drape"},
+                                                                 {&terrain.lod, "lod_scratch"},
+                                                                 {&terrain.staging, "staging"},
+                                                                 {&cut.memory.symbology(), "symbology"},
+                                                                 {&cut.memory.picture_edges(), "picture_edges"}};
     for (const auto& [arena, line] : arenas) EXPECT_EQ(arena->use().capacity, cut.line(line)) << line;
 }
 
@@ -80,7 +84,7 @@ TEST(DisplayMemory, AReservationThatIsTooSmallNamesTheFirstLineThatDoesNotFit) {
     for (const base::BudgetLine& line : budget.lines()) processor_bytes += line.kind == base::MemoryKind::cpu ? line.bytes : 0;
     const auto taken = [&](const char* line) { return std::to_string(budget.find(line)->bytes); };
     EXPECT_NE(Cut(processor_bytes - 1)
-                  .message.find(" bytes left and the budget line 'planner_memory' takes " + taken("planner_memory") + "; lower"),
+                  .message.find(" bytes left and the budget line 'picture_edges' takes " + taken("picture_edges") + "; lower"),
               std::string::npos);
     EXPECT_EQ(Cut(10).message, "the reservation has 10 bytes left and the budget line 'terrain_heights' takes " +
                                    taken("terrain_heights") + "; lower the budgets in the device file");
