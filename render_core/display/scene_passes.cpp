@@ -24,13 +24,6 @@ void draw_terrain_depths(gl::Gl& gl, const PassInput& input, const draw::DepthRa
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-/// Terrain whose alpha serves light shafts or blur round foci alone needs no pass of its own.
-bool is_off_screen(const draw::DrawnDesign& design) {
-    const bool serves_effects = design.output == draw::TerrainOutput::color_and_distance &&
-                                (draw::has_shafts_only(*design.design) || draw::blurs_context(design));
-    return design.output != draw::TerrainOutput::color && !serves_effects;
-}
-
 bool smooths(const design::ViewEffects& effects) { return effects.antialiasing == design::Antialiasing::on; }
 
 /// Sharp as shaders/focus.frag writes it.
@@ -71,12 +64,12 @@ base::Error ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, draw
     bool has_shadows = false, goes_off_screen = false;
     for (const draw::DrawnDesign& drawn : designs) {
         has_shadows = has_shadows || drawn.design->effects.shadows.is_any();
-        goes_off_screen = goes_off_screen || is_off_screen(drawn);
+        goes_off_screen = goes_off_screen || draw::goes_off_screen(drawn);
     }
     if (has_shadows)
         if (base::Error error = shadows_.start(gl, targets, device.capability.shadow_map_px)) return error;
     if (base::Error error = start_view_effects(gl, device, designs)) return error;
-    goes_off_screen_ = is_off_screen(designs[0]);
+    goes_off_screen_ = draw::goes_off_screen(designs[0]);
     return goes_off_screen ? picture_.start(gl, device.budget, width_px, height_px, designs) : base::Error{};
 }
 
@@ -100,11 +93,11 @@ bool ScenePasses::shows(const draw::DrawnDesign& design) const {
     const bool blurs = effects.depth_of_field.blur_px > 0 || draw::blurs_context(design);
     return (smooths_ || !smooths(effects)) && (blurs_ || !blurs) && (shadows_.is_started() || !effects.shadows.is_any()) &&
            (shafts_.is_started() || effects.shadows.in_air <= 0) && design.design->sky.air.is_shown == has_air_ &&
-           (!is_off_screen(design) || picture_.shows(design));
+           (!draw::goes_off_screen(design) || picture_.shows(design));
 }
 
 void ScenePasses::set_design(const draw::DrawnDesign& design) {
-    goes_off_screen_ = is_off_screen(design);
+    goes_off_screen_ = draw::goes_off_screen(design);
     if (goes_off_screen_) picture_.set_design(design);
 }
 

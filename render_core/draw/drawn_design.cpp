@@ -11,6 +11,14 @@ bool blurs_context(const DrawnDesign& design) noexcept {
     return design.has_focus && ground_focus_kind(design.design->foci).blurs;
 }
 
+bool goes_off_screen(const DrawnDesign& design) noexcept {
+    const bool serves_effects =
+        design.output == TerrainOutput::color_and_distance && (has_shafts_only(*design.design) || blurs_context(design));
+    return design.output != TerrainOutput::color && !serves_effects;
+}
+
+bool has_air_in_picture(const DrawnDesign& design) noexcept { return design.design->sky.air.is_shown && goes_off_screen(design); }
+
 TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth, const GroundFocusKind& focus) noexcept {
     if (focus.blurs) return TerrainOutput::color_and_distance;
     if (!off_screen_depth) return TerrainOutput::color;
@@ -20,7 +28,8 @@ TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_de
     if (design::fits_pixel_code(style) && !design.data.ground.is_shown && !design.sky.air.is_shown && !has_more)
         return TerrainOutput::code;
     const design::ViewEffects& effects = design.effects;
-    const bool needs_distance = style.sketch.silhouettes > 0 || effects.depth_of_field.blur_px > 0 || effects.shadows.in_air > 0;
+    const bool needs_distance = style.sketch.silhouettes > 0 || effects.depth_of_field.blur_px > 0 ||
+                                effects.shadows.in_air > 0 || design.sky.air.is_shown;
     return needs_distance ? TerrainOutput::color_and_distance : TerrainOutput::color;
 }
 

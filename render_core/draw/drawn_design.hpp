@@ -28,6 +28,12 @@ using DrawnDesigns = base::Span<const DrawnDesign>;
 [[nodiscard]] bool has_shafts_only(const design::DesignSettings& design) noexcept;
 /// True where there is blur round a focus; degrees of focus are then written instead of distances.
 [[nodiscard]] bool blurs_context(const DrawnDesign& design) noexcept;
+/// True where terrain is drawn off-screen for the picture pass; where its alpha serves light shafts or blur round foci alone it
+/// needs no pass of its own.
+[[nodiscard]] bool goes_off_screen(const DrawnDesign& design) noexcept;
+/// True where the picture pass draws the air before the ground, once a pixel, by distances of fine_distance.frag; else the
+/// programs of the terrain draw it.
+[[nodiscard]] bool has_air_in_picture(const DrawnDesign& design) noexcept;
 /// Returns the cheapest output that shows the style and the data on a device with or without off-screen depth; `focus` is the
 /// variant of foci that is drawn.
 [[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth,

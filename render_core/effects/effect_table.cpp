@@ -331,7 +331,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .may_be_forbidden()
         .distracts()
         .costs("for a budget, twice a second (once on ES 2): the scene up to six times, each read back and searched for edges by "
-               "the processor; as a view that of every picture, and a tap")
+               "the processor; as a view: every picture read back and searched, a byte a pixel uploaded, and a tap")
         .asked_by("[priority] clutter_budget, [effects.clutter] view",
                   [](const Design& design) {
                       return design.priority.held_clutter() < 1 || design.effects.clutter != design::ClutterView::none;

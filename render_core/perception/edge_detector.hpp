@@ -62,8 +62,8 @@ private:
     void spread_from(std::size_t place);
     void promote(std::size_t place, std::uint8_t strong);
 
-    int most_width_ = 0, most_height_ = 0, sum_rows_ = 1, width_ = 0,
-        height_ = 0;                         ///< of the current picture 0 x 0 where none has begun
+    int most_width_ = 0, most_height_ = 0, sum_rows_ = 1;
+    int width_ = 0, height_ = 0;             ///< of the current picture; 0 x 0 where none has begun
     int blurred_across_ = 0, next_row_ = 0;  ///< rows that have been added, and the next one to be blurred downwards
     GaussianWeights weights_;
     EdgeThresholds thresholds_;

@@ -16,10 +16,11 @@ constexpr double kFirst_m = 1000, kOctaves = 9.6456;  // to 800 km
 constexpr int kStepsOut = 48;
 constexpr glm::dvec3 kLuminance{0.2126, 0.7152, 0.0722};
 
-/// Luminances of the sky at the horizon before phase functions, in parts of that square to the sun.
+/// Light of the sky at the horizon before phase functions.
 struct HorizonLight {
-    double molecules, aerosol;
-    double square;  ///< by what the parts are divided
+    glm::dvec3 by_molecules, by_aerosol;
+    double molecules, aerosol;  ///< luminances, in parts of that square to the sun
+    double square;              ///< by what the parts are divided
 };
 
 HorizonLight horizon_light(const earth::Air& air, const earth::SunThroughAir& sun, double eye_height_m) {
@@ -29,7 +30,7 @@ HorizonLight horizon_light(const earth::Air& air, const earth::SunThroughAir& su
     const earth::AirLight light = level.light();
     const double molecules = glm::dot(light.by_molecules, kLuminance), aerosol = glm::dot(light.by_aerosol, kLuminance);
     const double square = std::fmax(molecules * earth::molecule_phase(0) + aerosol * earth::aerosol_phase(0), 1e-12);
-    return {molecules / square, aerosol / square, square};
+    return {light.by_molecules, light.by_aerosol, molecules / square, aerosol / square, square};
 }
 
 }  // namespace
@@ -73,10 +74,12 @@ void AirTable::update(gl::Gl& gl, const design::AirSettings& settings, double ey
     const earth::Air air = earth::air_of_visibility(settings.visibility_m);
     const earth::SunThroughAir sun(air, static_cast<double>(sun_step) * kSunStep_rad);
     const HorizonLight horizon = horizon_light(air, sun, height_m);
-    molecule_light_ = horizon.molecules;
-    aerosol_light_ = horizon.aerosol;
     // Brightness is a root of light.
     const double scale = settings.horizon_brightness * settings.horizon_brightness / horizon.square;
+    light_.molecule_light = horizon.molecules;
+    light_.aerosol_light = horizon.aerosol;
+    light_.horizon_molecules = scale * horizon.by_molecules;
+    light_.horizon_aerosol = scale * horizon.by_aerosol;
     for (std::uint32_t row = 0; row < kRows; ++row)
         upload_row(gl, row, earth::AirPath(air, sun, height_m, sine_of_row(row, dip_rad)), scale);
     is_known_ = true;
@@ -86,10 +89,8 @@ void AirTable::update(gl::Gl& gl, const design::AirSettings& settings, double ey
 }
 
 AirFrame AirTable::frame() const {
-    AirFrame frame;
+    AirFrame frame = light_;
     frame.map = &texture_;
-    frame.molecule_light = molecule_light_;
-    frame.aerosol_light = aerosol_light_;
     return frame;
 }
 

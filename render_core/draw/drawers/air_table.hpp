@@ -25,11 +25,12 @@ namespace tedavis::draw {
 /// The air of a frame, for the programs. Without a map there is none.
 struct AirFrame {
     const gl::Texture* map = nullptr;
-    double molecule_light = 0, aerosol_light = 0;  ///< light of the horizon before phase functions
-    glm::dvec3 towards_sun{0, 0, 1}, up{0, 0, 1};  ///< unit vectors, ECEF
-    double dip_rad = 0;                            ///< of the visible horizon
-    double eye_height_m = 0;                       ///< above the sea
-    double share = 1;                              ///< 0..1, share of the air's effect; reduced during the transition to the map
+    double molecule_light = 0, aerosol_light = 0;                     ///< light of the horizon before phase functions
+    glm::dvec3 horizon_molecules{0, 0, 0}, horizon_aerosol{0, 0, 0};  ///< the same by colour, scaled as the table
+    glm::dvec3 towards_sun{0, 0, 1}, up{0, 0, 1};                     ///< unit vectors, ECEF
+    double dip_rad = 0;                                               ///< of the visible horizon
+    double eye_height_m = 0;                                          ///< above the sea
+    double share = 1;  ///< 0..1, share of the air's effect; reduced during the transition to the map
 };
 
 /// Uniforms of every program that is built with AIR.
@@ -65,7 +66,7 @@ private:
     bool is_known_ = false;
     design::AirSettings settings_;
     long long height_step_ = 0, sun_step_ = 0;
-    double molecule_light_ = 0, aerosol_light_ = 0;
+    AirFrame light_;  ///< its light
 };
 
 /// Returns the IEEE 754 binary16 nearest to a number 0..65504, ties to even.

@@ -42,6 +42,10 @@ base::Error PictureEdges::start(gl::Gl& gl, base::BudgetTable& budget, base::Are
     if (std::max(width_px, height_px) > perception::kMaxPictureSide)
         return base::make_error("edges are found in pictures of at most ", base::digits(perception::kMaxPictureSide).view(),
                                 " pixels each way; take a smaller size");
+    if (memory.use().capacity == 0)
+        return base::make_error(
+            "clutter is measured, for which the device file has no budget line 'picture_edges'; add one of kind ",
+            "\"cpu\" with ", base::digits(bytes(width_px, height_px)).view(), " bytes");
     width_px_ = width_px;
     height_px_ = height_px;
     const bool has_room = detector_.start(memory, static_cast<int>(width_px), static_cast<int>(height_px), kCanny.sigma);

@@ -1,8 +1,8 @@
 /// Finds Canny's edges of the picture on a surface, states their density by regions, and shows them.
 ///
 /// The surface is read back in strips, from the top down, and searched by the processor (perception/edge_detector.hpp, default
-/// settings). So the edges and densities are those that `perception` finds in the same picture, to the bit, on every device that
-/// can read what it drew; all can. Reading waits for the GPU.
+/// settings). So the edges are those that `perception` finds in the same picture, to the bit, and so are the densities, as
+/// floats, on every device. Reading waits for the GPU.
 ///
 /// Memory    the line picture_edges, at start(): a byte a pixel, rows, and a strip of the picture (bytes()). Where edges are
 ///           shown, a strip of a byte a pixel from render_targets, and a triangle from symbology_vertices.

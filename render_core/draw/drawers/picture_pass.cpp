@@ -75,6 +75,7 @@ base::Error PicturePass::build_program(gl::Gl& gl, bool coded, std::string_view 
     fragment.append(defines);
     if (with_air_) fragment.append("#define AIR 1\n");
     if (with_air_) fragment.append(shader_text(k_air_frag));
+    if (with_air_) fragment.append(shader_text(k_fine_distance_frag));
     fragment.append(shader_text(k_unknown_ground_frag));
     fragment.append(shader_text(k_sky_color_frag));
     fragment.append(shader_text(k_picture_frag));

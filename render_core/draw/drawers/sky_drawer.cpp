@@ -18,9 +18,9 @@ void set_sky_color(gl::Gl& gl, GLint location, design::Color color) {
 }  // namespace
 
 const char* const kSkyUniformNames[kSkyUniforms] = {
-    "half_tangent",      "down_of_axes",         "sine_of_dip",      "pixels_per_down", "zenith_color",
-    "horizon_color",     "ground_horizon_color", "ground_color",     "ground_hatch",    kAirUniformNames[0],
-    kAirUniformNames[1], kAirUniformNames[2],    kAirUniformNames[3]};
+    "half_tangent",      "down_of_axes",         "sine_of_dip",       "pixels_per_down",  "zenith_color",
+    "horizon_color",     "ground_horizon_color", "ground_color",      "ground_hatch",     "air_horizon",
+    kAirUniformNames[0], kAirUniformNames[1],    kAirUniformNames[2], kAirUniformNames[3]};
 
 void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& input) {
     const ViewFrame& view = input.view;
@@ -37,6 +37,10 @@ void set_sky_uniforms(gl::Gl& gl, const gl::Program& program, const SkyInput& in
     set_sky_color(gl, at(kGroundHorizon), input.colors.ground_horizon);
     set_sky_color(gl, at(kGround), input.colors.ground);
     gl->Uniform1f(at(kGroundHatch), input.ground_is_unknown ? 1.0f : 0.0f);
+    if (at(kAirHorizon) >= 0) {
+        const glm::vec3 light[2] = {glm::vec3(input.air.horizon_molecules), glm::vec3(input.air.horizon_aerosol)};
+        gl->Uniform3fv(at(kAirHorizon), 2, &light[0].x);
+    }
     if (at(kSkyAir) >= 0) set_air_uniforms(gl, program, kSkyAir, input.air, input.axes);
 }
 

@@ -35,6 +35,7 @@ enum SkyUniform : std::size_t {
     kGroundHorizon,
     kGround,
     kGroundHatch,
+    kAirHorizon,
     kSkyAir,  ///< the first of kAirUniformNames
     kSkyUniforms = kSkyAir + kAirUniforms
 };

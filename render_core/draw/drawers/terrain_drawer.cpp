@@ -128,7 +128,8 @@ TerrainVariant TerrainDrawer::variant_of(const DrawnDesign& drawn, bool is_magni
         variant.uncertainty = design.data.ground.uncertainty.technique;
         variant.overlay = design.data.ground.overlay.technique;
     }
-    variant.air = design.sky.air.is_shown;
+    variant.fine_distance = has_air_in_picture(drawn);
+    variant.air = design.sky.air.is_shown && !variant.fine_distance;
     variant.shafts = has_shafts_only(design) && drawn.output == TerrainOutput::color_and_distance;
     variant.shadows = design.effects.shadows.on_ground > 0;
     if (drawn.has_focus) variant.focus = ground_focus_kind(design.foci);
@@ -270,7 +271,7 @@ void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, c
     set_view_uniforms(gl, program, input.view, range);
     set_color_uniforms(gl, program, design_, input.haze_per_m);
     set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
-    if (design_.sky.air.is_shown) set_air_uniforms(gl, program, kTerrainAir, input.air);
+    if (program.uniform(kTerrainAir) >= 0) set_air_uniforms(gl, program, kTerrainAir, input.air);
     gl->Uniform2f(program.uniform(kTerrainLeft), static_cast<float>(input.left.least), static_cast<float>(input.left.most));
     if (program.uniform(kTerrainShadow) >= 0)
         set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));

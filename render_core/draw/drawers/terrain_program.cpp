@@ -200,7 +200,7 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
     const auto all = [](const TerrainVariant& v) {
         return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.ground_data, v.uncertainty, v.overlay,
-                        v.air, v.shafts, v.shadows, v.in_focus, v.magnified);
+                        v.air, v.fine_distance, v.shafts, v.shadows, v.in_focus, v.magnified);
     };
     return all(a) == all(b) && std::equal(std::begin(a.maps), std::end(a.maps), std::begin(b.maps));
 }
@@ -234,6 +234,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(variant.lifted, "#define LIFTED 1\n");
     defines.add_if(variant.flat, "#define FLAT 1\n");
     defines.add_if(variant.air, "#define AIR 1\n");
+    defines.add_if(variant.fine_distance, "#define FINE_DISTANCE 1\n");
     defines.add_if(variant.shadows, "#define SHADOWS 1\n");
     defines.add_if(variant.shafts, "#define SHAFTS 1\n");
     add_focus(defines, variant.focus, variant.in_focus);
@@ -258,6 +259,7 @@ base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const d
     if (variant.ground_data && variant.overlay != design::UncertaintyOverlay::none && !code)
         fragment.append(shader_text(k_ground_overlay_frag));
     if (variant.air && !code) fragment.append(shader_text(k_air_frag));
+    if (variant.fine_distance && !code) fragment.append(shader_text(k_fine_distance_frag));
     if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
     if (!code) fragment.append(shader_text(k_unknown_ground_frag));
     if (!code) fragment.append(shader_text(k_terrain_image_frag));

@@ -105,6 +105,7 @@ struct TerrainVariant {
         design::IntrinsicUncertainty::none;                                 ///< how the field's uncertainty changes its colour
     design::UncertaintyOverlay overlay = design::UncertaintyOverlay::none;  ///< what is drawn over the field for its uncertainty
     bool air = false;                 ///< the light of the air between ground and eye point is drawn
+    bool fine_distance = false;       ///< the picture pass draws it: distances have the steps of fine_distance.frag
     bool shafts = false;              ///< shadows of data in the air are drawn
     bool shadows = false;             ///< data cast shadows on the ground
     GroundFocusKind focus;            ///< how the design's foci change the ground

@@ -36,11 +36,14 @@ vec3 air_light(vec3 ray, float column) {
     return phases.x * air_at(1.0, row, column) + phases.y * air_at(2.0, row, column);
 }
 
-// `ray`: unit vector from the eye.
+// With all of its effect. `ray`: unit vector from the eye.
+vec3 behind_air(vec3 color, vec3 ray, float column) {
+    vec3 left = air_at(0.0, air_row(ray), column);
+    return min(sqrt(color * color * left + air_light(ray, column)), vec3(1.0));
+}
+
 vec3 through_air(vec3 color, vec3 ray, float distance_m) {
     if (air_look.x <= 0.0) return color;
-    float column = air_column(distance_m);
-    vec3 left = air_at(0.0, air_row(ray), column);
-    return mix(color, min(sqrt(color * color * left + air_light(ray, column)), vec3(1.0)), air_look.x);
+    return mix(color, behind_air(color, ray, air_column(distance_m)), air_look.x);
 }
 #endif

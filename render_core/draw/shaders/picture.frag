@@ -1,6 +1,6 @@
 // The picture of what was drawn off-screen: sky where nothing was, colours for codes (CODED), and silhouettes (OUTLINED)
 // where the next pixel lies much farther away than the slope of the surface explains: the near one is inked, and the far
-// one half. Or nothing but sky (SKY). Follows sky_color.frag.
+// one half. Or nothing but sky (SKY). Follows sky_color.frag; with AIR also fine_distance.frag: what was drawn has none yet.
 //
 // ES 3 fetches texels by their place, which a processor without texture units does several times as fast.
 uniform sampler2D scene;       // alpha codes the logarithm of the distance; 1 where nothing was drawn
@@ -56,6 +56,21 @@ vec3 color_seen(vec4 code) {
 #endif
     color = mix(color, haze_color, haze);
     return code.a > kSky ? color * ground_hatch_here() : color;
+}
+#elif defined(AIR)
+// One look through the air for ground and sky.
+vec3 color_seen(vec4 texel) {
+    vec3 ray = view_ray();
+    BehindAir seen = sky_behind_air(ray);
+    float share = air_look.x, hatch = ground_hatch_here();
+    if (texel.a <= kSky) {
+        float half_air;
+        vec4 ground = color_and_distance(texel, half_air);
+        seen = BehindAir(ground.rgb, ground.rgb, air_column(ground.a), 0.0);
+        share *= 1.0 - 0.5 * half_air;
+        hatch = 1.0;
+    }
+    return color_behind_air(seen, ray, share) * hatch;
 }
 #else
 vec3 color_seen(vec4 color) { return color.a > kSky ? sky_color() : color.rgb; }

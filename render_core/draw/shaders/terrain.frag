@@ -70,7 +70,7 @@ VARYING vec3 v_normal;
 VARYING vec3 v_eye;
 #ifdef AIR
 VARYING vec3 v_ray;
-#else
+#elif !defined(FINE_DISTANCE)
 VARYING float v_haze;
 #endif
 #ifdef BAKED
@@ -374,7 +374,7 @@ void main() {
 #endif
 #ifdef AIR
     color = mix(through_air(color, v_ray / distance_m, distance_m), color, 0.5 * unknown);
-#else
+#elif !defined(FINE_DISTANCE)
     color = mix(color, haze_color, v_haze * (1.0 - 0.5 * unknown));
 #endif
 #ifdef SHAFTS
@@ -387,6 +387,8 @@ void main() {
     FRAGMENT_COLOR = vec4(color, clamp(min(code, 254.0 / 255.0), left.x, left.y));
 #elif defined(FOCUS_BLUR)
     FRAGMENT_COLOR = vec4(color, clamp(sharpness_code(max(focused, rim.a)), left.x, left.y));
+#elif defined(FINE_DISTANCE)
+    FRAGMENT_COLOR = with_fine_distance(color, distance_m, unknown);
 #elif defined(DISTANCE_IN_ALPHA)
     FRAGMENT_COLOR = vec4(color, min(log2(1.0 + distance_m / 50.0) / 13.0, 254.0 / 255.0));  // 255 is the sky
 #else

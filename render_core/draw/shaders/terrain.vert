@@ -28,7 +28,7 @@ VARYING vec3 v_normal;         // east, north, up
 VARYING vec3 v_eye;            // from the eye, east, north, up, m
 #ifdef AIR
 VARYING vec3 v_ray;            // from the eye, ECEF, m
-#else
+#elif !defined(FINE_DISTANCE)
 VARYING float v_haze;
 #endif
 
@@ -58,7 +58,7 @@ void main() {
     v_eye = to_local * shown;
 #ifdef AIR
     v_ray = shown;
-#else
+#elif !defined(FINE_DISTANCE)
     v_haze = 1.0 - exp(-length(shown) * haze_per_m);
 #endif
 #ifdef SHADOWS

@@ -1,6 +1,8 @@
-// The picture that comes from terrain codes is the one that is drawn in colours at once.
+// The picture that comes by way of one off-screen, as codes or as colours with distances, is the one that is drawn in colours at
+// once.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -71,6 +73,43 @@ TEST(CodedPictures, ShowWhatColorsDrawnAtOnceShow) {
             const auto coded = picture(design, device, true, pose), direct = picture(design, device, false, pose);
             EXPECT_LT(share_apart(coded, direct, 3), 0.02) << device << " heading " << pose.heading_deg;
             EXPECT_LT(share_apart(coded, direct, 10), 0.012) << device << " heading " << pose.heading_deg;
+        }
+}
+
+design::DesignSettings design_with_air(double visibility_m) {
+    design::DesignSettings design = design_without_silhouettes();
+    design.sky.air.is_shown = true;
+    design.sky.air.visibility_m = visibility_m;
+    return design;
+}
+
+struct Apart {
+    double mean = 0;  ///< of all channels, in steps of 1/255
+    int most = 0;
+};
+Apart apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    Apart apart;
+    for (std::size_t n = 0; n < a.size(); ++n) {
+        const int steps = std::abs(int{a[n]} - int{b[n]});
+        apart.mean += steps / (0.75 * static_cast<double>(a.size()));  // alpha is 255 in both
+        apart.most = std::max(apart.most, steps);
+    }
+    return apart;
+}
+
+/// Colours have 7 bits before the air, distances quarters of a step of 3.6 %.
+TEST(CodedPictures, AirOnceAPixelIsThatOfEveryTriangle) {
+    const host_sim::AircraftPose poses[] = {
+        {47.0, 9.64, 2000, 30, -12, 0}, {47.0, 9.64, 1500, 30, -5, 25}, {47.0, 9.64, 9000, 30, -40, 0}};
+    for (const double visibility_m : {15'000.0, 60'000.0})
+        for (const host_sim::AircraftPose& pose : poses) {
+            const auto direct = picture(design_with_air(visibility_m), "es3-mid", false, pose);
+            const Apart found = apart(direct, picture(design_with_air(visibility_m), "es3-mid", true, pose));
+            EXPECT_LE(found.most, 3) << "heading " << pose.heading_deg << ", visibility " << visibility_m;
+            EXPECT_LE(found.mean, 0.5) << "heading " << pose.heading_deg << ", visibility " << visibility_m;
+            if (visibility_m > 20'000) continue;
+            const Apart clearer = apart(direct, picture(design_with_air(20'000), "es3-mid", true, pose));
+            EXPECT_GT(clearer.most, 4) << "a third more visibility is seen";
         }
 }
 

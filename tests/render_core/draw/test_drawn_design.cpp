@@ -33,6 +33,24 @@ TEST(DrawnDesign, TheCheapestOutputThatShowsTheStyle) {
     EXPECT_EQ(output_of(design, true, with_focus(true)), TerrainOutput::color_and_distance) << "blurred";
 }
 
+TEST(DrawnDesign, AirIsDrawnOnceAPixelWhereThePicturePassKnowsTheDistance) {
+    design::DesignSettings design;
+    design.terrain.style.sketch.contours = 1;
+    EXPECT_FALSE(goes_off_screen(drawn_as(design, true, false)));
+    design.sky.air.is_shown = true;
+    EXPECT_TRUE(has_air_in_picture(drawn_as(design, true, false)));
+    EXPECT_TRUE(goes_off_screen(drawn_as(design, true, false)));
+    EXPECT_FALSE(has_air_in_picture(drawn_as(design, false, false))) << "no depth off-screen";
+    design.effects.shadows.in_air = 0.5;
+    EXPECT_FALSE(has_air_in_picture(drawn_as(design, true, false))) << "alpha serves shafts of light alone";
+    EXPECT_FALSE(goes_off_screen(drawn_as(design, true, false)));
+    design.terrain.style.sketch.silhouettes = 1;
+    EXPECT_TRUE(has_air_in_picture(drawn_as(design, true, false)));
+    design.sky.air.is_shown = false;
+    EXPECT_TRUE(goes_off_screen(drawn_as(design, true, false)));
+    EXPECT_FALSE(has_air_in_picture(drawn_as(design, true, false))) << "there is none";
+}
+
 TEST(DrawnDesign, ADesignWithoutALookOrRimOfItsFociHasNone) {
     design::DesignSettings design;
     scene::FocusRegions regions;

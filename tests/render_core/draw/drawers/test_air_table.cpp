@@ -30,11 +30,30 @@ double distance_of(double right) { return 100 * std::pow(4000.0, right); }  // 1
 double elevation_of(double up) { return base::radians(-12 + 18 * up); }
 
 /// Every pixel a ray and a distance of its own, square to the sun.
-const char* const kRays =
-    "void main() {\n"
-    "    float elevation = radians(-12.0 + 18.0 * uv.y), distance_m = 100.0 * exp2(uv.x * 11.9657843);\n"
-    "    vec3 ray = vec3(cos(elevation), 0.0, sin(elevation));\n"
-    "    FRAGMENT_COLOR = vec4(through_air(vec3(0.5, 0.35, 0.2), ray, distance_m), 1.0);\n}\n";
+std::string program_of(const std::string& air) {
+    return "#define AIR 1\n" + std::string(shader_text(k_air_frag)) + std::string(shader_text(k_fine_distance_frag)) +
+           "void main() {\n"
+           "    float elevation = radians(-12.0 + 18.0 * uv.y), distance_m = 100.0 * exp2(uv.x * 11.9657843);\n"
+           "    vec3 ray = vec3(cos(elevation), 0.0, sin(elevation)), ground = vec3(0.5, 0.35, 0.2);\n    " +
+           air + "}\n";
+}
+const char* const kThroughAir = "FRAGMENT_COLOR = vec4(through_air(ground, ray, distance_m), 1.0);\n";
+/// The ground and its distance in four bytes of an off-screen picture first.
+const char* const kThroughPicture =
+    "float half_air;\n"
+    "    vec4 texel = floor(255.0 * with_fine_distance(ground, distance_m, 0.0) + 0.5) / 255.0;\n"
+    "    vec4 read = color_and_distance(texel, half_air);\n"
+    "    FRAGMENT_COLOR = vec4(through_air(read.rgb, ray, read.a), 1.0);\n";
+/// How far the distance that was read is off, in steps of 0.01 %; the colour in steps of a tenth of 1/255; what was said of the
+/// air.
+const char* const kReadBack =
+    "float half_air, said = step(0.5, fract(gl_FragCoord.x * 0.5));\n"
+    "    ground = fract(vec3(3.0, 5.0, 7.0) * (uv.x + uv.y));\n"
+    "    vec4 texel = floor(255.0 * with_fine_distance(ground, distance_m, said) + 0.5) / 255.0;\n"
+    "    vec4 read = color_and_distance(texel, half_air);\n"
+    "    vec3 off = abs(read.rgb - ground) * 255.0;\n"
+    "    FRAGMENT_COLOR = vec4(abs(read.a / distance_m - 1.0) * 10000.0, max(max(off.r, off.g), off.b) * 10.0,\n"
+    "                          255.0 * abs(half_air - said), through_air(ground, ray, distance_m).r) / 255.0;\n";
 
 struct Scene {
     double eye_height_m, sun_elevation_rad;
@@ -76,39 +95,6 @@ glm::dvec3 color_of(const Scene& scene, double elevation_rad, double distance_m,
     return 255.0 * glm::min(root, glm::dvec3(1));
 }
 
-class AirPicture : public ::testing::Test {
-protected:
-    void draw(const Scene& scene, double share = 1) {
-        table_.update(session_.gl, scene.settings, scene.eye_height_m, scene.sun_elevation_rad);
-        AirFrame air = table_.frame();
-        air.towards_sun = {0, std::cos(scene.sun_elevation_rad), std::sin(scene.sun_elevation_rad)};
-        air.up = {0, 0, 1};
-        air.dip_rad = horizon_dip_rad(scene.eye_height_m);
-        air.share = share;
-        gl::bind_surface(session_.gl, *session_.surface);
-        triangle_.program().use(session_.gl);
-        set_air_uniforms(session_.gl, triangle_.program(), 0, air);
-        triangle_.draw(session_.gl);
-        pixels_ = session_.pixels();
-    }
-    void SetUp() override {
-        ASSERT_EQ(table_.start(session_.gl, *session_.device.budget.find(effects::kRenderTargets)).message.view(), "");
-    }
-    void TearDown() override {
-        table_.destroy(session_.gl);
-        triangle_.destroy(session_.gl);
-    }
-    [[nodiscard]] const std::uint8_t* pixel(std::uint32_t x, std::uint32_t y) const {
-        return pixels_.data() + (std::size_t{y} * kWidth + x) * 4;
-    }
-
-    GlSession session_{"egl", "es3-mid", kWidth, kHeight};
-    test_support::ScreenTriangle triangle_{session_.gl, "#define AIR 1\n" + std::string(shader_text(k_air_frag)) + kRays,
-                                           kAirUniformNames};
-    AirTable table_;
-    std::vector<std::uint8_t> pixels_;
-};
-
 /// Of light, so that the horizon square to the sun has the wanted brightness. Nothing of the ground is left over so far.
 double scale_by_horizon(const Scene& scene) {
     const double out_m = 2 * std::sqrt(2 * earth::kMeanRadius_m * 100'000.0);
@@ -117,9 +103,31 @@ double scale_by_horizon(const Scene& scene) {
     return 0.01 * wanted / glm::dot(root * root, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
-TEST_F(AirPicture, IsThatOfManySteps) {
-    for (const Scene& scene : {Scene{3000, base::radians(40), {}}, Scene{11'000, base::radians(15), {true, 80'000, 0.75}}}) {
-        draw(scene);
+class AirPicture : public ::testing::Test {
+protected:
+    void draw(const Scene& scene, double share = 1) { draw(triangle_, scene, share); }
+    void draw(const test_support::ScreenTriangle& triangle, const Scene& scene, double share = 1) {
+        table_.update(session_.gl, scene.settings, scene.eye_height_m, scene.sun_elevation_rad);
+        AirFrame air = table_.frame();
+        air.towards_sun = {0, std::cos(scene.sun_elevation_rad), std::sin(scene.sun_elevation_rad)};
+        air.up = {0, 0, 1};
+        air.dip_rad = horizon_dip_rad(scene.eye_height_m);
+        air.share = share;
+        gl::bind_surface(session_.gl, *session_.surface);
+        triangle.program().use(session_.gl);
+        set_air_uniforms(session_.gl, triangle.program(), 0, air);
+        triangle.draw(session_.gl);
+        pixels_ = session_.pixels();
+    }
+    void SetUp() override {
+        ASSERT_EQ(table_.start(session_.gl, *session_.device.budget.find(effects::kRenderTargets)).message.view(), "");
+    }
+    void TearDown() override {
+        table_.destroy(session_.gl);
+        for (test_support::ScreenTriangle* triangle : {&triangle_, &by_picture_, &read_back_}) triangle->destroy(session_.gl);
+    }
+    /// Of what was drawn to the same with 1500 steps, over all rays that end above the sea.
+    [[nodiscard]] double worst_step(const Scene& scene) const {
         const double scale = scale_by_horizon(scene);
         double worst = 0;
         for (std::uint32_t y = 0; y < kHeight; y += 3)
@@ -133,8 +141,45 @@ TEST_F(AirPicture, IsThatOfManySteps) {
                 for (int band = 0; band < 3; ++band)
                     worst = std::max(worst, std::fabs(wanted[band] - static_cast<double>(pixel(x, y)[band])));
             }
-        EXPECT_LT(worst, 2.5) << "of 255 steps, at " << scene.eye_height_m << " m";
+        return worst;
     }
+    [[nodiscard]] const std::uint8_t* pixel(std::uint32_t x, std::uint32_t y) const {
+        return pixels_.data() + (std::size_t{y} * kWidth + x) * 4;
+    }
+
+    GlSession session_{"egl", "es3-mid", kWidth, kHeight};
+    test_support::ScreenTriangle triangle_{session_.gl, program_of(kThroughAir), kAirUniformNames};
+    test_support::ScreenTriangle by_picture_{session_.gl, program_of(kThroughPicture), kAirUniformNames};
+    test_support::ScreenTriangle read_back_{session_.gl, program_of(kReadBack), kAirUniformNames};
+    AirTable table_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+const Scene kScenes[] = {{3000, base::radians(40), {}}, {11'000, base::radians(15), {true, 80'000, 0.75}}};
+
+TEST_F(AirPicture, IsThatOfManySteps) {
+    for (const Scene& scene : kScenes) {
+        draw(scene);
+        EXPECT_LT(worst_step(scene), 2.5) << "of 255 steps, at " << scene.eye_height_m << " m";
+        draw(by_picture_, scene);
+        EXPECT_LT(worst_step(scene), 3.5) << "by way of a picture, at " << scene.eye_height_m << " m";
+    }
+}
+
+/// As a picture off-screen has them: distances to half a percent, colours to one step.
+TEST_F(AirPicture, DistancesAndColorsAreReadBack) {
+    draw(read_back_, kScenes[0]);
+    int distance = 0, color = 0;
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+        for (std::uint32_t x = 0; x + 1 < kWidth; ++x) {  // the last column lies beyond the last code
+            distance = std::max(distance, int{pixel(x, y)[0]});
+            color = std::max(color, int{pixel(x, y)[1]});
+            ASSERT_EQ(pixel(x, y)[2], 0) << x << ", " << y;
+        }
+    EXPECT_LE(distance, 75) << "in 0.01 %: at 100 m half of it is the 50 m that the code begins at";
+    EXPECT_GE(distance, 30) << "there are steps";
+    EXPECT_LE(color, 11);
+    EXPECT_GE(color, 5);
 }
 
 TEST_F(AirPicture, NoShareIsNoAir) {

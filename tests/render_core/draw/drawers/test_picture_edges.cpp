@@ -305,6 +305,11 @@ TEST(PictureEdges, FitIntoTheShippedDevices) {
         EXPECT_GE(device.budget.find(effects::kPictureEdges)->bytes, PictureEdges::bytes(device.width_px, device.height_px))
             << name;
     }
+    const auto room = [](const char* name) {
+        return test_support::shipped_device(name).budget.find(effects::kPictureEdges)->bytes;
+    };
+    EXPECT_GE(room("es3-mid"), PictureEdges::bytes(1920, 1080)) << "larger pictures than the device's own are asked for";
+    EXPECT_GE(room("sc2"), PictureEdges::bytes(800, 600));
 }
 
 TEST(PictureEdges, RefuseAPictureThatIsTooLargeOrABudgetThatIsTooSmall) {
@@ -322,7 +327,10 @@ TEST(PictureEdges, RefuseAPictureThatIsTooLargeOrABudgetThatIsTooSmall) {
     EXPECT_EQ(refusal(memory.size(), 640, 20'000, true), "") << "control";
     EXPECT_NE(refusal(memory.size(), 9000, 20'000, false).find("8192"), std::string::npos);
     EXPECT_NE(refusal(memory.size() - 400, 640, 20'000, false).find("'picture_edges'"), std::string::npos);
-    EXPECT_NE(refusal(0, 640, 20'000, false).find("'picture_edges'"), std::string::npos) << "a device without the line";
+    const std::string bytes = std::to_string(PictureEdges::bytes(640, 480));
+    EXPECT_EQ(refusal(0, 640, 20'000, false),
+              "clutter is measured, for which the device file has no budget line 'picture_edges'; add one of kind \"cpu\" with " +
+                  bytes + " bytes");
     EXPECT_NE(refusal(memory.size(), 640, 10'000, true).find("'render_targets'"), std::string::npos);
     EXPECT_EQ(session.device.budget.find(effects::kRenderTargets)->use.in_use, 0u);
 }

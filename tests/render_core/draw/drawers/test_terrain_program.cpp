@@ -76,6 +76,7 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
                 variant.coast = pages > 1;
                 variant.air = pages == 1 && session.device.capability.gl.calls == effects::CallClass::es3;
                 variant.shadows = variant.shafts = variant.air;
+                variant.fine_distance = pages == 2;
                 if (pages > 0)
                     variant.focus = any_focus(static_cast<std::size_t>(style.texture) + static_cast<std::size_t>(pages));
                 variant.in_focus = false;
