@@ -1,6 +1,7 @@
 #include "render_core/draw/drawers/picture_edges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render_core/base/budget_shortage.hpp"
 #include "render_core/base/check.hpp"
@@ -148,7 +149,7 @@ void PictureEdges::show_edges(gl::Gl& gl) const {
 void PictureEdges::show_regions(gl::Gl& gl) const {
     std::array<std::uint8_t, kRegionsAcross * kRegionsDown> tints{};
     for (std::size_t n = 0; n < tints.size(); ++n)
-        tints[n] = static_cast<std::uint8_t>(255.0f * std::min(densities_.measure[n] / kFullTint, 1.0f) + 0.5f);
+        tints[n] = static_cast<std::uint8_t>(std::lround(255.0f * std::min(densities_.measure[n] / kFullTint, 1.0f)));
     static_cast<void>(use(gl, EdgeView::regions));
     static_cast<void>(strip_.upload(gl, {0, 0, kRegionsAcross, kRegionsDown}, tints.data()));
     gl->Enable(GL_BLEND);

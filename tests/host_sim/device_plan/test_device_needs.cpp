@@ -24,7 +24,8 @@ struct DeviceNeedsTest : ::testing::Test {
     PictureOptions options;
 
     std::string terrain() {
-        const std::string raster = folder.file("t.tif"), database = folder.file("t.tdb");
+        const std::string raster = folder.file("t.tif");
+        std::string database = folder.file("t.tdb");
         write_fractal_geotiff(raster, 129, 3, FractalNumbers::int16);
         build_terrain(PostReaderFactory(
                           [&raster] { return std::make_unique<PostSource>(std::vector<std::string>{raster}, RasterOptions{}); }),

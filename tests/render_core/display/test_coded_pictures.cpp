@@ -45,7 +45,7 @@ std::vector<std::uint8_t> picture(const design::DesignSettings& design, const ch
     settings.capability.depth24_targets = off_screen;
     test_support::HeadlessDisplay headless("egl", settings, kWidth, kHeight, &bytes, design);
     const flight::AircraftState aircraft = host_sim::posed_aircraft(pose, headless.display());
-    const std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, aircraft, host_sim::kPosedTime);
+    std::vector<std::uint8_t> rgba = test_support::settled_pixels(headless, aircraft, host_sim::kPosedTime);
     EXPECT_GT(headless.display().record().terrain.triangles, 100u);
     return rgba;
 }
@@ -58,7 +58,7 @@ double share_apart(const std::vector<std::uint8_t>& a, const std::vector<std::ui
         for (std::size_t c = n; c < n + 3; ++c) differs = differs || std::abs(int{a[c]} - int{b[c]}) > steps;
         apart += differs ? 1 : 0;
     }
-    return static_cast<double>(apart) / static_cast<double>(a.size() / 4);
+    return static_cast<double>(apart) / (0.25 * static_cast<double>(a.size()));
 }
 
 /// Light comes from the corners of a triangle instead of from each pixel's own normal, heights have 16 bits, distances steps of

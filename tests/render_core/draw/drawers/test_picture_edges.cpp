@@ -228,7 +228,8 @@ TEST(PictureEdges, AreFoundOnTheCallsOfOpenGlSc) {
     session.gl->Disable(GL_SCISSOR_TEST);
     const std::vector<std::uint8_t> pixels = session.pixels();
     const SyntheticPicture picture(kWidth, kHeight, [&](int x, int y) {
-        const std::uint8_t* const pixel = &pixels[static_cast<std::size_t>(4 * ((kHeight - 1 - y) * kWidth + x))];
+        const auto row = static_cast<std::size_t>(kHeight - 1 - y), column = static_cast<std::size_t>(x);
+        const std::uint8_t* const pixel = &pixels[4 * (row * kWidth + column)];
         return Rgb{pixel[0], pixel[1], pixel[2]};
     });
     const effects::ClutterMap map = edges.measure(session.gl, *session.surface);
@@ -319,7 +320,7 @@ TEST(PictureEdges, RefuseAPictureThatIsTooLargeOrABudgetThatIsTooSmall) {
         base::Arena arena(memory.data(), bytes);
         session.device.budget.find(effects::kRenderTargets)->bytes = target_bytes;
         PictureEdges edges;
-        const std::string message(
+        std::string message(
             edges.start(session.gl, session.device.budget, arena, width, width == 640 ? 480u : 64u, shows).message.view());
         edges.destroy(session.gl);
         return message;
