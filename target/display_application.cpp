@@ -76,11 +76,11 @@ base::SurfaceState DisplayApplication::draw_frame(base::Time now) {
     const base::SurfaceState state = host_.surface().present();
     report_screen();
     delivery_.values = values_of(input_.state);
-    delivery_.can_to_screen = note_latency();
+    delivery_.can_to_screen = record_latency();
     delivery_.is_on_screen = state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master &&
                              (screen_.connector.empty() || screen_.shown_at);
     if (!has_first_picture_ && state == base::SurfaceState::ready && screen_.is_plugged && screen_.is_master)
-        note_first_picture(input_);
+        record_first_picture(input_);
     if (state == base::SurfaceState::ready) phase_events_.report(input_.phase, ++drawn_, ports_.clocks.live.monotonic());
     return state;
 }
@@ -104,7 +104,7 @@ base::Time DisplayApplication::next_frame(base::Duration work) {
 }
 
 /// A picture is correct once it shows where the aircraft is, over terrain that has all arrived.
-void DisplayApplication::note_first_picture(const flight::FrameInput& input) {
+void DisplayApplication::record_first_picture(const flight::FrameInput& input) {
     if (ports_.process_age == nullptr || input.state.own_ship.state != base::SignalState::valid) return;
     if (display().record().terrain.pending > 0) return;
     has_first_picture_ = true;
@@ -119,10 +119,10 @@ void DisplayApplication::warm_next_design() {
     if (display().memory().must_be_drawn()) return;
     watchdog_.expect_slow_frames();
     follows_warming_ = warmer_.draw_next(display(), host_.surface(), input_);
-    if (warmer_.is_done() && !is_warm_) note_warm();
+    if (warmer_.is_done() && !is_warm_) record_warm();
 }
 
-void DisplayApplication::note_warm() {
+void DisplayApplication::record_warm() {
     is_warm_ = true;
     if (ports_.process_age == nullptr) return;
     warm_ = ports_.process_age();
@@ -130,7 +130,7 @@ void DisplayApplication::note_warm() {
 }
 
 /// Off screen, a picture is shown when it has been completed.
-std::optional<base::Duration> DisplayApplication::note_latency() {
+std::optional<base::Duration> DisplayApplication::record_latency() {
     const bool is_screen = !screen_.connector.empty();
     if (!is_screen) return flight_.latency().shown(ports_.clocks.live.monotonic());
     if (screen_.is_plugged && screen_.is_master && screen_.shown_at) return flight_.latency().shown(*screen_.shown_at);

@@ -82,8 +82,8 @@ private:
     [[nodiscard]] bool wants_picture(bool is_last);
     void report_screen();
     void await_compilation(const flight::FrameInput& input);
-    void note_first_picture(const flight::FrameInput& input);
-    [[nodiscard]] std::optional<base::Duration> note_latency();
+    void record_first_picture(const flight::FrameInput& input);
+    [[nodiscard]] std::optional<base::Duration> record_latency();
     void start_records();
     void hand_out_record();
     void hold_for_screen();
@@ -91,7 +91,7 @@ private:
     void start_scene();
     void take_new_scene();
     void warm_next_design();
-    void note_warm();
+    void record_warm();
 
     BoardSettings settings_;
     BoardPorts ports_;

@@ -1,9 +1,9 @@
 /// The flight phase that this display has, as a message for others on the bus: testers and recorders.
 ///
 /// UCHAR4 {phase code (FlightPhase::code), source, faults, 0} on `report_identifier` of [phase] in the bus file. The source is 0
-/// none, 1 held, 2 motion, 3 CAN, 4 switches; in faults bit 0 says that the panel has an impossible pattern or does
-/// not answer, bit 1 that sources disagree. One display of a bus at most may use the identifier. The phase is that of the record,
-/// not the one that the picture still follows.
+/// none, 1 held, 2 motion, 3 CAN, 4 switches; in faults bit 0 says that the panel has an impossible pattern or does not answer,
+/// bit 1 that sources disagree. At most one display on a bus may use the identifier. The phase is the record's; the picture may
+/// still follow the earlier one for a moment.
 ///
 /// Pure: no clock, no socket. Thread one. Memory fixed, inside.
 #pragma once
@@ -22,7 +22,7 @@ public:
         : identifier_(settings.phase.report_identifier), node_(settings.node.node) {}
 
     /// Returns the message that is due at `now`, which must not decrease: the first one, one at each change of phase, source or
-    /// faults, and one a second. Nothing where the bus file asks for no report. The same one is due again until sent().
+    /// faults, and one a second. Empty if the bus file asks for no report. Until sent() is called the same message stays due.
     [[nodiscard]] std::optional<CanFrame> due(const flight::PhaseStatus& status, base::Time now) const noexcept;
     /// To be called when the message that was due at `now` is on its way.
     void sent(const flight::PhaseStatus& status, base::Time now) noexcept;

@@ -1,9 +1,9 @@
 /// Reconstructs when a periodic message was sent, although CANaerospace messages carry no time.
 ///
-/// A sender counts its messages (message code) and sends them at a steady period, so the sending time is a linear function of
-/// the count. The line is fitted to the receive stamps by a growing-memory least-squares filter (alpha = 2(2n-1)/(n(n+1)), beta
-/// = 6/(n(n+1)); E. Brookner, Tracking and Kalman Filtering Made Easy, 1998, chapter 1) whose memory stops growing at
-/// kMaxMemory messages. What remains is the mean transport delay, which no receiver can see.
+/// A sender counts its messages (message code) and sends them at a steady period, so the sending time is a linear function of the
+/// count. The line is fitted to the receive stamps by a growing-memory least-squares filter (alpha = 2(2n-1)/(n(n+1)), beta =
+/// 6/(n(n+1)); E. Brookner, Tracking and Kalman Filtering Made Easy, 1998, chapter 1) whose memory stops growing at kMaxMemory
+/// messages. A receiver cannot estimate the mean transport delay, so the result contains it.
 ///
 /// The fit is locked once kMessagesToLock messages lie close to the line; without a lock the receive stamp is the answer.
 /// Stamps far off the line (a burst after a busy bus) do not move it. Only differences of times enter, so the same messages

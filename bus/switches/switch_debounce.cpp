@@ -28,6 +28,14 @@ SwitchLevels SwitchDebounce::levels(base::Time now) const {
     return levels;
 }
 
+bool SwitchDebounce::are_settled(std::uint32_t lines, base::Time now) const {
+    for (std::size_t i = 0; i < kMaxSwitchLines; ++i) {
+        const Line& line = lines_[i];
+        if ((lines >> i & 1u) != 0 && line.raw != line.stable && now - line.since < stable_) return false;
+    }
+    return true;
+}
+
 SwitchDebounce::Change SwitchDebounce::next_change(base::Time after) const {
     Change next;
     for (const Line& line : lines_) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 #include "bus/switches/switch_edge.hpp"
@@ -25,6 +26,9 @@ public:
     void add(const SwitchEdge& edge);
     /// Returns the debounced levels; `now` must not lie before the newest edge added.
     [[nodiscard]] SwitchLevels levels(base::Time now) const;
+
+    /// True where each of these lines (a bit each) has kept its level at `now`; no level of theirs is about to become effective.
+    [[nodiscard]] bool are_settled(std::uint32_t lines, base::Time now) const;
 
     struct Change {
         base::Time at;

@@ -2,11 +2,19 @@
 
 namespace tedavis::bus {
 
+/// Null where the pattern is impossible, or another one than before and not settled yet.
+const SwitchPattern* SwitchToPhase::pattern_of(const State& state, base::Time at) const {
+    const SwitchLevels levels = state.debounce.levels(at);
+    const std::uint32_t lines = config_.phase_lines();
+    const SwitchPattern* pattern = (levels.known & lines) == lines ? config_.find_pattern(levels.high & lines) : nullptr;
+    if (pattern == nullptr) return nullptr;
+    const bool is_of_before = pattern->phase == state.last_valid.phase;
+    return is_of_before || state.debounce.are_settled(lines, at) ? pattern : nullptr;
+}
+
 void SwitchToPhase::evaluate(State& state, base::Time at) const {
     state.evaluated = at;
-    const SwitchLevels levels = state.debounce.levels(at);
-    const std::uint32_t phase = config_.phase_lines();
-    const SwitchPattern* pattern = (levels.known & phase) == phase ? config_.find_pattern(levels.high & phase) : nullptr;
+    const SwitchPattern* const pattern = pattern_of(state, at);
     if (pattern != nullptr) {
         state.last_valid = {pattern->phase, pattern->phase.scenario != flight::Scenario::unknown};
     } else if (!state.impossible) {

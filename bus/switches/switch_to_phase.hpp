@@ -1,8 +1,10 @@
 /// Maps debounced switch levels to a flight phase.
 ///
-/// A pattern that the config lists states its phase. Any other pattern, or lines that never reported, is impossible: the last
-/// valid phase is kept, and the fault is raised once the pattern has lasted for the settle time, because a rotary switch passes
-/// through impossible patterns. The next valid pattern clears the fault.
+/// A pattern that the config lists states its phase, once every line of it is settled: lines of one panel that change together
+/// (its supply fails, or its knob is turned) do so some milliseconds apart, and what they show in between may be another phase's
+/// pattern. Any other pattern, or lines that never reported, is impossible: the last valid phase is kept, and the fault is raised
+/// once this has lasted for the settle time, because a rotary switch passes through impossible patterns. The next valid pattern
+/// clears the fault.
 ///
 /// The status at `now` depends only on the edges at or before `now`: every debounced change is evaluated at its own instant,
 /// however rarely status() is called.
@@ -22,7 +24,8 @@
 namespace tedavis::bus {
 
 struct SwitchPhase {
-    flight::PhaseStatement statement;  ///< states nothing before the first valid pattern, and on a pattern of "unknown"
+    /// Empty before the first valid pattern and while the pattern stands for the phase `unknown`.
+    flight::PhaseStatement statement;
     bool fault = false;
     SwitchLevels levels;  ///< debounced
 };
@@ -53,6 +56,7 @@ public:
 
 private:
     void evaluate(State& state, base::Time at) const;
+    [[nodiscard]] const SwitchPattern* pattern_of(const State& state, base::Time at) const;
     void evaluate_waiting_edges(State& state) const;
 
     SwitchConfig config_;

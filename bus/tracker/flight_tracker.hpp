@@ -85,7 +85,7 @@ private:
 
     TrackerMemory& memory_;
     TrackerPorts ports_;
-    CanFrame batch_[kFramesAtOnce];  ///< of one reading; what is left in it means nothing
+    CanFrame batch_[kFramesAtOnce];  ///< of one reading; its content is no part of the state
 };
 
 }  // namespace tedavis::bus

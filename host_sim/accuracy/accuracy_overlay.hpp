@@ -1,7 +1,7 @@
 /// What a command draws over a finished picture to show how accurate it is: figures of the frame's record in a corner, and the
-/// measured error of the ground in colors over it (ground_errors.hpp).
+/// measured error of the ground in colours over it (ground_errors.hpp).
 ///
-/// The display knows nothing of it, so hashes and all else that a record holds are those of the picture without it.
+/// It is drawn after the record was made: hash and record are those of the picture without it.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace tedavis::host_sim {
 
-/// The lines of the overlay: the requested tau, the proven greatest error of the drawn terrain, the quality level, and
-/// `has_time` the time that the frame took. Errors are rounded up.
+/// The lines of the overlay: the requested tau, the proven greatest error of the drawn terrain, the quality level, and, with
+/// `has_time`, the frame's time. Errors are rounded up.
 [[nodiscard]] std::vector<std::string> accuracy_lines(const FrameResult& result, bool has_time);
 
 struct OverlayStyle {
@@ -33,10 +33,10 @@ public:
     AccuracyOverlay(const AccuracyOverlay&) = delete;
     AccuracyOverlay& operator=(const AccuracyOverlay&) = delete;
 
-    /// Other parts are shown from now on; throws as the constructor does, and then shows what it did before.
+    /// Chooses other parts. Throws as the constructor does, and then changes nothing.
     void show(const AccuracyShown& shown);
     [[nodiscard]] const AccuracyShown& shown() const { return style_.shown; }
-    /// The session's picture with the overlay, top row first; `result`, which is of the same frame, is marked with it.
+    /// Returns the session's picture with the overlay, top row first; sets `has_accuracy_overlay` of `result`, the same frame's.
     [[nodiscard]] RgbaPicture over(DisplaySession& session, FrameResult& result) const;
 
 private:

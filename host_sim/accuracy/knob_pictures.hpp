@@ -1,8 +1,8 @@
 /// The pictures of a knob's cheapest level and of its most accurate one, side by side with maps of what differs.
 ///
-/// Colour is compared by CIEDE2000 (render_core/design/color_difference.hpp), what a viewer notices by
-/// measure/perceptual_difference.hpp. The maps show nothing where the pictures agree, in dark blue, and the greatest difference
-/// in yellow: a scale that is read without colour vision as well, since it rises in lightness.
+/// Colour is compared by CIEDE2000 (render_core/design/color_difference.hpp), perceived differences are FLIP
+/// (measure/perceptual_difference.hpp). The maps are dark blue where the pictures agree and yellow at the greatest difference: a
+/// scale that is read without colour vision as well, since it rises in lightness.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct PictureErrors {
 
 /// Where the cheap level's error is greatest.
 struct PicturePlace {
-    std::string pose;            ///< for people
-    std::string command;         ///< that draws the cheap picture again
+    std::string pose;            ///< in words
+    std::string command;         ///< draws the cheap picture again
     std::uint32_t x = 0, y = 0;  ///< pixel, from the left and from the top
 };
 
@@ -58,15 +58,15 @@ template <class Pictures>
                                                             {"exact_crop", &pictures.exact_crop}}};
 }
 
-/// Compares both pictures, which have the same size. Throws UserError where they have not.
+/// Compares both pictures, which have the same size. Throws UserError if the sizes differ.
 [[nodiscard]] KnobPictures compare_pictures(const std::string& knob, const RgbaView& cheap, const RgbaView& exact,
                                             const PicturePlace& place);
 
 /// Returns a picture of `values`, top row first, from dark blue at 0 to yellow at `full` and above.
 [[nodiscard]] RgbaPicture error_map(const std::vector<double>& values, std::uint32_t width, double full);
 
-/// Returns a map of errors that are known at some pixels only: each fills a square as large as its share of the picture, yellow
-/// at the greatest. Where none is known the map is grey. `pixels` are the places of `errors`.
+/// Returns a map of errors that are known at some pixels only: each error fills a square of width x height / number of errors
+/// pixels, yellow at the greatest. Where none is known the map is grey. `pixels` are the places of `errors`.
 [[nodiscard]] RgbaPicture metric_map(const std::vector<double>& errors, const std::vector<KnobPixel>& pixels,
                                      const PictureSize& size);
 

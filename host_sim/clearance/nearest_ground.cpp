@@ -107,7 +107,7 @@ void NearestGround::search(Search& search) {
         const terrain::ChunkEntry* const found = entry_of(ahead.top().key);
         ahead.pop();
         if (found == nullptr) continue;
-        const terrain::ChunkEntry entry = *found;  // its page may have to give way
+        const terrain::ChunkEntry entry = *found;  // its page may be replaced
         for_children(entry, add);
         const GroundChunk* const chunk = entry.children == 0 ? chunk_of(entry) : nullptr;
         if (chunk == nullptr) continue;

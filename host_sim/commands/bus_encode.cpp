@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bus/canaerospace/message_encoder.hpp"
+#include "bus/canaerospace/message_header.hpp"
 #include "bus/candump/candump_line.hpp"
 #include "host_sim/flight_test/nearest_names.hpp"
 #include "host_sim/flight_test/read_conditions.hpp"
@@ -42,7 +43,8 @@ public:
         : bus_(bus_of(options)),
           encoder_(bus_, kMadeFrameNode),
           interface_(options.interface_name),
-          time_(base::Time{} + base::Duration::from_seconds(options.at_s)) {}
+          time_(base::Time{} + base::Duration::from_seconds(options.at_s)),
+          code_(options.code) {}
 
     void add(const std::vector<std::string>& values) {
         take_origin(values);
@@ -120,6 +122,9 @@ private:
     void put(std::size_t count) {
         for (std::size_t n = 0; n < count; ++n) {
             frames_[n].time = time_;
+            bus::MessageHeader header = bus::read_header(frames_[n]);
+            header.message_code = static_cast<std::uint8_t>(header.message_code + code_);  // 0 follows 255
+            bus::write_header(frames_[n], header);
             time_ = time_ + kMadeFrameTime;
             std::array<char, bus::kMaxCandumpLine> line;
             const std::size_t length =
@@ -133,6 +138,7 @@ private:
     bus::MessageEncoder encoder_;
     std::string interface_;
     base::Time time_;
+    unsigned code_;
     bus::PhaseOrigin origin_ = bus::PhaseOrigin::fms;
     std::array<bus::CanFrame, 2> frames_;
     std::vector<std::string> lines_, faults_;

@@ -12,7 +12,8 @@ struct BusEncodeOptions {
     std::vector<std::string> values;  ///< "indicated_airspeed_kt=90", "phase=approach.final", "phase_origin=fms"
     std::string bus = "canaerospace";
     std::string interface_name = "can0";
-    double at_s = 0;  ///< stamp of the first frame
+    double at_s = 0;    ///< stamp of the first frame
+    unsigned code = 0;  ///< 0..255: message code of the first frame of each identifier; its next frames count on from it
 };
 
 /// Prints the frames in the order of the values. All values that cannot be sent are said, each in a sentence, and nothing is

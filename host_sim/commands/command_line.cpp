@@ -168,7 +168,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& results, s
     try {
         return parse_and_run(argc, argv, results, notes, live, answers);
     } catch (const UserErrors& errors) {
-        for (const std::string& sentence : errors.sentences()) notes << "tedavis: " << one_sentence(sentence) << '\n';
+        for (const std::string& message : errors.sentences()) notes << "tedavis: " << one_sentence(message) << '\n';
     } catch (const UserError& error) {
         notes << "tedavis: " << one_sentence(error.what()) << '\n';
     } catch (const Interrupted& interrupted) {

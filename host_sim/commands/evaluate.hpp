@@ -12,16 +12,17 @@
 namespace tedavis::host_sim {
 
 struct EvaluateOptions {
-    std::vector<std::string> inputs;                 ///< pictures and folders of sheets, or one folder that replay wrote, or two
+    std::vector<std::string> inputs;                 ///< pictures and folders of sheets, or one or two folders of replays
     std::string output;                              ///< folder
     std::string fixations;                           ///< CSV; empty: none
     std::string orderings;                           ///< of pictures: shipped name of configs/orderings, or a path; empty: none
-    std::optional<perception::CannySettings> canny;  ///< nothing: the orderings', else the default
+    std::optional<perception::CannySettings> canny;  ///< empty: the settings of the orderings file, or else the default
     std::uint32_t threads = 0;                       ///< 0: as many as there are processors
 };
 
-/// Writes evaluation.json and the views of pictures, for runs report.html with the views of their peaks. Returns the exit code,
-/// kInterruptedExitCode with a valid result so far; throws UserError and Interrupted.
+/// Writes evaluation.json and the views of pictures, and, for runs, report.html with pictures of the frames of most clutter.
+/// Returns the exit code; after Ctrl-C it is kInterruptedExitCode, and the files hold what was measured until then. Throws
+/// UserError and Interrupted.
 [[nodiscard]] int run_evaluate(const EvaluateOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

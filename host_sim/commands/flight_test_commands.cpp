@@ -29,8 +29,8 @@ void add_verify(CLI::App& app, CommandLine& line) {
 /// The log, and what a script can say of its display; defaults are those of scripts.
 void add_recorded_flight(CLI::App* command, RecordOptions& o) {
     command->add_option("LOG", o.input,
-                        "candump log, folder of a replay or of a generated flight, or shipped scenario, such as default; with "
-                        "--target none");
+                        "candump log, folder of a replay or of a generated flight, or shipped scenario, such as default; "
+                        "leave it out where --target is given");
     command->add_option("--switches", o.switches, "switch log; default: none, or that of the folder");
     command->add_option("--switch-config", o.switch_config, "panel, file or shipped name; default: one_hot");
     command->add_option("--bus", o.bus, "bus file or shipped name: how the frames are read; default: canaerospace");
@@ -47,8 +47,9 @@ void add_record(CLI::App& app, CommandLine& line) {
                                          [&o](Console& console) { return run_record(o, console); });
     add_recorded_flight(command, o);
     command->add_option("-o", o.output, "script to write (.toml), to be edited and flown by verify")->required();
-    CLI::Option* from = add_optional(command, "--from", o.from_s, "earliest frame, in seconds since the log's first; default: 0");
-    CLI::Option* to = add_optional(command, "--to", o.to_s, "latest frame; default: the log's end");
+    CLI::Option* from = add_optional(command, "--from", o.from_s,
+                                     "earliest frame, in seconds since the log's first; default: 0, or the replay's");
+    CLI::Option* to = add_optional(command, "--to", o.to_s, "latest frame; default: the log's end, or the replay's last frame");
     from->check(CLI::Range(0.0, kLatestTestTime_s));
     to->check(CLI::Range(0.0, kLatestTestTime_s));
     command->add_option("--at", o.at_s, "what is shown at this time alone, s; may be repeated")
@@ -81,6 +82,13 @@ void add_bus(CLI::App& app, CommandLine& line) {
                      "signal=value with the unit in the name (indicated_airspeed_kt=90), phase=approach.final, phase_origin=fms")
         ->required();
     command->add_option("--at", o.at_s, "stamp of the first frame, s")->check(CLI::Range(0.0, 4e9))->capture_default_str();
+    command
+        ->add_option(
+            "--code", o.code,
+            "message code of the first frame of each identifier: a receiver drops a message that repeats the code before "
+            "it, so count on by one for each you send")
+        ->check(CLI::Range(0u, 255u))
+        ->capture_default_str();
     command->add_option("--interface", o.interface_name, "name of the interface")->capture_default_str();
     command->add_option("--bus", o.bus, "bus file or shipped name: how values are written")->capture_default_str();
 }

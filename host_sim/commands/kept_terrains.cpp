@@ -128,7 +128,7 @@ TerrainUse::~TerrainUse() {
     if (file_ >= 0) close(file_);
 }
 
-void note_terrain_use(const std::string& path) {
+void record_terrain_use(const std::string& path) {
     std::error_code ignored;  // of another user's cache: it may be used all the same
     fs::last_write_time(path + ".lock", fs::file_time_type::clock::now(), ignored);
 }

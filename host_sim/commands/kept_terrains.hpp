@@ -47,7 +47,7 @@ private:
 };
 
 /// The database is used now; its lock file exists.
-void note_terrain_use(const std::string& path);
+void record_terrain_use(const std::string& path);
 /// Removes those that were used longest ago until the others have at most `limit_bytes`, but not the one at `path`; returns those
 /// that were removed.
 std::vector<KeptTerrain> trim_terrains(const std::string& folder, std::uint64_t limit_bytes, const std::string& path);

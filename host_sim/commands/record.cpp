@@ -104,6 +104,10 @@ void require_inputs(FlightTest& test) {
         if (!path.empty()) require_regular_file(path);
 }
 
+WatchedAlerts watched_alerts(const PictureOptions& picture) {
+    return {!picture.terrain.empty(), !picture.terrain.empty() && !picture.scene.empty()};
+}
+
 Recording recording_of(const FactTracks& tracks, double rate_hz, double margin_s) {
     Recording recording;
     RecordingRule rule;
@@ -117,10 +121,11 @@ Recording recording_of(const FactTracks& tracks, double rate_hz, double margin_s
 
 Recording record_span(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings, const RecordOptions& options,
                       Console& console) {
-    FactTracks tracks({!test.picture.terrain.empty(), !test.picture.scene.empty()});
+    FactTracks tracks(watched_alerts(test.picture));
     const FrameWatcher watcher{[&](const ObservedFrame& frame) { tracks.take(frame); },
                                [&](std::uint64_t done, std::uint64_t total) { console.progress("recording", done, total); }};
-    const WatchedFlight flight = watch_flight(test, display, settings, {options.from_s.value_or(0), options.to_s, {}}, watcher);
+    const RecordedSpan span = recorded_span(options);
+    const WatchedFlight flight = watch_flight(test, display, settings, {span.from_s.value_or(0), span.to_s, {}}, watcher);
     Recording recording = recording_of(tracks, flight.rate_hz, options.margin_s);
     recording.flight = flight;
     return recording;
@@ -132,7 +137,7 @@ Recording record_times(const FlightTest& test, TestDisplay& display, const FlyTe
     times.at_s = options.at_s;
     std::sort(times.at_s.begin(), times.at_s.end());
     times.at_s.erase(std::unique(times.at_s.begin(), times.at_s.end()), times.at_s.end());
-    const WatchedAlerts alerts{!test.picture.terrain.empty(), !test.picture.scene.empty()};
+    const WatchedAlerts alerts = watched_alerts(test.picture);
     Recording recording;
     auto& list = recording.expectations.list;
     const auto take = [&](const ObservedFrame& frame) {
@@ -165,7 +170,7 @@ Recording record_flight(FlightTest& test, const RecordOptions& options, Console&
 Recording listen(const FlightTest& test, const RecordOptions& options, const BoardFile& board, std::ostream& log,
                  Console& console) {
     try {
-        FactTracks tracks({!test.picture.terrain.empty(), !test.picture.scene.empty()});
+        FactTracks tracks({!test.picture.terrain.empty(), false});  // records of a board do not say whether obstacles are watched
         const std::uint64_t frames = record_live_board(options, board, log, tracks, console);
         Recording recording = recording_of(tracks, board.rate_hz, options.margin_s);
         recording.flight = {board.rate_hz, frames};

@@ -111,4 +111,11 @@ FlightTest recorded_input(const RecordOptions& options) {
     return test;
 }
 
+RecordedSpan recorded_span(const RecordOptions& options) {
+    const bool is_of_run = !options.from_s && !options.to_s && !file_of_folder(options.input, kFrameRecordsName).empty();
+    if (!is_of_run) return {options.from_s, options.to_s};
+    const std::vector<RunFrame> frames = frames_of_run<RunFrame>(options.input, [](const RunRecords::Json&, RunFrame&) {});
+    return {frames.front().time_s, frames.back().time_s};
+}
+
 }  // namespace tedavis::host_sim

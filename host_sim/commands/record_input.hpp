@@ -30,4 +30,12 @@ struct RecordOptions {
 /// Throws UserError where there is no such input, or a run's files are gone.
 [[nodiscard]] FlightTest recorded_input(const RecordOptions& options);
 
+/// Seconds since the input's first frame; nothing: its own end.
+struct RecordedSpan {
+    std::optional<double> from_s, to_s;
+};
+
+/// As the options say; where they say neither end, that of the frames that a replay wrote to its folder. Throws UserError.
+[[nodiscard]] RecordedSpan recorded_span(const RecordOptions& options);
+
 }  // namespace tedavis::host_sim

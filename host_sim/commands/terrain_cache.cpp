@@ -99,7 +99,7 @@ std::string required_folder() {
 }
 
 bool is_found(const std::string& path, Console& console) {
-    note_terrain_use(path);  // first, so that no other process takes it for the oldest
+    record_terrain_use(path);  // first, so that no other process takes it for the oldest
     if (!is_sound(path)) return false;
     console.note("note: terrain from the cache: " + path);
     return true;
@@ -116,7 +116,7 @@ void build_at(const std::string& path, const TerrainBuildOptions& build, Console
 }
 
 void keep_below_limit(const std::string& folder, const std::string& path, Console& console) {
-    note_terrain_use(path);
+    record_terrain_use(path);
     const std::vector<KeptTerrain> removed = trim_terrains(folder, kKeptTerrainBytes, path);
     if (!removed.empty())
         console.note("note: " + removed_words(removed) + " from " + folder + ", where those used longest ago go beyond " +

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "host_sim/atomic_file.hpp"
 #include "host_sim/commands/built_inputs.hpp"
@@ -44,15 +45,30 @@ std::string picture_stem(const std::string& path, std::set<std::string>& taken) 
     return free;
 }
 
-/// The first failing instant, in the folder of the options.
-void write_failures(std::vector<FlownTest>& tests, const std::string& output) {
-    if (output.empty()) return;
+/// Where the picture and the record of each script go, without their suffixes.
+std::vector<std::string> picture_paths(const std::vector<std::string>& scripts, const std::string& output) {
+    std::vector<std::string> paths;
     std::set<std::string> taken;
+    for (const std::string& script : scripts) paths.push_back(output + "/" + picture_stem(script, taken));
+    return paths;
+}
+
+/// Whoever reads them after a run that ends early must not take them for its results.
+void remove_earlier_pictures(const std::vector<std::string>& scripts, const std::string& output) {
+    if (output.empty()) return;
+    std::error_code error;
+    for (const std::string& path : picture_paths(scripts, output))
+        for (const char* const suffix : {".png", ".json"}) fs::remove(path + suffix, error);
+}
+
+/// The first failing instant, in the folder of the options.
+void write_failures(std::vector<FlownTest>& tests, const std::vector<std::string>& scripts, const std::string& output) {
+    if (output.empty()) return;
+    const std::vector<std::string> paths = picture_paths(scripts, output);
     for (FlownTest& one : tests) {
-        const std::string path = output + "/" + picture_stem(one.test.path, taken);
-        std::error_code error;
-        for (const char* const suffix : {".png", ".json"}) fs::remove(path + suffix, error);  // of an earlier run
         if (one.result.record.empty()) continue;
+        const std::string& path =
+            paths[static_cast<std::size_t>(std::find(scripts.begin(), scripts.end(), one.test.path) - scripts.begin())];
         write_file_atomically(path + ".json", one.result.record + "\n");
         one.record = path + ".json";
         if (one.result.picture.empty()) continue;
@@ -61,29 +77,52 @@ void write_failures(std::vector<FlownTest>& tests, const std::string& output) {
     }
 }
 
-/// Several scripts may share a command line: a parameter must be one of any of them.
-bool has_unknown_parameter(const std::vector<FlightTest>& tests, const ScriptParameters& parameters, Console& console) {
+/// Several scripts may share a command line: a parameter must be one of any of them. A sentence for each that is not.
+std::vector<std::string> unknown_parameters(const std::vector<FlownTest>& tests, const ScriptParameters& parameters) {
     std::set<std::string> known;
-    for (const FlightTest& test : tests) known.insert(test.parameters.begin(), test.parameters.end());
-    bool has_unknown = false;
-    for (const auto& [name, value] : parameters) {
-        if (known.count(name) != 0) continue;
-        has_unknown = true;
-        console.note("tedavis: --set " + name + ": no script has such a parameter; there are: " + name_choices(known));
-    }
-    return has_unknown;
+    for (const FlownTest& one : tests) known.insert(one.test.parameters.begin(), one.test.parameters.end());
+    std::vector<std::string> sentences;
+    for (const auto& [name, value] : parameters)
+        if (known.count(name) == 0)
+            sentences.push_back("--set " + name + ": no script has such a parameter; there are: " + name_choices(known));
+    return sentences;
 }
 
-std::vector<FlightTest> read_tests(const VerifyOptions& options, const ScriptDefaults& defaults, Console& console,
-                                   bool& is_faulty) {
+std::string lines_of(const std::vector<std::string>& sentences) {
+    std::string lines;
+    for (const std::string& sentence : sentences) lines += (lines.empty() ? "" : "\n") + sentence;
+    return lines;
+}
+
+/// A line each, once: an included file is read with each script that includes it.
+void tell_faults(const std::vector<FlownTest>& tests, Console& console) {
+    std::set<std::string> told;
+    for (const FlownTest& one : tests) {
+        std::istringstream lines(one.fault);
+        for (std::string line; std::getline(lines, line);)
+            if (told.insert(line).second) console.note("tedavis: " + line);
+    }
+}
+
+/// Not flown yet; a script that is wrong has a fault.
+std::vector<FlownTest> read_tests(const VerifyOptions& options, const std::vector<std::string>& scripts,
+                                  const ScriptDefaults& defaults) {
     const ScriptParameters parameters = stated_parameters(options.parameters);
-    std::vector<FlightTest> tests;
-    ScriptFaults faults;
-    for (const std::string& path : script_paths(options.scripts))
-        tests.push_back(read_flight_test(path, parameters, faults, defaults));
-    for (const std::string& sentence : faults.sentences()) console.note("tedavis: " + sentence);
-    is_faulty = !faults.empty() || has_unknown_parameter(tests, parameters, console);
+    std::vector<FlownTest> tests;
+    for (const std::string& path : scripts) {
+        ScriptFaults faults;
+        FlightTest test = read_flight_test(path, parameters, faults, defaults);
+        test.path = path;
+        if (test.title.empty()) test.title = fs::path(path).stem().string();
+        tests.push_back({std::move(test), {}, "", "", "", lines_of(faults.sentences())});
+    }
+    if (const std::string lines = lines_of(unknown_parameters(tests, parameters)); !lines.empty())
+        for (FlownTest& one : tests) one.fault += (one.fault.empty() ? "" : "\n") + lines;
     return tests;
+}
+
+bool has_fault(const std::vector<FlownTest>& tests) {
+    return std::any_of(tests.begin(), tests.end(), [](const FlownTest& one) { return !one.fault.empty(); });
 }
 
 /// A line each, with the place of the input unless they say a place.
@@ -92,25 +131,40 @@ std::string with_place(const FlightTest& test, const std::string& sentences) {
     return has_place ? sentences : test.path + ":" + std::to_string(test.input_line) + ": " + sentences;
 }
 
-/// Tests whose input cannot be played are told in `faults`, and the others are flown.
-std::vector<FlownTest> fly_tests(std::vector<FlightTest>& tests, bool draws_failures, const std::string& folder,
-                                 const InterruptGuard& interrupt, Console& console, std::vector<std::string>& faults) {
+/// A test whose input cannot be played has a fault, and the others are flown.
+void fly_tests(std::vector<FlownTest>& tests, bool draws_failures, const std::string& folder, const InterruptGuard& interrupt,
+               Console& console) {
     BuiltInputs inputs(folder, console);
     TestDisplay display;
-    std::vector<FlownTest> flown;
     const FlyTestSettings settings{folder, draws_failures, [&] { return interrupt.requested(); }};
-    for (FlightTest& test : tests) {
+    std::size_t flown = 0;
+    for (FlownTest& one : tests) {
         try {
-            inputs.resolve_to_fly(test);
-            FlightTestResult result = fly_flight_test(test, display, settings);
-            flown.push_back({std::move(test), std::move(result), ""});
+            inputs.resolve_to_fly(one.test);
+            one.result = fly_flight_test(one.test, display, settings);
         } catch (const UserError& error) {
-            faults.push_back(with_place(test, error.what()));
+            one.fault = with_place(one.test, error.what());
         }
-        console.progress("flight tests", flown.size(), tests.size());
+        console.progress("flight tests", ++flown, tests.size());
     }
     console.progress_done();
-    return flown;
+    tell_faults(tests, console);
+}
+
+std::vector<FlownTest> fly_all_on_board(std::vector<FlownTest>& read, const BoardTests& settings, Console& console) {
+    std::vector<FlightTest> tests;
+    for (FlownTest& one : read) tests.push_back(std::move(one.test));
+    return fly_tests_on_board(tests, settings, console);
+}
+
+/// Nothing is flown where a script is wrong; whoever reads results finds the fault there.
+int refuse_tests(std::vector<FlownTest>& tests, const VerifyOptions& options, Console& console) {
+    tell_faults(tests, console);
+    for (FlownTest& one : tests)
+        if (one.fault.empty()) one.left_out = "was not flown, as another script is wrong";
+    if (!options.junit.empty()) write_file_atomically(options.junit, flight_tests_junit(tests));
+    if (console.json()) console.result("", json_text(flight_tests_json(tests)));
+    return kFaultyInputExitCode;
 }
 
 /// A test that was not flown to its end comes before one that does not hold: nobody knows what it would have shown. The same is
@@ -155,27 +209,29 @@ std::vector<std::string> script_paths(const std::vector<std::string>& named) {
 int run_verify(const VerifyOptions& options, Console& console) {
     const std::optional<BoardFile> board =
         stated_board(options.target, options.board, options.interface_name + options.panel_lines);
-    bool is_faulty = false;
-    std::vector<FlightTest> tests = read_tests(options, board ? script_defaults(*board) : ScriptDefaults(), console, is_faulty);
-    if (is_faulty) return kFaultyInputExitCode;
+    require_other_file(options.junit, options.scripts);
+    std::error_code error;
+    if (fs::is_regular_file(options.junit, error)) fs::remove(options.junit, error);  // of an earlier run, as are the pictures
+    const std::vector<std::string> scripts = script_paths(options.scripts);
+    remove_earlier_pictures(scripts, options.output);
+    std::vector<FlownTest> tests = read_tests(options, scripts, board ? script_defaults(*board) : ScriptDefaults());
+    if (has_fault(tests)) return refuse_tests(tests, options, console);
     const InterruptGuard interrupt;
     const TemporaryFolder work;
     std::optional<NewFolder> folder;
     if (!options.output.empty()) folder.emplace(options.output);
     std::optional<AtomicFile> junit;
     if (!options.junit.empty()) junit.emplace(options.junit);
-    std::vector<std::string> faults;
-    std::vector<FlownTest> flown =
-        board ? fly_tests_on_board(tests, {options, *board, work.path(), [&] { return interrupt.requested(); }}, console)
-              : fly_tests(tests, !options.output.empty(), work.path(), interrupt, console, faults);
-    for (const std::string& sentence : faults) console.note("tedavis: " + sentence);
-    if (!faults.empty()) return kFaultyInputExitCode;
-    write_failures(flown, options.output);
-    if (junit) junit->stream() << flight_tests_junit(flown);
+    if (board)
+        tests = fly_all_on_board(tests, {options, *board, work.path(), [&] { return interrupt.requested(); }}, console);
+    else
+        fly_tests(tests, !options.output.empty(), work.path(), interrupt, console);
+    write_failures(tests, scripts, options.output);
+    if (junit) junit->stream() << flight_tests_junit(tests);
     if (junit) junit->commit();
     if (folder) folder->keep();
-    console.result(flight_tests_text(flown), json_text(flight_tests_json(flown)));
-    return exit_code_of(flown, options.strict);
+    console.result(flight_tests_text(tests), json_text(flight_tests_json(tests)));
+    return exit_code_of(tests, options.strict);
 }
 
 }  // namespace tedavis::host_sim

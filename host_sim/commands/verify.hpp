@@ -23,8 +23,9 @@ struct VerifyOptions {
 };
 
 /// Returns 0 where all expectations hold, kCheckFailedExitCode where one does not, and kFaultyInputExitCode, with a sentence for
-/// each fault, before anything is flown where a script is faulty; also where on a board none of the scripts can be judged. Throws
-/// UserError and Interrupted.
+/// each fault, before anything is flown where a script is faulty; also where the input of one cannot be played, and where on a
+/// board none of the scripts can be judged. Faults are in the JSON and in the JUnit file, too. The JUnit file, the pictures and
+/// the records of an earlier run are removed first. Throws UserError and Interrupted.
 [[nodiscard]] int run_verify(const VerifyOptions& options, Console& console);
 
 /// The scripts that are named, folders as what lies in them, or the shipped ones. Throws UserError.

@@ -179,8 +179,8 @@ void read_contract_condition(ScriptTable& table, const PictureOptions& picture, 
                                            "; name a shipped one of configs/contracts, or a path from this file's folder");
     try {
         Contract contract = read_contract(path);
-        if (const std::string sentence = fault_of_contract(contract, picture, conditions); !sentence.empty())
-            return table.fault("contract", "'contract': " + sentence);
+        if (const std::string message = fault_of_contract(contract, picture, conditions); !message.empty())
+            return table.fault("contract", "'contract': " + message);
         const auto tested = std::make_shared<TestedContract>(std::move(contract), picture);
         conditions.push_back({"contract", *name, observer_of(tested, WindowKind::at), std::nullopt,
                               [tested](WindowKind kind) { return observer_of(tested, kind); }});

@@ -15,8 +15,8 @@ struct FlownTest {
     FlightTestResult result;
     std::string picture;     ///< path of the picture of the first failing instant; empty: none
     std::string record{};    ///< path of the record of that instant, where there is no picture
-    std::string left_out{};  ///< why it was not flown, as it is one of another board; else empty
-    std::string fault{};     ///< why it was not flown to its end; else empty
+    std::string left_out{};  ///< why it was not flown: it is one of another board, or another script is wrong; else empty
+    std::string fault{};     ///< why it was not flown to its end, a sentence a line; else empty
 
     /// Nothing where none of it was judged: it was left out, or a board cannot answer what it asks for.
     [[nodiscard]] std::optional<bool> holds() const {

@@ -93,7 +93,7 @@ private:
         for (const double time_s : times.at_s) frames.push_back(frame_at_or_after(time_s));
         if (!times.at_s.empty()) return frames;
         const std::int64_t first = frame_at_or_after(times.from_s);
-        if (times.to_s) static_cast<void>(frame_at_or_after(*times.to_s));
+        if (times.to_s && *times.to_s > end_s()) static_cast<void>(frame_at_or_after(*times.to_s));
         const double to_s = std::min(times.to_s.value_or(end_s()), kLatestTestTime_s);
         const auto last = static_cast<std::int64_t>(std::floor(to_s * rate_hz_ + kSmallPart));
         for (std::int64_t n = first; n <= last; ++n) frames.push_back(n);
@@ -217,7 +217,7 @@ FlightTestResult fly_flight_test(const FlightTest& test, TestDisplay& display, c
     const PlayerFiles files = test_input_files(test, settings.folder);
     DisplaySession& session = display.session_for(test.picture, test.has_steps || is_generated_flight(files.log));
     FlightPlayer player(files, session.display(), nullptr, test_index_policy());
-    require_within_input(test, (player.last() - player.first()).to_seconds());
+    require_within_input(test, (player.last() - player.first()).to_seconds(), {session.device().frame_rate_hz});
     return TestFlight(test, session, player, settings).fly();
 }
 

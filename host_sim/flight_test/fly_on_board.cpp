@@ -77,7 +77,7 @@ public:
           settings_(settings),
           input_(read_timed_input(test_input_files(test, settings.folder), test.panel)),
           records_(port, settings.display, settings.is_interrupted) {
-        require_within_input(test, input_.end_s());
+        require_within_input(test, input_.end_s(), {});
         for (const Expectation& one : test.expectations) {
             end_s_ = std::max(end_s_, one.to_s);
             expectations_.push_back(answerable(one, &is_in_board_record));
@@ -179,7 +179,7 @@ private:
                 port_.send(input_.frames[next_frame_++]);
             else
                 throw_switch(input_.edges[next_edge_++]);
-            note_delay(next);
+            record_delay(next);
         }
     }
 
@@ -187,7 +187,7 @@ private:
 
     [[nodiscard]] base::Time due(base::Time of_input) const { return begin_ + (of_input - base::Time{}); }
 
-    void note_delay(base::Time due_at) {
+    void record_delay(base::Time due_at) {
         const base::Duration delay = port_.now() - due_at;
         if (delay > kLongestDelay)
             throw UserError("at " + text_of_seconds((due_at - begin_).to_seconds()) + " this machine was " +
@@ -200,7 +200,7 @@ private:
         require_on_screen(*record, settings_.display);
         ObservedFrame& frame = record->seen;
         frame.time_s = record->monotonic_s - (begin_ - base::Time{}).to_seconds();
-        note_latency(*record);
+        record_latency(*record);
         frame.latency_frames = latency_frames_;
         frame.is_latency_to_screen = true;
         judge_frame(frame);
@@ -208,7 +208,7 @@ private:
     }
 
     /// Between two messages it is that of the earlier one, but not for long.
-    void note_latency(const BoardRecord& record) {
+    void record_latency(const BoardRecord& record) {
         if (record.can_to_screen_s) {
             latency_frames_ = *record.can_to_screen_s * settings_.rate_hz;
             latency_of_s_ = record.seen.time_s;

@@ -5,11 +5,6 @@
 #include <limits>
 
 namespace tedavis::host_sim {
-namespace {
-
-constexpr double kSameTime_s = 1e-6;  // by which a frame may miss its time, as numbers are rounded
-
-}  // namespace
 
 ExpectationJudge::ExpectationJudge(const Expectation& expectation, const FrameTimes& times)
     : expectation_(expectation), times_(times) {
@@ -37,7 +32,8 @@ bool ExpectationJudge::is_last(double time_s) const {
     return times_.rate_hz && time_s + 1 / *times_.rate_hz > expectation_.to_s + kSameTime_s;
 }
 
-void ExpectationJudge::note_failure(const ObservedFrame& frame, const FrameCondition& condition, const Observation& observation) {
+void ExpectationJudge::record_failure(const ObservedFrame& frame, const FrameCondition& condition,
+                                      const Observation& observation) {
     result_.failed_s = frame.time_s;
     result_.key = condition.key;
     result_.expected = condition.expected;
@@ -59,7 +55,7 @@ bool ExpectationJudge::observe(const ObservedFrame& frame) {
     for (std::size_t n = 0; n < observers_.size(); ++n) {
         const Observation observation = observers_[n](frame);
         if (observation.holds) continue;
-        note_failure(frame, expectation_.conditions[n], observation);
+        record_failure(frame, expectation_.conditions[n], observation);
         return false;
     }
     return true;
@@ -75,8 +71,8 @@ bool ExpectationJudge::take_before(const ObservedFrame& frame) {
 bool ExpectationJudge::fail_as_held_before(double time_s) {
     ObservedFrame frame;
     frame.time_s = time_s;
-    note_failure(frame, {"after_s", "a frame in which it does not hold yet", {}},
-                 {false, "already held at after_s", "the state before passes; say from_s and to_s, or an earlier after_s"});
+    record_failure(frame, {"after_s", "a frame in which it does not hold yet", {}},
+                   {false, "already held at after_s", "the state before passes; say from_s and to_s, or an earlier after_s"});
     is_settled_ = true;
     return true;
 }
@@ -101,7 +97,7 @@ bool ExpectationJudge::pass(double time_s) {
     if (time_s <= last_s() + kSameTime_s) return false;
     is_settled_ = true;
     if (held_at_s_) return fail_as_held_before(*held_at_s_);
-    if (!has_frame_) note_no_frame();
+    if (!has_frame_) record_no_frame();
     result_.holds = has_frame_ && (expectation_.kind == WindowKind::during || result_.reached_s.has_value());
     return !result_.holds;
 }
@@ -119,19 +115,19 @@ bool ExpectationJudge::fail_as_frozen(double time_s) {
     std::snprintf(found, sizeof found, "none from %.2f s to %.2f s", begin_s, end_s);
     ObservedFrame frame;
     frame.time_s = begin_s;
-    note_failure(frame, {"time", expected, {}}, {false, found, "the display stood still; see what its frames wait for"});
+    record_failure(frame, {"time", expected, {}}, {false, found, "the display stood still; see what its frames wait for"});
     is_settled_ = true;
     return true;
 }
 
-void ExpectationJudge::note_no_frame() {
+void ExpectationJudge::record_no_frame() {
     char expected[96];
     std::snprintf(expected, sizeof expected, "frames from %g s to %g s", expectation_.from_s, expectation_.to_s);
     result_.failed_s = expectation_.from_s;
     result_.key = "time";
     result_.expected = expected;
     result_.found = has_frame_ ? "only the first of them" : "none";
-    result_.reason = times_.rate_hz ? "the input ended, or no frame of the device lies there"
+    result_.reason = times_.rate_hz ? "the input ended before them"
                                     : "the display had none ready in this time; give it more, or make its frames faster";
 }
 
@@ -139,7 +135,7 @@ ExpectationResult ExpectationJudge::result() const {
     if (is_settled_) return result_;
     ExpectationJudge ended = *this;
     ended.result_.holds = false;
-    if (ended.result_.key.empty() || !has_frame_) ended.note_no_frame();
+    if (ended.result_.key.empty() || !has_frame_) ended.record_no_frame();
     return ended.result_;
 }
 

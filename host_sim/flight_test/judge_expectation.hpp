@@ -10,6 +10,9 @@
 
 namespace tedavis::host_sim {
 
+/// By which a frame may miss its time, as numbers are rounded, s.
+inline constexpr double kSameTime_s = 1e-6;
+
 /// What became of an expectation.
 struct ExpectationResult {
     bool holds = false;
@@ -56,8 +59,8 @@ private:
     bool take_of_reach(const ObservedFrame& frame);
     bool fail_as_held_before(double time_s);
     bool fail_as_frozen(double time_s);
-    void note_no_frame();
-    void note_failure(const ObservedFrame& frame, const FrameCondition& condition, const Observation& observation);
+    void record_no_frame();
+    void record_failure(const ObservedFrame& frame, const FrameCondition& condition, const Observation& observation);
 
     const Expectation& expectation_;
     FrameTimes times_;

@@ -34,19 +34,31 @@ std::vector<std::string> names_of_values(const Values& values) {
     return names;
 }
 
+/// "approach", "approach.final" and "approach.none", and so on.
+std::vector<std::string> expected_phase_names() {
+    std::vector<std::string> names = phase_names();
+    for (const std::string& name : phase_names()) {
+        const std::string exact = exact_phase_text(flight::phase_from_name(name).phase);
+        if (exact != name) names.push_back(exact);
+    }
+    return names;
+}
+
 bool has_flag(const display::FrameRecord& record, const std::string& name) {
     return std::any_of(record.flags.begin(), record.flags.end(), [&](const display::Name& flag) { return flag.view() == name; });
 }
 
+/// A scenario stands for its sub-phases, too, unless it is said that it has none.
 void read_phase_condition(ScriptTable& table, Conditions& conditions) {
     const auto name = table.text("phase");
     if (!name) return;
-    const flight::ParsedPhase parsed = flight::phase_from_name(*name);
-    if (!parsed.ok) return static_cast<void>(place_among(table, "phase", *name, phase_names()));
-    conditions.push_back({"phase", *name, [phase = parsed.phase](const ObservedFrame& frame) {
+    if (!place_among(table, "phase", *name, expected_phase_names())) return;
+    const bool has_none = name->find(kNoSubPhase) != std::string::npos;
+    const flight::FlightPhase phase = flight::phase_from_name(name->substr(0, name->find(kNoSubPhase))).phase;
+    conditions.push_back({"phase", *name, [phase, is_exact = has_none || phase.sub_phase != 0](const ObservedFrame& frame) {
                               const flight::FlightPhase found = frame.record.phase.phase;
-                              const bool is_same = phase.sub_phase == 0 ? found.scenario == phase.scenario : found == phase;
-                              return Observation{is_same, phase_text(found), words_of_phase(frame.record.phase)};
+                              const bool holds = is_exact ? found == phase : found.scenario == phase.scenario;
+                              return Observation{holds, phase_text(found), words_of_phase(frame.record.phase)};
                           }});
 }
 
@@ -149,28 +161,29 @@ std::string words_of_watch(const ObservedFrame& frame, bool is_watching) {
     return text;
 }
 
+bool watches_obstacles(const ObservedFrame& frame) { return frame.record.alerts.is_watching && frame.has_obstacles; }
+
 /// "none" is said of a display that watches; without data, or where it does not, there could be no other.
-Observation observe_alert(const ObservedFrame& frame, policy::TerrainAhead level, bool is_watching, std::size_t wanted) {
+std::string name_of_alert(policy::TerrainAhead level, bool is_watching) {
     const auto stated = static_cast<std::size_t>(level);
-    const std::size_t found = stated == kNoAlert && !is_watching ? kNotWatching : stated;
-    return {found == wanted, kAlertNames[found], words_of_watch(frame, is_watching)};
+    return kAlertNames[stated == kNoAlert && !is_watching ? kNotWatching : stated];
 }
 
 void read_alert_conditions(ScriptTable& table, Conditions& conditions) {
     const auto read = [&](const char* key, auto observe) {
         const auto name = table.text(key);
-        if (!name) return;
-        if (const auto wanted = place_among(table, key, *name, kAlertNames))
-            conditions.push_back(
-                {key, *name, [observe, wanted = *wanted](const ObservedFrame& frame) { return observe(frame, wanted); }});
+        if (!name || !place_among(table, key, *name, kAlertNames)) return;
+        conditions.push_back({key, *name, [observe, wanted = *name](const ObservedFrame& frame) {
+                                  Observation observation = observe(frame);
+                                  observation.holds = observation.found == wanted;
+                                  return observation;
+                              }});
     };
-    read("alert", [](const ObservedFrame& frame, std::size_t wanted) {
-        const display::AlertRecord& alerts = frame.record.alerts;
-        return observe_alert(frame, alerts.terrain, alerts.is_watching, wanted);
+    read("alert", [](const ObservedFrame& frame) {
+        return Observation{false, alert_text(frame), words_of_watch(frame, frame.record.alerts.is_watching)};
     });
-    read("obstacle_alert", [](const ObservedFrame& frame, std::size_t wanted) {
-        const display::AlertRecord& alerts = frame.record.alerts;
-        return observe_alert(frame, alerts.obstacle, alerts.is_watching && frame.has_obstacles, wanted);
+    read("obstacle_alert", [](const ObservedFrame& frame) {
+        return Observation{false, obstacle_alert_text(frame), words_of_watch(frame, watches_obstacles(frame))};
     });
 }
 
@@ -196,11 +209,11 @@ Observation observe_value(const ObservedFrame& frame, const StatedSignalUnit& un
 /// values = { indicated_airspeed_kt = [89, 91] }.
 void read_value_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
     for (const ScriptValue::Entry* const entry : table.entries("values")) {
-        std::string sentence;
-        const auto unit = read_signal_key(entry->first, sentence);
+        std::string message;
+        const auto unit = read_signal_key(entry->first, message);
         const auto limits = unit ? read_limits(*entry, *unit) : std::nullopt;
         if (!unit) {
-            faults.add(entry->second.file, entry->second.line, sentence);
+            faults.add(entry->second.file, entry->second.line, message);
         } else if (!limits) {
             faults.add(entry->second.file, entry->second.line,
                        "'" + entry->first + "' must be two numbers, the lowest and the highest value: [89, 91]");
@@ -262,6 +275,19 @@ std::string words_of_phase(const flight::PhaseStatus& status) {
 std::string phase_text(flight::FlightPhase phase) {
     const std::string sub_phase = flight::sub_phase_name(phase);
     return flight::scenario_name(phase) + (sub_phase.empty() ? "" : "." + sub_phase);
+}
+
+std::string exact_phase_text(flight::FlightPhase phase) {
+    const bool has_parts = *flight::sub_phase_name({phase.scenario, 1}) != '\0';
+    return phase_text(phase) + (phase.sub_phase == 0 && has_parts ? kNoSubPhase : "");
+}
+
+std::string alert_text(const ObservedFrame& frame) {
+    return name_of_alert(frame.record.alerts.terrain, frame.record.alerts.is_watching);
+}
+
+std::string obstacle_alert_text(const ObservedFrame& frame) {
+    return name_of_alert(frame.record.alerts.obstacle, watches_obstacles(frame));
 }
 
 std::vector<std::string> phase_names() {

@@ -20,6 +20,13 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::vector<std::string> record_flag_names();
 /// "approach.final", or the scenario alone where no sub-phase is stated.
 [[nodiscard]] std::string phase_text(flight::FlightPhase phase);
+/// "none", "caution" or "warning" of terrain, and of obstacles; "not_watching" where there could be none.
+[[nodiscard]] std::string alert_text(const ObservedFrame& frame);
+[[nodiscard]] std::string obstacle_alert_text(const ObservedFrame& frame);
+/// What an expectation writes after a scenario's name for none of its sub-phases.
+inline constexpr const char* kNoSubPhase = ".none";
+/// As phase_text(), but "approach.none" where the scenario has sub-phases and none is stated: it expects this phase alone.
+[[nodiscard]] std::string exact_phase_text(flight::FlightPhase phase);
 /// All phases that can be stated.
 [[nodiscard]] std::vector<std::string> phase_names();
 

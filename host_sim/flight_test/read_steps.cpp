@@ -45,10 +45,10 @@ std::optional<double> number_of_units(ScriptTable& table, const std::string& nam
 std::optional<double> read_target_value(const ScriptValue::Entry& entry, const StatedSignalUnit& unit, ScriptFaults& faults) {
     const ScriptValue& value = entry.second;
     const bool is_number = value.kind == ScriptValue::Kind::number && std::isfinite(value.number);
-    const std::string sentence =
+    const std::string message =
         is_number ? fault_of_value(entry.first, unit, value.number) : "'" + entry.first + "' must be a finite number";
-    if (!sentence.empty()) faults.add(value.file, value.line, sentence + (is_number ? "; send them with frame = \"...\"" : ""));
-    if (!sentence.empty()) return std::nullopt;
+    if (!message.empty()) faults.add(value.file, value.line, message + (is_number ? "; send them with frame = \"...\"" : ""));
+    if (!message.empty()) return std::nullopt;
     return unit.to_si(value.number);
 }
 
@@ -56,15 +56,15 @@ std::vector<SignalTarget> read_targets(ScriptTable& table, std::string_view key,
                                        ScriptFaults& faults) {
     std::vector<SignalTarget> targets;
     for (const ScriptValue::Entry* const entry : table.entries(key)) {
-        std::string sentence;
-        const auto unit = read_signal_key(entry->first, sentence);
+        std::string message;
+        const auto unit = read_signal_key(entry->first, message);
         if (unit && is_stated(bus.messages, unit->signal))
-            sentence = "the bus file states a [[message]] of its own for '" + entry->first + "'; send it with frame = \"...\"";
+            message = "the bus file states a [[message]] of its own for '" + entry->first + "'; send it with frame = \"...\"";
         if (unit &&
             std::any_of(targets.begin(), targets.end(), [&](const SignalTarget& one) { return one.signal == unit->signal; }))
-            sentence = "'" + entry->first + "' says what another key of '" + std::string(key) + "' says; remove one";
-        if (!sentence.empty())
-            faults.add(entry->second.file, entry->second.line, sentence);
+            message = "'" + entry->first + "' says what another key of '" + std::string(key) + "' says; remove one";
+        if (!message.empty())
+            faults.add(entry->second.file, entry->second.line, message);
         else if (const auto si = read_target_value(*entry, *unit, faults))
             targets.push_back({unit->signal, *si});
     }

@@ -7,19 +7,32 @@
 #include <map>
 #include <set>
 
+#include "host_sim/flight_test/read_conditions.hpp"
+
 namespace tedavis::host_sim {
 namespace {
 
-constexpr double kHundredths = 100;    // a second has, to which times are written
-constexpr double kRoundedPart = 1e-6;  // of a hundredth, by which a sum of times may miss it
+constexpr double kRoundedPart = 1e-6;  // of the step to which times are written, by which a sum of times may miss it
 constexpr double kBeforeEnd_s = 0.001;
 constexpr int kLastPlace = 30;
 constexpr std::size_t kNamesInWords = 6;
 constexpr std::array<const char*, 8> kKindWords = {"phases",          "phase sources", "designs", "terrain alerts",
                                                    "obstacle alerts", "signals",       "flags",   "effects"};
 
-double hundredth_after(double time_s) { return std::ceil(time_s * kHundredths - kRoundedPart) / kHundredths + 0.0; }  // never -0
-double hundredth_before(double time_s) { return std::floor(time_s * kHundredths + kRoundedPart) / kHundredths; }
+/// The steps to which times are written: half a frame at most.
+class TimeSteps {
+public:
+    explicit TimeSteps(double rate_hz) : per_s_(rate_hz <= kFastestOfHundredths_hz ? 100 : 1000) {}
+
+    [[nodiscard]] double at_or_after(double time_s) const {
+        return std::ceil(time_s * per_s_ - kRoundedPart) / per_s_ + 0.0;  // never -0
+    }
+    [[nodiscard]] double at_or_before(double time_s) const { return std::floor(time_s * per_s_ + kRoundedPart) / per_s_; }
+
+private:
+    static constexpr double kFastestOfHundredths_hz = 50;
+    double per_s_;
+};
 
 std::string time_words(double time_s) {
     char text[32];
@@ -32,17 +45,28 @@ const char* flag_words(bool is_there, bool is_new) {
     return is_there ? " stays" : " is not there";
 }
 
+/// "approach.none" in words.
+std::string phase_words(const std::string& phase) {
+    const std::size_t dot = phase.rfind(kNoSubPhase);
+    return dot == std::string::npos ? phase : phase.substr(0, dot) + " without a sub-phase";
+}
+
 std::string effect_words(const std::string& state) { return state == "run" ? " runs" : " is " + state; }
+
+std::string alert_words(const std::string& of_what, const std::string& level, bool is_new) {
+    if (level == "not_watching") return "no " + of_what + " alert " + (is_new ? "is possible any more" : "is possible");
+    return "the " + of_what + " alert" + (is_new ? " becomes " : " stays ") + level;
+}
 
 /// "the phase becomes cruise", or "stays"
 std::string fact_words(const RecordedFact& fact, bool is_new) {
     const std::string turns = (is_new ? " becomes " : " stays ") + fact.value;
     switch (fact.kind) {
-        case FactKind::phase: return "the phase" + turns;
+        case FactKind::phase: return std::string("the phase") + (is_new ? " becomes " : " stays ") + phase_words(fact.value);
         case FactKind::phase_source: return "its source" + turns;
         case FactKind::design: return "the design" + turns;
-        case FactKind::alert: return "the terrain alert" + turns;
-        case FactKind::obstacle_alert: return "the obstacle alert" + turns;
+        case FactKind::alert: return alert_words("terrain", fact.value, is_new);
+        case FactKind::obstacle_alert: return alert_words("obstacle", fact.value, is_new);
         case FactKind::flag: return "the flag " + fact.name + flag_words(fact.value == kFlagThere, is_new);
         case FactKind::effect: return "the effect " + fact.name + effect_words(fact.value);
         case FactKind::signal: break;
@@ -80,7 +104,9 @@ bool is_headline(FactKind kind) { return kind <= FactKind::design; }
 
 /// In the order of importance, from 0.
 int place_of(const RecordedFact& fact) {
-    const bool is_normal = fact.value == "none" || fact.value == "valid" || fact.value == "missing" || fact.value == kFlagGone;
+    const bool is_alert = fact.kind == FactKind::alert || fact.kind == FactKind::obstacle_alert;
+    const bool is_quiet = is_alert && (fact.value == "none" || fact.value == "not_watching");
+    const bool is_normal = is_quiet || fact.value == "valid" || fact.value == "missing" || fact.value == kFlagGone;
     constexpr int kNormal = 10;  // after all that is out of the ordinary, but for effects
     if (fact.kind == FactKind::effect) return kLastPlace;
     return static_cast<int>(fact.kind) + (is_normal && !is_headline(fact.kind) ? kNormal : 0);
@@ -121,8 +147,9 @@ class ExpectationMaker {
 public:
     ExpectationMaker(const FactTracks& tracks, const RecordingRule& rule)
         : rule_(rule),
+          steps_(rule.rate_hz),
           first_s_(tracks.first_s()),
-          latest_s_(hundredth_before(tracks.last_s() - kBeforeEnd_s)),
+          latest_s_(steps_.at_or_before(tracks.last_s() - kBeforeEnd_s)),
           spans_(tracks.spans()) {
         clusters_ = clusters_of(spans_, rule);
     }
@@ -179,13 +206,14 @@ private:
         return last_s;
     }
 
-    /// From when on a change is waited for: in the first frame then, one of the facts that come last must not hold yet.
+    /// From when on a change is waited for: in the last frame up to then, one of the facts that come last must not hold yet.
     [[nodiscard]] double awaited_from_s(const ChangeCluster& cluster, const std::vector<const FactSpan*>& spans) const {
         const FactSpan* last = spans.front();
         for (const FactSpan* const span : spans)
             if (span->first_s > last->first_s) last = span;
-        const double from_s = hundredth_before(cluster.first_s - std::max(rule_.margin_s, 1 / rule_.rate_hz));
-        return std::max(from_s, hundredth_after(shown_before_s(*last) + kBeforeEnd_s));
+        const double frame_s = 1 / rule_.rate_hz;
+        const double from_s = steps_.at_or_before(cluster.first_s - std::max(rule_.margin_s, frame_s));
+        return std::max(from_s, steps_.at_or_after(std::max(shown_before_s(*last) + frame_s, first_s_)));
     }
 
     /// What becomes true by changes that belong together.
@@ -195,7 +223,7 @@ private:
         WeighedExpectation one = weighed(spans);
         one.expectation.kind = WindowKind::within;
         one.expectation.from_s = awaited_from_s(cluster, spans);
-        one.expectation.to_s = std::min(hundredth_after(cluster.last_s + rule_.margin_s), latest_s_);
+        one.expectation.to_s = std::min(steps_.at_or_after(cluster.last_s + rule_.margin_s), latest_s_);
         one.expectation.words = time_words(cluster.first_s) + ": " + facts_words(one.expectation.facts, true) + ".";
         made_.push_back(std::move(one));
     }
@@ -208,8 +236,8 @@ private:
         one.expectation.kind = WindowKind::during;
         one.lasts_s = to_s - from_s;
         if (one.lasts_s > (latest_s_ - first_s_) / 2) one.place = 0;  // what holds throughout is read once
-        one.expectation.from_s = hundredth_after(from_s);
-        one.expectation.to_s = hundredth_before(to_s);
+        one.expectation.from_s = steps_.at_or_after(from_s);
+        one.expectation.to_s = steps_.at_or_before(to_s);
         one.expectation.words = (begin == kNoCluster ? "The start" : time_words(from_s)) + std::string(" to ") +
                                 (end == kNoCluster ? "the end: " : time_words(clusters_[end].first_s) + ": ") +
                                 facts_words(one.expectation.facts, false) + ".";
@@ -227,6 +255,7 @@ private:
     }
 
     const RecordingRule& rule_;
+    TimeSteps steps_;
     double first_s_, latest_s_;  // the latter before the last frame, so that no rounding leads beyond the input
     std::vector<FactSpan> spans_;
     std::vector<ChangeCluster> clusters_;

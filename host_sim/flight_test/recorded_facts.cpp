@@ -12,7 +12,6 @@
 namespace tedavis::host_sim {
 namespace {
 
-constexpr std::array<const char*, 3> kRecordedAlerts = {"none", "caution", "warning"};
 constexpr std::array<const char*, 3> kRecordedEffectStates = {"run", "replaced", "skipped"};
 
 /// Those of signals repeat what the signals' states say.
@@ -41,12 +40,11 @@ void add_signals(const display::FrameRecord& record, std::vector<RecordedFact>& 
 
 std::vector<RecordedFact> facts_of(const ObservedFrame& frame, const WatchedAlerts& alerts) {
     const display::FrameRecord& record = frame.record;
-    std::vector<RecordedFact> facts = {{FactKind::phase, "", phase_text(record.phase.phase)},
+    std::vector<RecordedFact> facts = {{FactKind::phase, "", exact_phase_text(record.phase.phase)},
                                        {FactKind::phase_source, "", flight::to_string(record.phase.source)},
                                        {FactKind::design, "", std::string(record.design.view())}};
-    const auto alert_name = [](policy::TerrainAhead alert) { return kRecordedAlerts[static_cast<std::size_t>(alert)]; };
-    if (alerts.terrain) facts.push_back({FactKind::alert, "", alert_name(record.alerts.terrain)});
-    if (alerts.obstacles) facts.push_back({FactKind::obstacle_alert, "", alert_name(record.alerts.obstacle)});
+    if (alerts.terrain) facts.push_back({FactKind::alert, "", alert_text(frame)});
+    if (alerts.obstacles) facts.push_back({FactKind::obstacle_alert, "", obstacle_alert_text(frame)});
     add_signals(record, facts);
     for (const display::Name& flag : record.flags)
         if (is_recorded_flag(flag.view())) facts.push_back({FactKind::flag, std::string(flag.view()), kFlagThere});

@@ -26,6 +26,7 @@ struct RecordedFact {
     std::string value;  ///< as a script states it; of a flag kFlagThere or kFlagGone
 };
 
+/// Alerts that there can be: without terrain none is watched for, and of obstacles none without a scene.
 struct WatchedAlerts {
     bool terrain = false, obstacles = false;
 };

@@ -83,9 +83,9 @@ std::vector<const ScriptValue::Entry*> ScriptTable::entries(std::string_view key
     return all;
 }
 
-void ScriptTable::fault(std::string_view key, const std::string& sentence) {
+void ScriptTable::fault(std::string_view key, const std::string& message) {
     const ScriptValue* const value = value_.find(key);
-    faults_.add(value != nullptr ? value->file : value_.file, value != nullptr ? value->line : value_.line, sentence);
+    faults_.add(value != nullptr ? value->file : value_.file, value != nullptr ? value->line : value_.line, message);
 }
 
 void ScriptTable::finish() {

@@ -32,7 +32,7 @@ public:
     /// The entries of the table at a key.
     std::vector<const ScriptValue::Entry*> entries(std::string_view key);
     /// A fault at a key's line, or the table's where the key is absent.
-    void fault(std::string_view key, const std::string& sentence);
+    void fault(std::string_view key, const std::string& message);
     /// Names the keys that nobody read.
     void finish();
 

@@ -83,8 +83,8 @@ struct ParameterWriter {
 
 }  // namespace
 
-void ScriptFaults::add(const std::string& file, std::size_t line, const std::string& sentence) {
-    faults_.push_back({file, line, sentence});
+void ScriptFaults::add(const std::string& file, std::size_t line, const std::string& message) {
+    faults_.push_back({file, line, message});
 }
 
 std::vector<std::string> ScriptFaults::sentences() const {
@@ -92,7 +92,7 @@ std::vector<std::string> ScriptFaults::sentences() const {
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Fault& a, const Fault& b) { return a.file == b.file ? a.line < b.line : a.file < b.file; });
     std::vector<std::string> all;
-    for (const Fault& fault : sorted) all.push_back(fault.file + ":" + std::to_string(fault.line) + ": " + fault.sentence);
+    for (const Fault& fault : sorted) all.push_back(fault.file + ":" + std::to_string(fault.line) + ": " + fault.message);
     return all;
 }
 

@@ -17,7 +17,7 @@ namespace tedavis::host_sim {
 /// Sentences "file:line: what is wrong; what to do".
 class ScriptFaults {
 public:
-    void add(const std::string& file, std::size_t line, const std::string& sentence);
+    void add(const std::string& file, std::size_t line, const std::string& message);
     [[nodiscard]] bool empty() const { return faults_.empty(); }
     [[nodiscard]] std::size_t count() const { return faults_.size(); }
     /// In the order of files and lines.
@@ -27,7 +27,7 @@ private:
     struct Fault {
         std::string file;
         std::size_t line = 0;
-        std::string sentence;
+        std::string message;
     };
     std::vector<Fault> faults_;
 };

@@ -95,12 +95,12 @@ std::vector<std::string> bus_signal_names() {
     return names;
 }
 
-std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::string& sentence) {
+std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::string& message) {
     const Signal signal = signal_of_key(key);
     if (signal == Signal::count_ || !is_on_bus(signal)) {
         const std::string_view name = key.find('_') == std::string_view::npos ? key : name_before_unit(key);
-        sentence = "'" + std::string(key) + "' is no signal of the bus; say " + nearest_names(name, bus_signal_names()) +
-                   ", with the unit after it";
+        message = "'" + std::string(key) + "' is no signal of the bus; say " + nearest_names(name, bus_signal_names()) +
+                  ", with the unit after it";
         return std::nullopt;
     }
     const std::string name = flight::to_string(signal);
@@ -108,7 +108,7 @@ std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::strin
     for (const KeyUnit& unit : kKeyUnits)
         if (unit.quantity == quantity_of(signal) && key == name + "_" + unit.suffix)
             return StatedSignalUnit{signal, unit.factor, unit.offset};
-    sentence = "'" + std::string(key) + "' does not say the unit; say " + keys_of(signal);
+    message = "'" + std::string(key) + "' does not say the unit; say " + keys_of(signal);
     return std::nullopt;
 }
 

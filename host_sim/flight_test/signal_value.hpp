@@ -21,9 +21,9 @@ struct StatedSignalUnit {
 /// Names of all signals that the bus carries.
 [[nodiscard]] std::vector<std::string> bus_signal_names();
 
-/// Reads "pitch_deg". Signals without a unit (flaps, navigation source) have no suffix. Nothing for another key: `sentence` then
+/// Reads "pitch_deg". Signals without a unit (flaps, navigation source) have no suffix. Nothing for another key: `message` then
 /// says what is wrong, with the nearest names.
-[[nodiscard]] std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::string& sentence);
+[[nodiscard]] std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::string& message);
 
 /// What is wrong with a value that a key states: "'pitch_deg' must be -90 to 90". Empty where the bus can carry it and its
 /// receiver takes it.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "host_sim/flight_test/read_conditions.hpp"
+#include "host_sim/flight_test/nearest_names.hpp"
 #include "host_sim/flight_test/text_in_pixels.hpp"
 #include "render_core/draw/font_atlas.hpp"
 
@@ -14,6 +14,8 @@ namespace {
 
 /// Boxes whose numbers move past a value.
 const std::vector<std::string> kBoxesWithMarks = {"", "airspeed", "altitude", "vertical_speed", "heading", "attitude"};
+
+constexpr const char* kOtherCase = "the words are written in another case, and upper and lower case count";
 
 bool lies_in_box(const PlacedWords& words, const std::string& box) {
     return box.empty() || std::find(words.boxes.begin(), words.boxes.end(), box) != words.boxes.end();
@@ -57,27 +59,68 @@ std::optional<WrittenText> best_seen(const ObservedFrame& frame, const std::stri
     return best;
 }
 
-std::string list_of_texts(const ObservedFrame& frame, const std::string& box) {
-    std::string list;
+std::vector<std::string> texts_in_box(const ObservedFrame& frame, const std::string& box) {
+    std::vector<std::string> texts;
     for (const PlacedWords& words : frame.words)
-        if (lies_in_box(words, box)) list += (list.empty() ? "\"" : ", \"") + words.text + "\"";
-    return list.empty() ? "no text" : list;
+        if (lies_in_box(words, box)) texts.push_back(words.text);
+    return texts;
+}
+
+std::string in_lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+
+/// A text with these words in whatever case; null where none has them.
+const std::string* in_any_case(const std::vector<std::string>& texts, const std::string& says) {
+    const std::string lower = in_lower_case(says);
+    const auto found =
+        std::find_if(texts.begin(), texts.end(), [&](const std::string& text) { return has_words(in_lower_case(text), lower); });
+    return found == texts.end() ? nullptr : &*found;
+}
+
+/// Of texts of which none has the words: all of them where they are few, else how many and the most similar one.
+std::string words_of_others(const std::vector<std::string>& texts, const std::string& says) {
+    constexpr std::size_t kFew = 4;
+    if (texts.empty()) return "no text";
+    if (texts.size() > kFew) {
+        const auto distance = [&](const std::string& text) { return edit_distance(in_lower_case(text), in_lower_case(says)); };
+        const std::string* const same = in_any_case(texts, says);
+        const auto nearest = std::min_element(
+            texts.begin(), texts.end(), [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
+        return std::to_string(texts.size()) + " texts, the most similar one " + quoted(same != nullptr ? *same : *nearest);
+    }
+    std::string list;
+    for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + quoted(text);
+    return list;
+}
+
+/// Why a text is not found: another case, or another place.
+std::string reason_of_missing(const ObservedFrame& frame, const std::vector<std::string>& texts, const std::string& says) {
+    if (in_any_case(texts, says) != nullptr) return kOtherCase;
+    for (const PlacedWords& words : frame.words)
+        if (has_words(words.text, says) && !words.boxes.empty()) return "it is written in " + words.boxes.front();
+    return texts.empty() ? "nothing is written there" : "no text there has these words";
 }
 
 /// A text of the symbology; `box` is empty for one anywhere. The frame must write it, and its pixels must show it.
 Observation observe_text(const ObservedFrame& frame, const std::string& says, const std::string& box) {
     const std::optional<WrittenText> text = best_seen(frame, says, box);
-    if (!text) return {false, list_of_texts(frame, box), list_of_flags(frame.record)};
-    if (text->faintest.correlation >= kSeenCorrelation) return {true, list_of_texts(frame, box), list_of_flags(frame.record)};
-    return {false, words_of_covered(*text), "something covers it, or it has nearly the color of its ground"};
+    if (text && text->faintest.correlation >= kSeenCorrelation) return {true, quoted(text->words->text), {}};
+    if (text) return {false, words_of_covered(*text), "something covers it, or it has nearly the color of its ground"};
+    const std::vector<std::string> texts = texts_in_box(frame, box);
+    return {false, words_of_others(texts, says), reason_of_missing(frame, texts, says)};
 }
 
-/// A text that the frame must not write.
+/// A text that the frame must not write, in whatever case: a misspelled word is never written, and would prove nothing.
 Observation observe_no_text(const ObservedFrame& frame, const std::string& says, const std::string& box) {
-    const bool is_written = std::any_of(frame.words.begin(), frame.words.end(), [&](const PlacedWords& words) {
-        return lies_in_box(words, box) && has_words(words.text, says);
-    });
-    return {!is_written, list_of_texts(frame, box), list_of_flags(frame.record)};
+    const std::vector<std::string> texts = texts_in_box(frame, box);
+    const std::string* const found = in_any_case(texts, says);
+    if (found == nullptr) return {true, "no such text", {}};
+    return {false, quoted(*found), has_words(*found, says) ? "it is written" : kOtherCase};
 }
 
 /// What is wrong with a text that is asked for; empty where nothing is.
@@ -103,7 +146,7 @@ void read_text_condition(const ScriptValue& value, ScriptFaults& faults, std::ve
     text.finish();
     if (!box.empty() && !place_among(text, "in", box, layout_box_names())) return;
     if (faults.count() != before) return;
-    if (const std::string sentence = fault_of_text(says, box); !sentence.empty()) return text.fault("says", sentence);
+    if (const std::string message = fault_of_text(says, box); !message.empty()) return text.fault("says", message);
     conditions.push_back({"text", (is_there ? "\"" : "no \"") + says + "\"" + (box.empty() ? "" : " in " + box),
                           [says, box, is_there](const ObservedFrame& frame) {
                               return is_there ? observe_text(frame, says, box) : observe_no_text(frame, says, box);

@@ -23,11 +23,11 @@ constexpr const char* kBlurDesign = "focus/blur";
 enum QualityPicture : std::size_t { kWithEmbellishments, kWithGlyphs, kWithFocus, kWithSaliency, kQualityPictureCount };
 
 /// Of effects that need more of a design than to be asked for.
-struct CallingDesign {
+struct RequestingDesign {
     Effect effect;
     const char* design;
 };
-constexpr CallingDesign kCallingDesigns[] = {
+constexpr RequestingDesign kRequestingDesigns[] = {
     {Effect::surface_grid, "styles/line_texture"},   {Effect::warning_colors, "styles/relative_height"},
     {Effect::ridges, "styles/ridges_and_valleys"},   {Effect::moving_sun, "styles/moving_sun"},
     {Effect::drape, "styles/aerial_image"},          {Effect::ground_data, "data/ground_continuous"},
@@ -46,9 +46,9 @@ void embellish(design::DesignSettings& design) {
 
 }  // namespace
 
-std::string design_calling_for(Effect effect) {
-    for (const CallingDesign& calling : kCallingDesigns)
-        if (calling.effect == effect) return calling.design;
+std::string design_requesting(Effect effect) {
+    for (const RequestingDesign& requesting : kRequestingDesigns)
+        if (requesting.effect == effect) return requesting.design;
     const bool is_free = effect == Effect::terrain || effects::row_of(effect).cost == "none";
     return is_free ? "" : "default";
 }
@@ -56,7 +56,7 @@ std::string design_calling_for(Effect effect) {
 DeskBench::DeskBench(const PictureOptions& picture, Events events)
     : picture_(picture), events_(std::move(events)), device_(load_device(picture)), aircraft_(load_aircraft(picture.aircraft)) {
     for (const char* const design : {picture.design.c_str(), kGlyphDesign, kElementDesign, kBlurDesign}) load(design);
-    for (const CallingDesign& calling : kCallingDesigns) load(calling.design);
+    for (const RequestingDesign& requesting : kRequestingDesigns) load(requesting.design);
     const PictureSize size = picture.size.value_or(PictureSize{device_.width_px, device_.height_px});
     pixels_.resize(std::size_t{4} * size.width * size.height);
 }
@@ -78,7 +78,7 @@ void DeskBench::own_picture(BenchPicture& picture) const { set(picture_.design, 
 BenchNote DeskBench::picture_with(Effect effect, BenchPicture& picture) const {
     own_picture(picture);
     if (platform::asks_for(picture.design, effect)) return {};
-    set(design_calling_for(effect), picture);
+    set(design_requesting(effect), picture);
     picture.design = effects::with_effect(picture.design, effect);
     return {};
 }

@@ -13,9 +13,9 @@
 
 namespace tedavis::host_sim {
 
-/// A shipped design that calls for an effect, by itself or with effects::with_effect; empty for what costs nothing or is measured
-/// otherwise.
-[[nodiscard]] std::string design_calling_for(effects::Effect effect);
+/// Returns a shipped design that requests an effect, by itself or with effects::with_effect; empty for effects that cost nothing
+/// or are measured otherwise.
+[[nodiscard]] std::string design_requesting(effects::Effect effect);
 
 class DeskBench final : public platform::BenchDisplays {
 public:

@@ -41,8 +41,8 @@ public:
     DisplaySession& operator=(const DisplaySession&) = delete;
 
     [[nodiscard]] display::Display& display() { return host_.display(); }
-    /// Sessions of one thread draw in turn: this one must have rested before another is opened or takes its turn. Throws
-    /// UserError where the surface is lost.
+    /// Sessions of one thread draw in turn: this one must have rested before another is opened or draws. Throws UserError where
+    /// the surface is lost.
     void make_current();
     void rest() { host_.release_current(); }
     [[nodiscard]] const effects::DeviceSettings& device() const { return device_; }

@@ -72,7 +72,7 @@ public:
     /// The phase switches' lines and patterns, and the edges played, in order of time.
     [[nodiscard]] const bus::SwitchConfig& switch_config() const { return switch_config_; }
     [[nodiscard]] const std::vector<bus::SwitchEdge>& switch_edges() const { return edges_; }
-    /// Other switches from here on: the edges up to `kept_until` stay, later ones give way to `edges` (all later, in order).
+    /// Replaces switch edges: those up to `kept_until` are kept, and later ones are replaced by `edges` (all later, in order).
     void replace_switches_after(base::Time kept_until, const std::vector<bus::SwitchEdge>& edges);
 
     /// Sentences about broken and foreign lines, for the report.

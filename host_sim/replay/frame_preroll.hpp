@@ -1,13 +1,13 @@
-/// Shows the display what came before a frame, so that the frame at an instant is the same however it is reached: in the whole
+/// Plans the frames before a frame that is shown, so that the frame at an instant is the same however it is reached: in the whole
 /// run or in a part of it, with any step, backwards too.
 ///
-/// What has arrived of the terrain follows from a short window of frames. Those are the device's own, at its frame rate: before
-/// a frame that does not follow the last one on this grid, the window before it is planned again. The log's first instant stands
-/// for what lies before it.
+/// Which terrain has arrived depends on a short window of earlier frames, on a grid of instants at the device's frame rate.
+/// Before a frame that does not follow the last one on this grid, the window before it is planned again. Before the log's first
+/// instant, that instant is used.
 ///
-/// While a phase's design takes the place of another one, the frame in which it began is part of the picture: planning begins
-/// before it, and it is drawn. So with a saliency map that an earlier frame measured (display/planner/saliency_schedule.hpp), and
-/// with the clutter of earlier frames, by which data give way (display/planner/declutter_control.hpp).
+/// During a design transition the picture contains the frame in which it began: planning begins before that frame, and it is
+/// drawn. The same is done for a saliency map that an earlier frame measured (display/planner/saliency_schedule.hpp), and for the
+/// clutter of earlier frames, by which data are reduced (display/planner/declutter_control.hpp).
 ///
 /// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
 /// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor

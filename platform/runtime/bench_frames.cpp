@@ -15,8 +15,8 @@ constexpr const char* kStopped = "interrupted; nothing was written";
 
 }  // namespace
 
-bool BenchFrames::fail(const char* sentence) {
-    if (!fault_) fault_ = base::make_error(sentence);
+bool BenchFrames::fail(const char* message) {
+    if (!fault_) fault_ = base::make_error(message);
     return false;
 }
 

@@ -1,4 +1,4 @@
-/// Frames of one view that are drawn to be timed, by displays that take turns.
+/// Draws and times frames of one view, by several displays in turn.
 ///
 ///   open(picture) a display, share(...) it with a further side · draw(side) or take_times(rounds) · close() all of them
 ///
@@ -24,10 +24,10 @@ public:
 
     BenchFrames(BenchDisplays& displays, const BenchPlace& place) : displays_(displays), place_(place) {}
 
-    /// Opens a display whose terrain has arrived for the place; it is the next side, whose frames are drawn at `level` (nothing:
+    /// Opens a display whose terrain has arrived for the place; it is the next side, whose frames are drawn at `level` (empty:
     /// the design's own picture). At most kMaxDisplays.
     [[nodiscard]] base::Error open(const BenchPicture& picture, const std::optional<effects::QualityLevel>& level = {});
-    /// The next side draws with the display of the last one. At most kMaxSides.
+    /// Adds a side that draws with the display of the last one. At most kMaxSides.
     void share(const effects::EffectSet& given_up, const std::optional<effects::QualityLevel>& level = {});
     void close();
 
@@ -55,7 +55,7 @@ private:
     };
     [[nodiscard]] bool take_turn(Side& side);
     [[nodiscard]] flight::AircraftState aircraft(display::Display& display, base::Time time) const;
-    [[nodiscard]] bool fail(const char* sentence);
+    [[nodiscard]] bool fail(const char* message);
 
     BenchDisplays& displays_;
     BenchPlace place_;

@@ -1,8 +1,10 @@
-/// Measures what a display's effects cost: frames of one view with and without each, in turn, by the program's clock.
+/// Measures the costs of a display's effects: it times frames of one view with and without each effect, in turn, by the program's
+/// clock.
 ///
 /// An effect that the governor may give up is switched within one running display, as the governor does it; the others are
-/// compared with a display whose design does not ask for them. Terrain is the slope over its triangles at several tolerances,
-/// what is left of a picture without terrain is the frame. The quality levels are measured at the end (quality_bench.hpp).
+/// compared with a display whose design does not request them. The cost of terrain is the slope over its triangles at several
+/// tolerances; the cost of the frame is what remains of a picture without terrain. The quality levels are measured at the end
+/// (quality_bench.hpp).
 ///
 /// Memory   that of up to five displays at a time, and 0.5 MB inside: one object a program, not on the stack.
 /// Thread   one; no other display of the thread may be current.
@@ -14,7 +16,7 @@
 
 namespace tedavis::platform {
 
-/// Whether a design asks for an effect, also for those that are settings of others: ridges, warning colors.
+/// Whether a design requests an effect, also for effects that are settings of others: ridges, warning colours.
 [[nodiscard]] bool asks_for(const design::DesignSettings& design, effects::Effect effect) noexcept;
 
 class CostBench {
@@ -23,7 +25,7 @@ public:
     CostBench(BenchDisplays& displays, const BenchPlace& place, std::uint32_t rounds)
         : displays_(displays), frames_(displays, place), rounds_(rounds) {}
 
-    /// Of every effect, overhead and quality level; program, date, design and terrain are the caller's to say.
+    /// Measures every effect, overhead and quality level. The caller states program, date, design and terrain.
     [[nodiscard]] base::Error measure(effects::MeasuredCosts& measured);
 
 private:
@@ -43,7 +45,7 @@ private:
     BenchDisplays& displays_;
     BenchFrames frames_;
     std::uint32_t rounds_;
-    BenchPicture picture_;  ///< that is measured now
+    BenchPicture picture_;  ///< the picture that is measured now
     std::uint32_t width_px_ = 0, height_px_ = 0;
     std::size_t done_ = 0;
     effects::CostTable costs_;  ///< as far as they are known

@@ -1,6 +1,6 @@
-/// Draws each design that a phase can ask for once, behind the picture that is shown, and at last how one design fades
-/// into another. A GL driver compiles what it draws for the first time, and the planner builds a design's geometry then:
-/// afterwards a change of phase takes no longer than another frame.
+/// Draws each design that a phase can have once, without showing it, and then a fade from one design into another. When a design
+/// is drawn for the first time, the GL driver compiles its programs and the planner builds its geometry. Afterwards the first
+/// frame of a new phase takes no longer than other frames.
 ///
 ///   begin(planner) · after a frame that was shown: draw_next(...) until it is false · begin(planner) again for other designs
 ///
@@ -16,14 +16,14 @@ namespace tedavis::platform {
 
 class DesignWarmer {
 public:
-    /// The design that is shown at the moment needs it no less than the others: it may have been shown without terrain so far.
+    /// Begins with all designs, also the one that is shown at the moment, since it may have been shown without terrain so far.
     void begin(const display::FramePlanner& planner);
-    /// Draws the flight of `input`, once more, in the next design that waits, or where all are drawn the fade. The surface holds
-    /// that picture afterwards, and it must not be shown. The display's record is that picture's; the next frame follows the last
-    /// one that was shown, and must be drawn before the display is given another scene or other designs. False, and nothing is
-    /// drawn, where nothing waits, or at the moment one design fades into another.
+    /// Draws `input` again in the next design that waits, or, where all have been drawn, the fade. Afterwards the surface holds
+    /// that picture, which must not be shown, and the display's record is that of the picture. The next frame continues the last
+    /// one that was shown; it must be drawn before the display is given another scene or other designs. Returns false and draws
+    /// nothing where nothing waits, or while one design fades into another.
     [[nodiscard]] bool draw_next(display::Display& display, base::Surface& surface, const flight::FrameInput& input);
-    /// All of it has been drawn since begin().
+    /// Whether everything has been drawn since begin().
     [[nodiscard]] bool is_done() const { return has_begun_ && waiting_ == 0 && !fade_waits_; }
 
 private:
@@ -33,7 +33,7 @@ private:
     void draw_fade(display::Display& display, base::Surface& surface, const flight::FrameInput& input) const;
 
     bool has_begun_ = false;
-    std::uint32_t waiting_ = 0;  ///< a bit for each place of a design
+    std::uint32_t waiting_ = 0;  ///< a bit for the place of each design
     bool fade_waits_ = false;
     display::PlannerMemory kept_;
 };

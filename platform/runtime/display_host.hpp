@@ -42,20 +42,22 @@ public:
     DisplayHost(const DisplayHost&) = delete;
     DisplayHost& operator=(const DisplayHost&) = delete;
 
-    /// May be called once. The settings need not outlive it, but for what they point to and say so. The surface is current then.
+    /// Starts the display; may be called once. The settings need not outlive the call, except for what they point to where they
+    /// say so. Afterwards the surface is current.
     [[nodiscard]] HostFault start(const DisplayHostSettings& settings);
     /// Holds a deadline (0: none) by these costs, which must be of this display. After start().
     [[nodiscard]] base::Error hold_deadline(double deadline_ms, const CostsFile& costs);
 
-    /// After start().
+    /// The display; valid after start().
     [[nodiscard]] display::Display& display() { return *display_; }
-    /// From the start on, even where it failed behind the surface.
+    /// The surface; valid after start(), also where it failed in a part that comes after the surface.
     [[nodiscard]] base::Surface& surface() { return *surface_; }
     [[nodiscard]] const base::Surface& surface() const { return *surface_; }
     /// The reason why the display runs without the terrain of the settings; empty otherwise.
     [[nodiscard]] const base::Error& terrain_fault() const { return terrain_fault_; }
 
-    /// Makes the surface current again after release_current(), and the display's GL with it. False where the surface is lost.
+    /// Makes the surface current again after release_current(), and the display's GL with it. Returns false where the surface is
+    /// lost.
     [[nodiscard]] bool make_current();
     void release_current() { surface_->release_current(); }
 

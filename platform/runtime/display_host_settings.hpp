@@ -1,4 +1,4 @@
-/// What a program chooses of its display: plain values, by which desk, board, self-test and tests differ.
+/// The choices of a program for its display: plain values, in which desk, board, self-test and tests differ.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace tedavis::platform {
 /// Where a database lies. Without a path and without bytes there is none.
 struct DatabaseSource {
     const char* path = "";              ///< of a file, which is opened at start
-    base::ByteSource* bytes = nullptr;  ///< of somebody who holds the database, in place of a file; must outlive the host
+    base::ByteSource* bytes = nullptr;  ///< the caller's source, in place of a file; must outlive the host
 
     [[nodiscard]] bool exists() const { return bytes != nullptr || *path != '\0'; }
 };
@@ -41,16 +41,16 @@ enum class TerrainFaultPolicy : std::uint8_t {
 };
 
 struct DisplayHostSettings {
-    display::DisplaySettings display;  ///< `terrain_failed_at_start` is the host's to say
+    display::DisplaySettings display;  ///< the host sets `terrain_failed_at_start`
     SurfaceSource surface;
     DatabaseSource terrain;
     TerrainFaultPolicy terrain_fault = TerrainFaultPolicy::refuse;
     terrain::ArrivalMode arrival = terrain::ArrivalMode::exact;
-    base::Workers* workers = nullptr;  ///< for terrain that is traced; null: threads of the host, one a processor
-    DatabaseSource scene;              ///< that is read at start; one that comes later is the display's to expect
+    base::Workers* workers = nullptr;  ///< for terrain that is traced; null: threads of the host, one per processor
+    DatabaseSource scene;              ///< read at start; for one that comes later set `display.expects_scene`
     std::string_view programs;         ///< folder of programs for a device without a compiler; empty: `display.programs`
     Residency residency = Residency::lazy;
-    base::Arena memory;  ///< that somebody has reserved for the display, and keeps; of capacity 0: the host reserves its own
+    base::Arena memory;  ///< reserved and kept by the caller; with capacity 0 the host reserves its own
 };
 
 }  // namespace tedavis::platform

@@ -2,10 +2,10 @@
 /// glyphs' detail, and a number of effects given up, over several pictures of one place.
 ///
 /// The pictures are the program's (BenchDisplays::quality_picture). An effect that runs in none of them, such as one that the
-/// device cannot do, is given up at no level. Effects are given up in the order of the time that they save by the difference of
-/// color that they make. The error of a level is the proven bound of the drawn terrain.
+/// device cannot draw, is given up at no level. Effects are given up in the order of the time that they save, divided by the
+/// colour difference that they make. The error of a level is the proven bound of the drawn terrain.
 ///
-/// Memory  two pictures, mapped from the system. Thread  one. Failure  one sentence.
+/// Memory  two pictures, mapped from the system. Thread  one. Failure  one message.
 #pragma once
 
 #include "platform/reservation/memory_reservation.hpp"
@@ -15,22 +15,22 @@ namespace tedavis::platform {
 
 class QualityBench {
 public:
-    /// What giving an effect up saves, and how much of the pictures it changes.
+    /// The time that giving up an effect saves, and how much it changes the pictures.
     struct Embellishment {
         effects::Effect effect = effects::Effect::count_;
         bool runs = false;
         double ms = 0, error_color = 0;
     };
-    /// Whether one is given up before another: what saves more time for the difference that it makes, and before all others what
-    /// makes none. A strict weak order.
+    /// Whether one effect is given up before another: first effects that make no difference, then those that save more time for
+    /// the difference that they make. A strict weak order.
     [[nodiscard]] static bool comes_before(const Embellishment& a, const Embellishment& b);
 
     /// The frames' displays are closed. `rounds` frames of every candidate are timed.
     QualityBench(BenchDisplays& displays, BenchFrames& frames, std::uint32_t rounds)
         : displays_(displays), frames_(frames), rounds_(rounds) {}
 
-    /// Measures the candidates, the design's own picture first. `costs` are the measured costs of effects. `done` steps of
-    /// `total` lie behind; each picture is one more.
+    /// Measures the candidates, the design's own picture first. `costs` are the measured costs of effects. `done` of `total`
+    /// steps are complete; each picture is one more.
     [[nodiscard]] base::Error measure(base::Span<const effects::MeasuredCost> costs, effects::QualityCandidates& candidates,
                                       std::size_t done, std::size_t total);
 
@@ -49,7 +49,7 @@ private:
     BenchDisplays& displays_;
     BenchFrames& frames_;
     std::uint32_t rounds_;
-    BenchPicture picture_;  ///< that is measured now
+    BenchPicture picture_;  ///< the picture that is measured now
     MemoryReservation reservation_;
     base::Span<std::uint8_t> own_, other_;  ///< the design's own picture, and another one
 };

@@ -1,32 +1,18 @@
 /// An element of the data aspect: a layer of the scene with the technique, colours and sizes that show it. Read from the tables
 /// [[data.element]] of a design, and drawn in their order.
 ///
-///     [[data.element]]
-///     layer = "no_go"              a layer of the scene, or
-///     role = "obstacle"            all its layers of a role (scene::kLayerRoleNames), or
-///     own = "trail"                the own aircraft's flown way; "wind": what it measures
-///     technique = "prism"          a name of kDataTechniqueNames
-///     color = "#e05020"            without a scale
-///     attribute = "intensity"      what the colour says, with
-///     palette = "data_radar"       and `classes` or `breaks`
-///     second_attribute = "..."     of tubes: on every other side, with second_palette
-///     size_attribute = "..."       what the size says: size_m is that of its largest value
-///     size_m = 300                 radius of tubes and spheres, width of a pathway's frames, length of arrows, height of bars
-///                                  and markers
-///     heights_m = [1500, 3000]     of slices through a field, in its own datum, or
-///     heights_over_ground = true   they are above the ground
-///     levels = [30, 40]            of isosurfaces
-///     opacity = 0.5                0..1
-///     ghost = 0.25                 what terrain before it leaves of the opacity, 0..1
-///     halo_px = 1.5                dark rim, 0 for none
-///     grid = true                  the surface grid's lines on it, of what is a surface (design_settings.hpp)
-///     link = true                  a line down to the ground, of signs, diagrams and glyphs that float
-///     detail = 0.7                 0..1: what the technique is to convey of its most
-///     [data.element.uncertainty]
-///     technique = "widening"       a name of kElementUncertaintyNames
-///     strength = 0.8
-///     levels = 4
-///     [data.element.cues]          of lines that float (element_cues.hpp)
+///     [[data.element]] layer = "no_go" a layer of the scene, or role = "obstacle" all its layers of a role
+///     (scene::kLayerRoleNames), or own = "trail" the own ship's flight trail; "wind": the winds that it measured technique =
+///     "prism" a name of kDataTechniqueNames color = "#e05020" without a scale attribute = "intensity" what the colour says, with
+///     palette = "data_radar" and `classes` or `breaks` second_attribute = "..." of tubes: on every other side, with
+///     second_palette size_attribute = "..." what the size says: size_m is that of its largest value size_m = 300 radius of tubes
+///     and spheres, width of a pathway's frames, length of arrows, height of bars and markers heights_m = [1500, 3000] of slices
+///     through a field, in its own datum, or heights_over_ground = true they are above the ground levels = [30, 40] of
+///     isosurfaces opacity = 0.5 0..1 ghost = 0.25 what terrain before it leaves of the opacity, 0..1 halo_px = 1.5 dark rim, 0
+///     for none grid = true the surface grid's lines on it, of what is a surface (design_settings.hpp) link = true a line down to
+///     the ground, of signs, diagrams and glyphs that float detail = 0.7 0..1: what the technique is to convey of its most
+///     [data.element.uncertainty] technique = "widening" a name of kElementUncertaintyNames strength = 0.8 levels = 4
+///     [data.element.cues] of lines that float (element_cues.hpp)
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// Costs that were measured hold for a display where device, renderer and size of the picture are the same.
+/// The calibration subject of a display: measured costs are valid for displays with the same device, renderer and picture size.
 #pragma once
 
 #include "render_core/display/display.hpp"
@@ -6,7 +6,7 @@
 
 namespace tedavis::display {
 
-/// Of a display that has been started.
+/// Returns the subject of a display, which must have been started.
 [[nodiscard]] effects::CalibrationSubject calibration_subject(Display& display);
 
 }  // namespace tedavis::display

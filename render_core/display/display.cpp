@@ -45,7 +45,7 @@ base::Error Display::start(const DisplaySettings& settings, base::Arena memory, 
     return {};
 }
 
-/// Designs with foci are drawn as they are where there is none, too.
+/// Designs with foci are also drawn as in frames without a focus.
 base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* scene) {
     DisplaySettings& settings = planner_.settings();
     const WeightedDesigns weighted(planner_);
@@ -97,7 +97,7 @@ bool Display::take_scene(const scene::Scene& scene) {
     return planner_.take_scene(scene, *memory_);
 }
 
-/// What is planned, once more, before it is replaced.
+/// Draws the planned frame into the picture that is kept, before the design or the scene is replaced.
 void Display::keep_scene() {
     if (!planner_.fades() || memory_->frames == 0) return;
     painter_.draw_kept(*frame_);
@@ -132,7 +132,8 @@ void Display::draw_up_to(base::Surface& surface, PictureLayer last) {
     painter_.work() = work;
 }
 
-/// The frame's picture, after those that are measured for it. Of pictures that are not shown only the work of measuring counts.
+/// Draws the frame's picture, after the pictures that are measured for it. Of pictures that are not shown only the work of
+/// measuring is counted.
 draw::TerrainDrawResult Display::paint_measured(base::Surface& surface) {
     const EffectWorkTable begun = painter_.work();
     draw::TerrainDrawResult drawn = paint_next(surface);
@@ -155,7 +156,7 @@ draw::TerrainDrawResult Display::paint_next(base::Surface& surface) {
     return paint(surface, PictureLayer::symbology);
 }
 
-/// The planned picture without what is measured of it. Of a picture that is not shown nothing fades.
+/// Draws the planned picture without its measurements. In a picture that is not shown nothing fades.
 draw::TerrainDrawResult Display::paint(base::Surface& surface, PictureLayer last) {
     const draw::TerrainDrawResult drawn = draw_scene(surface, last);
     if (frame_->clutter.probe != Probe::hidden) painter_.draw_fade(*frame_);

@@ -4,9 +4,9 @@ namespace tedavis::display {
 namespace {
 
 constexpr design::Color kNothingKnown{0x24, 0x26, 0x2A};
-/// Share of haze in unknown ground at the horizon: it is not taken for hazy water.
+/// Share of haze in unknown ground at the horizon, so that it is not mistaken for hazy water.
 constexpr double kUnknownHaze = 0.6;
-/// No calm blue and brown: who sees it flies below the surface.
+/// Not the usual blue and brown, since the own ship is below the surface.
 constexpr design::Color kContactSky{0x3A, 0x3C, 0x42}, kContactGround{0x86, 0x0A, 0x0A}, kContactHorizon{0xC0, 0x18, 0x18};
 
 }  // namespace
@@ -46,7 +46,7 @@ draw::SkyInput make_sky_input(const DrawContext& frame) {
     sky.air = frame.air;
     sky.axes = {frame.camera.view.forward, frame.camera.view.right, frame.camera.view.down};
     if (frame.decisions.show_terrain) {
-        // What no terrain covers below the horizon is not known to be ground.
+        // Below the horizon, places without terrain are not known to be ground.
         sky.dip_rad = draw::horizon_dip_rad(frame.eye_msl_m);
         sky.ground_is_unknown = true;
         sky.colors.ground = frame.design.terrain.unknown;

@@ -1,4 +1,4 @@
-/// What the drawers of a frame are given, from what was planned of it. Pure; any thread.
+/// Makes the inputs of a frame's drawers from the planned frame. Pure functions; any thread.
 #pragma once
 
 #include "render_core/display/planner/frame_context.hpp"
@@ -10,13 +10,13 @@
 
 namespace tedavis::display {
 
-/// What drawers read of a planned frame, and what has been decided while it is drawn.
+/// The parts of a planned frame that drawers read, and the state of its drawing.
 struct DrawContext : FrameContext {
     draw::AirFrame air{};
     draw::ShadowRead shadow_read{};
-    draw::DistanceLeft terrain_left{}, data_left{};  ///< by what they draw
-    bool blurs_context = false;                      ///< round the foci
-    PictureLayer last = PictureLayer::symbology;     ///< nothing is drawn that lies before it
+    draw::DistanceLeft terrain_left{}, data_left{};  ///< distances that the terrain and the data write
+    bool blurs_context = false;                      ///< the picture is blurred round the foci
+    PictureLayer last = PictureLayer::symbology;     ///< the last layer that is drawn
 };
 [[nodiscard]] DrawContext draw_context_of(const PlannedFrame& frame, const Camera& camera,
                                           PictureLayer last = PictureLayer::symbology);
@@ -24,7 +24,7 @@ struct DrawContext : FrameContext {
 [[nodiscard]] draw::TerrainDrawInput make_terrain_input(const DrawContext& frame);
 [[nodiscard]] draw::SkyInput make_sky_input(const DrawContext& frame);
 [[nodiscard]] draw::DataFrame make_data_frame(const DrawContext& frame);
-/// Without what only the terrain knows: outlines, the part of the screen it is drawn in, and voids.
+/// The caller adds what depends on the terrain: outlines, the part of the screen in which it is drawn, and voids.
 [[nodiscard]] draw::PictureInput make_picture_input(const DrawContext& frame);
 
 }  // namespace tedavis::display

@@ -14,7 +14,7 @@
 
 namespace tedavis::display {
 
-/// Of the batches of a CasterSet, in its order.
+/// The drawers of the batches of a CasterSet, in its order.
 struct CasterDrawers {
     const draw::SolidBuffers* solids[draw::kMaxSolidBuffers] = {};
     draw::GlyphDrawer* glyphs = nullptr;
@@ -22,26 +22,26 @@ struct CasterDrawers {
 
 class ElementPainter {
 public:
-    /// The planner is started and must outlive it: what it has built is uploaded from its memory. `typeface`: the drawer that
-    /// lends it; must outlive it, too.
+    /// `planner` must have been started and must outlive the painter, which uploads from its memory. `typeface`: a drawer whose
+    /// typeface is used; it must outlive the painter, too.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, const ElementPlanner::Memory& memory,
                                     const ElementPlanner& planner, const draw::QuadDrawer& typeface,
                                     const draw::DataVariant& variant = {});
     [[nodiscard]] bool is_started() const { return drawer_.is_started(); }
-    /// False where the design needs programs that were not built.
+    /// Returns false where the design needs programs that were not built.
     [[nodiscard]] bool can_show(const design::DesignSettings& design) const {
         return !is_started() ||
                ((drawer_.has_grid() || !has_grid_on_data(design)) && (drawer_.can_magnify() || !design::magnifies(design)));
     }
 
-    /// Uploads what is new; before draw().
+    /// Uploads what is new; to be called before draw().
     void prepare(gl::Gl& gl, const PlannedElements& planned);
-    /// What stands in the n-th range of depth, but for the signs. Returns the number of draws.
+    /// Draws everything in the n-th depth range except the signs. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, const PlannedElements& planned, const draw::DataFrame& frame, const draw::DepthPlan& depth,
                        std::size_t n);
-    /// After the last range, over the picture; leaves the depth test off.
+    /// Draws the signs over the picture, after the last depth range. Leaves the depth test disabled. Returns the number of draws.
     std::uint32_t draw_signs(gl::Gl& gl, const PlannedElements& planned, std::uint32_t width, std::uint32_t height);
-    /// What draws the elements that cast shadows; after prepare().
+    /// Returns what draws the elements that cast shadows; to be called after prepare().
     [[nodiscard]] CasterDrawers caster_drawers() { return {{&standing_, &moving_}, &glyph_drawer_}; }
     void destroy(gl::Gl& gl);
 

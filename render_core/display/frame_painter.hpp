@@ -1,9 +1,9 @@
-/// Draws planned frames: uploads what is new of them, and executes them. It decides nothing.
+/// Uploads and draws planned frames. It decides nothing.
 ///
 ///   start...(...) · begin(surface) · prepare(frame) · draw_scene(...) · draw_over_scene(...) · finish(...)
 ///
 /// Memory    GPU lines and arenas of the device's budget table, at start. Thread  the GL thread, on which the surface is current.
-/// Failure   the start gives one message; terrain that cannot be uploaded is told by prepare().
+/// Failure   the start gives one message; prepare() returns false for terrain that cannot be uploaded.
 #pragma once
 
 #include "render_core/base/ports/surface.hpp"
@@ -23,7 +23,7 @@
 
 namespace tedavis::display {
 
-/// What drawing a frame took, and whether all of the plan could be drawn.
+/// The work of drawing a frame, and whether all of the plan could be drawn.
 struct DrawnFrame {
     draw::TerrainDrawResult terrain;
     EffectWorkTable work;
@@ -31,11 +31,12 @@ struct DrawnFrame {
     bool ground_data_is_missing = false;  ///< the device has no room for it
 };
 
-/// Of a size, for these designs; the first is drawn first. All must stay until start is over.
+/// What a painter is started with: the designs, of which the first is drawn first, and the size of the picture. References must
+/// be valid until start() returns.
 struct PainterStart {
     effects::DeviceSettings& device;
     draw::DrawnDesigns designs;
-    const DeclutterControl& clutter;  ///< what the designs ask for
+    const DeclutterControl& clutter;  ///< what the designs request
     std::uint32_t width_px = 0, height_px = 0, stereo_margin_px = 0;
 };
 
@@ -47,38 +48,38 @@ public:
     [[nodiscard]] base::Error start_terrain(const PainterStart& start, TerrainPlanner& terrain, DisplayMemory& memory,
                                             base::Workers* workers);
     [[nodiscard]] base::Error start_elements(const FramePlanner& planner, DisplayMemory& memory);
-    /// No object is made from here on.
+    /// Ends the start: no GL object is created afterwards.
     void seal();
     void stop();
     [[nodiscard]] PainterAbilities abilities() const;
-    /// Whether what was started shows a design, as it is possible on the device (`possible`), too.
+    /// Whether the started drawers can also draw a design; `possible` is the design as the device can show it.
     [[nodiscard]] bool can_show(const design::DesignSettings& possible) const;
 
     void begin(base::Surface& surface);
-    /// Uploads what is new. False where the planned terrain cannot be drawn.
+    /// Uploads what is new. Returns false where the planned terrain cannot be drawn.
     [[nodiscard]] bool prepare(const PlannedFrame& frame);
     void prepare_elements(const PlannedPicture& picture);
-    /// Terrain, sky, data and signs as a camera of the frame sees them, up to a layer.
+    /// Draws terrain, sky, data and signs as one camera of the frame sees them, up to a layer.
     draw::TerrainDrawResult draw_scene(const PlannedFrame& frame, const PlannedPicture& picture, const gl::DrawPlace& place,
                                        PictureLayer last = PictureLayer::symbology, bool has_shadow_map = false);
-    /// Into the picture that later frames fade from.
+    /// Draws the frame into the picture from which later frames fade.
     draw::TerrainDrawResult draw_kept(const PlannedFrame& frame);
-    /// For one eye of a pair; then put_side() puts it onto the surface.
+    /// Draws the picture of one eye of a pair; put_side() then puts it onto the surface.
     draw::TerrainDrawResult draw_side(const PlannedFrame& frame, const PlannedPicture& picture, PictureLayer last,
                                       draw::EyeSide side);
     void put_side(const base::Surface& surface, design::StereoMode mode, draw::EyeSide side, std::int32_t shift_px);
-    /// What fades out.
+    /// Draws the kept picture, which fades out.
     void draw_fade(const PlannedFrame& frame);
-    /// In the screen's plane.
+    /// Draws the symbology, in the plane of the screen.
     void draw_symbology(const PlannedFrame& frame, const base::Surface& surface);
-    /// The density of edges of what is on the surface.
+    /// Returns the edge density of the picture on the surface.
     [[nodiscard]] effects::ClutterMap measure_clutter(const base::Surface& surface);
-    /// Edges and the saliency map over what is on the surface, where the frame shows them.
+    /// Draws edges and the saliency map over the picture on the surface, where the frame shows them.
     void draw_measures(const PlannedFrame& frame, const base::Surface& surface);
-    /// The light of the panel.
+    /// Dims the picture to the brightness of the panel.
     void dim(const PlannedFrame& frame);
 
-    /// The ground's colours without what lies before a layer; then as the frame has them.
+    /// bare_ground() removes the layers after `last` from the ground's colours; restore_ground() restores the frame's colours.
     void bare_ground(const PlannedFrame& frame, PictureLayer last);
     void restore_ground(const PlannedFrame& frame);
 

@@ -41,7 +41,7 @@ draw::DataFrame data_frame(const PassInput& input) {
 
 bool draws_elements(const PassInput& input) { return input.frame.last >= PictureLayer::data && input.data.shown != 0; }
 
-/// What is not to be blurred leaves a distance that is in focus.
+/// Whatever must not be blurred writes a distance that is in focus.
 void leave_distances(DrawContext& frame) {
     const design::DepthOfField& field = frame.design.effects.depth_of_field;
     const double sharp = draw::distance_code(0.5 * (frame.focus.near_m + frame.focus.far_m));
@@ -73,7 +73,7 @@ base::Error ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, draw
     return goes_off_screen ? picture_.start(gl, device.budget, width_px, height_px, designs) : base::Error{};
 }
 
-/// What any of the designs asks for.
+/// What at least one of the designs requests.
 base::Error ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs) {
     bool has_shafts = false;
     for (const draw::DrawnDesign& drawn : designs) {

@@ -1,12 +1,11 @@
-/// The order in which a frame's scene gets to the surface: terrain, sky and spatial data, on the surface itself or by way of
-/// pictures off screen, then effects on the finished picture, then signs. Symbology comes after it.
+/// Draws a frame's scene to the surface in this order: terrain, sky and spatial data (directly, or through pictures off screen),
+/// effects on the finished picture, signs. The symbology is drawn afterwards.
 ///
-/// Terrain, data and symbology are layers that are drawn one after the other; an effect applies to those that leave it what it
-/// works by, such as their distances. A picture that no effect of the frame reads is not drawn.
+/// Terrain, data and symbology are layers that are drawn one after the other; an effect applies to the layers that provide its
+/// input, such as their distances. A picture off screen that no effect of the frame reads is not drawn.
 ///
-/// Memory    the budget line render_targets (GPU), at start(). Thread  the GL thread, with a surface that is current. Failure
-/// start()
-///           gives one sentence.
+/// Memory    the budget line render_targets (GPU), at start(). Thread  the GL thread, with a surface that is current.
+/// Failure   start() gives one message.
 #pragma once
 
 #include "render_core/display/draw_inputs.hpp"
@@ -22,7 +21,7 @@
 
 namespace tedavis::display {
 
-/// A planned frame and what is drawn of it. References to the display's own.
+/// A planned frame and what is drawn of it, as references to the display's objects.
 struct PassInput {
     const DrawContext& frame;
     const effects::FramePlan& plan;
@@ -33,20 +32,21 @@ struct PassInput {
     const CasterSet& casters;
     EffectWorkTable& work;
     bool has_void = false;        ///< ground without data is in view
-    bool has_shadow_map = false;  ///< the frame's, from its other picture
+    bool has_shadow_map = false;  ///< the frame's other picture has drawn the shadow map
     bool has_terrain = false;     ///< the picture drawn before has the same terrain
 };
 
 class ScenePasses {
 public:
-    /// For designs that follow one another; the first is drawn first. All have air, or none.
+    /// Starts the drawers for the designs that the display changes between; the first is drawn first. Either all of them have air
+    /// or none.
     [[nodiscard]] base::Error start(gl::Gl& gl, effects::DeviceSettings& device, draw::DrawnDesigns designs,
                                     std::uint32_t width_px, std::uint32_t height_px);
-    /// Whether what start() built shows a design, too.
+    /// Whether the started drawers can also draw a design.
     [[nodiscard]] bool shows(const draw::DrawnDesign& design) const;
-    /// The next picture is of this design, which shows() has said it can.
+    /// Draws in this design from now on; shows() must have returned true for it.
     void set_design(const draw::DrawnDesign& design);
-    /// Leaves the place bound, without depth test. Returns what the terrain drew.
+    /// Draws the scene. Leaves the place bound and the depth test disabled. Returns what the terrain drew.
     draw::TerrainDrawResult draw(gl::Gl& gl, const gl::DrawPlace& place, const PassInput& input);
     void destroy(gl::Gl& gl);
 

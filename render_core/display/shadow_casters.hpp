@@ -1,7 +1,7 @@
-/// Draws what casts shadows in a frame into the map of shadows, in the levels in which anything does.
+/// Draws a frame's shadow casters into the shadow map, in the levels that have any.
 ///
-/// Memory    the map's, from the budget line render_targets, at start(). Thread  the GL thread. Failure  start() gives one
-/// sentence.
+/// Memory    the map's, from the budget line render_targets, at start(). Thread  the GL thread.
+/// Failure   start() gives one message.
 #pragma once
 
 #include "render_core/display/element_painter.hpp"
@@ -14,8 +14,8 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t level_px);
     [[nodiscard]] bool is_started() const { return map_.is_started(); }
     [[nodiscard]] const draw::ShadowMap& map() const { return map_; }
-    /// `drawers`: what the casters are uploaded to. `eye`: of the picture, ECEF. Leaves another framebuffer bound. Returns the
-    /// number of draws.
+    /// Draws the casters. `drawers`: the drawers to which they are uploaded. `eye`: the eye point of the picture, ECEF. Leaves
+    /// another framebuffer bound. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, const CasterDrawers& drawers, const CasterSet& casters, const draw::ShadowFrame& frame,
                        const glm::dvec3& eye) const;
     void destroy(gl::Gl& gl);

@@ -11,7 +11,7 @@ draw::TerrainDrawInput no_farther(const SeenTerrain& seen, draw::TerrainDrawInpu
 
 }  // namespace
 
-/// Only where a design can be traced is anything kept for it.
+/// Memory for tracing is used only where a design can be traced.
 base::Error TerrainPainter::start(gl::Gl& gl, TerrainPlanner& planner, draw::DrawnDesigns designs,
                                   effects::DeviceSettings& device, base::Arena& staging, const draw::TracePlace& traced) {
     if (base::Error error = drawer_.start(gl, planner.store(), planner.chunk_indices(), designs, device, staging)) return error;

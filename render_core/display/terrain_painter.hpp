@@ -13,31 +13,32 @@ namespace tedavis::display {
 
 class TerrainPainter {
 public:
-    /// For designs that follow one another; the first is drawn first. `traced`: where terrain is traced, if a design wants it.
-    /// The planner is started, and must outlive it: its chunks are uploaded from its store.
+    /// Starts the drawers for the designs that the display changes between; the first is drawn first. `traced`: where terrain is
+    /// traced, if a design requests it. `planner` must have been started and must outlive the painter, which uploads chunks from
+    /// its store.
     [[nodiscard]] base::Error start(gl::Gl& gl, TerrainPlanner& planner, draw::DrawnDesigns designs,
                                     effects::DeviceSettings& device, base::Arena& staging, const draw::TracePlace& traced = {});
-    /// Whether what start() built shows a design, too.
+    /// Whether the started drawers can also draw a design.
     [[nodiscard]] bool shows(const draw::DrawnDesign& design) const;
-    /// From here on this design, which shows() has said it can.
+    /// Draws in this design from now on; shows() must have returned true for it.
     void set_design(gl::Gl& gl, const draw::DrawnDesign& design);
-    /// Whether the designs, or a coast in the database, ask for attribute pages; after start().
+    /// Whether the designs, or a coast in the database, request attribute pages; valid after start().
     [[nodiscard]] bool reads_pages() const { return drawer_.reads_pages(); }
-    /// What becomes of tracing on this device; after start().
+    /// Whether terrain is traced on this device, or why not; valid after start().
     [[nodiscard]] draw::TraceState tracer() const { return traced_.state(); }
 
-    /// The slice of the scene that colours the ground; null for none. False where the device has no room for it.
+    /// Sets the slice of the scene that colours the ground; null for none. Returns false where the device has no room for it.
     [[nodiscard]] bool set_ground_data(gl::Gl& gl, const scene::GridSlice* slice) { return drawer_.set_ground_data(gl, slice); }
-    /// Posts across and down that such a slice may have; 0 where no design asks for any.
+    /// Returns the number of posts across and down that such a slice may have; 0 where no design requests one.
     [[nodiscard]] std::uint32_t ground_side() const { return drawer_.ground_side(); }
-    /// Uploads what is new. False when nothing of the terrain may be drawn.
+    /// Uploads what is new. Returns false where the terrain must not be drawn.
     [[nodiscard]] bool prepare(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input);
-    /// Not where it is traced.
+    /// Draws a depth range of the terrain as triangles; not to be called where it is traced.
     void draw(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
               draw::TerrainDrawResult& result);
-    /// Where it is traced: its codes, into a picture.
+    /// Traces the terrain, and draws its codes into a picture.
     void draw_traced(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input, const gl::Texture& picture);
-    /// The depths of what was drawn; colours are nothing.
+    /// Draws the depths of the terrain; the colours have no meaning.
     void draw_depths(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
                      draw::TerrainDrawResult& result);
     void destroy(gl::Gl& gl);
@@ -45,7 +46,7 @@ public:
 private:
     draw::TerrainDrawer drawer_;
     draw::TracedTerrain traced_;
-    design::DesignSettings design_;  ///< that is drawn
+    design::DesignSettings design_;  ///< the design that is drawn
     bool is_started_ = false;
 };
 

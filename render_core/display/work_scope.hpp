@@ -6,7 +6,7 @@
 
 namespace tedavis::display {
 
-/// Adds what GL is given while it lives.
+/// Adds the GL work that is done during its lifetime.
 class WorkScope {
 public:
     WorkScope(const gl::Gl& gl, EffectWork& work, std::uint32_t passes = 1)

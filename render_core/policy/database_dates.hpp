@@ -14,7 +14,7 @@ namespace tedavis::policy {
 /// By default there are no dates, and the databases may be used always.
 struct DatabaseDates {
     base::ValidPeriod period;  ///< in which all databases may be used
-    /// What holds in frames whose time is no date: what was found when the display was started.
+    /// Used in frames whose time is no date: the result of the check when the display was started.
     base::Currency at_start = base::Currency::current;
 };
 static_assert(std::is_trivially_copyable_v<DatabaseDates>);

@@ -37,7 +37,7 @@ enum class Element : std::uint8_t {
     vertical_deviation,  ///< from the path; `source` says of which receiver
     waypoint_bearing,
     flight_path_reference,  ///< the glide path angle that is selected
-    flight_director,        ///< as good as the worse of its two signals
+    flight_director,        ///< in the state of the worse of its two signals
     selected_altitude,
     selected_heading,
     selected_airspeed,
@@ -57,7 +57,7 @@ enum class ElementShow : std::uint8_t {
     absent,       ///< nothing is shown: the aircraft does not supply the value, or the value has no meaning now
 };
 
-/// True where a value is drawn, be it stale or of second choice.
+/// Returns true where a value is drawn, be it stale or of second choice.
 [[nodiscard]] constexpr bool shows_value(ElementShow show) { return show != ElementShow::failed && show != ElementShow::absent; }
 
 /// Where the own ship is relative to a minimum of an approach.

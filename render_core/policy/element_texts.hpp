@@ -1,7 +1,7 @@
 /// Every red or amber text of the symbology: where it stands, why it is shown, and what is removed. A plain table; pure.
 ///
-/// Texts of notices are in notice_table.hpp. The symbology writes these texts itself; a
-/// test builds every element in every state and holds both together. README.md shows the table; a test compares both.
+/// Texts of notices are in notice_table.hpp. The symbology writes these texts itself; a test builds every element in every state
+/// and compares them with the table. README.md shows the table; a test compares both.
 #pragma once
 
 #include <cstdint>

@@ -19,24 +19,24 @@ public:
 
     [[nodiscard]] base::SignalState state_of(flight::Signal signal) const { return state_.state_of(signal, now_); }
     [[nodiscard]] bool valid(flight::Signal signal) const { return state_of(signal) == base::SignalState::valid; }
-    /// In SI units; 0 where it was never received.
+    /// Returns the value in SI units; 0 where it was never received.
     [[nodiscard]] double value(flight::Signal signal) const { return state_[signal].value_or(0); }
-    /// Whether the view may be turned by it: a magnetic heading needs the variation.
+    /// Whether this heading may turn the view: a magnetic heading needs the variation.
     [[nodiscard]] bool turns_view(flight::Signal heading) const;
-    /// A source of the group is valid, and may turn the view where the group is that of the view's heading.
+    /// Whether a source of the group is valid, and, where the group is that of the view's heading, may turn the view.
     [[nodiscard]] bool has_valid(SignalGroup group) const;
 
-    /// Bits of Consequence that hold for the group in this frame; none until they are stated.
+    /// Adds bits of Consequence that hold for the group in this frame; at first there are none.
     void add_consequences(SignalGroup group, std::uint8_t bits) { consequences_[static_cast<std::size_t>(group)] |= bits; }
     [[nodiscard]] std::uint8_t consequences_of(SignalGroup group) const { return consequences_[static_cast<std::size_t>(group)]; }
 
-    /// The first valid source of the group, else a stale one with a flag, else what its consequences say.
+    /// Decides for the first valid source of the group, else for a stale one with a flag, else by the group's consequences.
     [[nodiscard]] ElementDecision decision(SignalGroup group) const;
-    /// As good as the worse of two groups that state nothing without each other; what failed is said in any case.
+    /// Returns the worse of the decisions of two groups that mean nothing without each other; a failure is shown in any case.
     [[nodiscard]] ElementDecision worse_of(SignalGroup a, SignalGroup b) const;
 
 private:
-    /// The first source in this state; count_ for none.
+    /// Returns the first source in this state; count_ for none.
     [[nodiscard]] flight::Signal first_in(SignalGroup group, base::SignalState wanted) const;
 
     const flight::AircraftState& state_;

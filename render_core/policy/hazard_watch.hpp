@@ -32,7 +32,7 @@ public:
 
     [[nodiscard]] double terrain_share();
     [[nodiscard]] double layer_share(const scene::Layer& layer);
-    /// Of a hazard that is met at a time, by another watch (obstacle_ahead.hpp).
+    /// Returns the share of a hazard that another watch (obstacle_ahead.hpp) expects at a time.
     [[nodiscard]] double share_at(double seconds) { return note(seconds); }
     /// Returns the time until the track comes within reach of a feature, at its height, s; infinite where it does not.
     [[nodiscard]] double seconds_to(const scene::Layer& layer, std::uint32_t feature);

@@ -1,11 +1,12 @@
 /// The obstacle alert: which obstacles of the scene the own ship flies into, and when. The notice OBSTACLE AHEAD follows it in
-/// every phase and design, and so does the color of the obstacles that are in the way.
+/// every phase and design, and so does the colour of the obstacles that are in the way.
 ///
 /// An obstacle is ahead where its top, higher by its stated accuracy, reaches above the floor that the predicted track leaves for
-/// what is below it, within a minute: the same track, widening and clearance as of the terrain alert (terrain_ahead.hpp). Beside
-/// the track counts what is no farther from it than its uncertainty and the stated accuracy of the obstacle's place. A cable
-/// hangs between the tops of its poles, and counts as the straight line between them. Where the ground of one pole is not known,
-/// it counts as high as the other one; an obstacle on unknown ground that states no height above the sea is not judged.
+/// what is below it, within a minute: the same track, widening and clearance as of the terrain alert (terrain_ahead.hpp). An
+/// obstacle beside the track counts where its distance from it is no more than the track's uncertainty and the stated accuracy of
+/// its position together. A cable hangs between the tops of its poles, and counts as the straight line between them. Where the
+/// ground of one pole is not known, it counts as high as the other one; an obstacle on unknown ground that states no height above
+/// the sea is not judged.
 ///
 /// Near a runway the terrain alert is inhibited. This one is not: a mast before the threshold is no ground on which an aircraft
 /// may land. The clearance there is that of the final approach, and clearance and uncertainty take no more than three quarters of
@@ -26,7 +27,7 @@ namespace tedavis::policy {
 
 class ObstacleWatch {
 public:
-    /// All must outlive the object.
+    /// All arguments must outlive the object.
     ObstacleWatch(TerrainWatch& watch, scene::Ground& ground);
 
     /// Returns the time until the track is too close to a feature of a layer of obstacles, s; infinite where it is not.
@@ -39,7 +40,7 @@ private:
     struct Box {
         double south_m, north_m, west_m, east_m;
     };
-    /// From one pole to the next, or of a single point to itself.
+    /// A line from one pole to the next; for a single point both ends are the same.
     struct Span {
         Place from, to;
         const scene::ScenePoint *first, *last;

@@ -1,4 +1,4 @@
-/// The obstacles that the predicted track comes too close to, and when: what the obstacle alert says and colors
+/// The obstacles that the predicted track comes too close to, and when: what the obstacle alert states and colours
 /// (obstacle_ahead.hpp decides it). Plain data; pure functions; any thread.
 #pragma once
 
@@ -16,7 +16,7 @@ struct AlertedObstacle {
 
     std::uint32_t feature = 0;
     std::uint16_t layer = 0;   ///< its number in the scene
-    std::uint16_t tenths = 0;  ///< of a second until it is met, rounded down; with kStraightAhead of a turn (counted_s)
+    std::uint16_t tenths = 0;  ///< of a second until it is reached, rounded down; kStraightAhead: on the straight track in a turn
 
     [[nodiscard]] bool is_straight_ahead() const { return (tenths & kStraightAhead) != 0; }
     [[nodiscard]] double seconds() const { return (tenths & ~kStraightAhead) / 10.0; }
@@ -29,25 +29,25 @@ static_assert(sizeof(AlertedObstacle) == 8, "planner memories hold many");
 
 class ObstacleAlerts {
 public:
-    /// The soonest so many are colored; the level counts all.
+    /// The number of obstacles, those reached first, that are coloured; the level counts all.
     static constexpr std::size_t kMax = 48;
 
-    /// With the times until it is met on the predicted track and on the straight one, infinite where it is not. Ignores what
-    /// counts for more than kTerrainCaution_s.
+    /// Adds an obstacle with the times until the predicted track and the straight one reach it, infinite where they do not.
+    /// Ignores obstacles whose counted time is more than kTerrainCaution_s.
     void add(std::uint16_t layer, std::uint32_t feature, double on_track_s, double straight_s);
 
     [[nodiscard]] TerrainAhead level() const;
-    /// `none` for an obstacle that is not in the way.
+    /// Returns the level of an obstacle; `none` where it is not in the way.
     [[nodiscard]] TerrainAhead of(std::uint16_t layer, std::uint32_t feature) const;
-    /// The counted time of the first; infinite without an alert.
+    /// Returns the counted time of the first obstacle; infinite without an alert.
     [[nodiscard]] double soonest_s() const {
         return all_.empty() ? std::numeric_limits<double>::infinity() : all_[0].counted_s();
     }
-    /// The soonest first, by what counts.
+    /// Returns the obstacles in the order of their counted times.
     [[nodiscard]] const base::FixedVector<AlertedObstacle, kMax>& all() const { return all_; }
-    /// Of all obstacles in the way.
+    /// Returns the number of all obstacles in the way, also of those that are not coloured.
     [[nodiscard]] std::uint32_t count() const { return count_; }
-    /// A number for which obstacles have which level: another one where the picture of any of them changes. 0: none.
+    /// Returns a number that changes when the level of any obstacle changes, and with it the picture. 0: there is none.
     [[nodiscard]] std::uint64_t key() const;
 
 private:

@@ -37,7 +37,7 @@ struct PriorityInstant {
     TrackUncertainty uncertainty;
 };
 
-/// Of the terrain alert, whether there is one or not.
+/// The state of the terrain alert's watch, whether there is an alert or not.
 struct TerrainWatchState {
     bool is_watching = false;  ///< false: inhibited, on a runway, or not judged
     double clearance_m = 0;    ///< TerrainWatch::clearance_m()
@@ -78,7 +78,7 @@ public:
     [[nodiscard]] TerrainAhead terrain_ahead() const { return raises_.terrain_ahead; }
     [[nodiscard]] const ObstacleAlerts& obstacles() const { return raises_.obstacles; }
     [[nodiscard]] const TerrainWatchState& terrain_watch() const { return raises_.terrain_watch; }
-    /// Of another scene nothing is known before the next interval.
+    /// To be called when the scene is replaced: the next interval finds the obstacles of the new one.
     void forget_obstacles() { raises_.obstacles = {}; }
 
 private:

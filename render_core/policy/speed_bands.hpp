@@ -1,16 +1,16 @@
 /// The bands and flags of the airspeed tape, by the aircraft file (design/aircraft_settings.hpp) and what is known of the flaps
 /// and of the load factor. Pure function; any thread.
 ///
-/// Two columns. Where the limit is known the first reaches from 0 to kEndOfBands_mps without gaps and overlaps: low-speed
-/// warning, low-speed caution, normal, caution, above the limit, of which those without extent are left out. The second has one
-/// band, the range in which all flaps may be out, from the stall speed with them to their limit. Colors of the same meaning are
-/// those of mechanical airspeed indicators (FAA-H-8083-25, Pilot's Handbook of Aeronautical Knowledge, airspeed indicator
-/// markings).
+/// There are two columns. Where the limit is known the first reaches from 0 to kEndOfBands_mps without gaps and overlaps:
+/// low-speed warning, low-speed caution, normal, caution, above the limit, of which bands without extent are left out. The second
+/// has one band, the range in which all flaps may be out, from the stall speed with them to their limit. Colours have the meaning
+/// that they have on mechanical airspeed indicators (FAA-H-8083-25, Pilot's Handbook of Aeronautical Knowledge, airspeed
+/// indicator markings).
 ///
 /// Where the position of the flaps is not known exactly, the limit is that of the flaps that may be farthest out, and the stall
 /// speed that of those that may be least far out; between two settings the stricter one holds. So a wider range never raises the
-/// limit and never lowers the stall speed. The stall speed grows with the root of the load factor. The mass is not known: that of
-/// the file, the greatest, holds.
+/// limit and never lowers the stall speed. The stall speed grows with the root of the load factor. The mass is not known: the
+/// greatest mass, which the file states, is assumed.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,9 @@ enum class SpeedBandRole : std::uint8_t {
 };
 inline constexpr std::size_t kSpeedBandRoles = 6;
 
-/// Above all speeds of aircraft files: where the first column ends.
+/// The end of the first column, above all speeds of aircraft files.
 inline constexpr double kEndOfBands_mps = 400;
-/// Load factors above it count as it.
+/// Greater load factors count as this one.
 inline constexpr double kMaxLoadFactor = 4;
 
 struct SpeedBand {
@@ -63,8 +63,8 @@ struct SpeedBands {
 };
 static_assert(std::is_trivially_copyable_v<SpeedBands>);
 
-/// Nothing without an aircraft file. Flags, low-speed warning and low-speed caution alone at an altitude, or an unknown one, at
-/// which the file's limit may not hold.
+/// Returns the bands and flags; none without an aircraft file. At an altitude at which the file's limit may not hold, or at an
+/// unknown altitude, it returns only flags, low-speed warning and low-speed caution.
 [[nodiscard]] SpeedBands speed_bands(const design::AircraftSettings& aircraft, const SpeedConditions& conditions) noexcept;
 
 }  // namespace tedavis::policy

@@ -1,5 +1,5 @@
 /// The terrain alert: whether the own ship flies into terrain. The notice TERRAIN AHEAD follows it in every phase and design, and
-/// so does the color of the ground that is too close (terrain_alert_zone.hpp).
+/// so does the colour of the ground that is too close (terrain_alert_zone.hpp).
 ///
 /// Terrain is ahead where the predicted track comes closer to the ground than the clearance that the flight phase requires,
 /// within a minute. The track keeps its vertical speed, its speed and its rate of turn, the last for half a turn at most, where
@@ -10,7 +10,7 @@
 /// also come for ground beside the widened track. The phase only sets the clearance; no phase switches the alert off.
 ///
 /// Low flight: clearance and uncertainty together take no more than three quarters of the height above the ground at present, so
-/// that level flight over level ground gives no alert: they are scaled down alike.
+/// that level flight over level ground gives no alert; both are reduced by the same factor.
 ///
 /// A track that reaches a runway needs the clearance of the final approach, in every phase.
 /// There is no alert at a ground speed below 15 m/s (taxiing); close to the ground near a runway of the scene; for ground round
@@ -23,9 +23,9 @@
 ///           and at most a in direction differ by at most dv + v a, whose integral is the distance of the places.
 /// Range     places err by the square of the distance times the tangent of the latitude over two Earth radii (12 m in 12 km at 47
 ///           degrees), which the uncertainty of the position does not count.
-/// Bounded   twice kMaxSteps places of the track, and kMaxRunways for each that is too close. Pure, but for what the grounds
-/// read.
-///           Thread  the display's.
+/// Bounded   twice kMaxSteps places of the track, and kMaxRunways for each that is too close. Pure, except for queries of the
+///           grounds.
+/// Thread    the display's.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
@@ -43,7 +43,7 @@ struct ScenePoint;
 
 namespace tedavis::policy {
 
-/// A receiver that states less is not believed.
+/// A smaller uncertainty that a receiver states is replaced by this one.
 inline constexpr double kMinPositionUncertainty_m = 10;
 
 /// By how much the true track may differ from the predicted one. Rates are this display's own; positions are stated or assumed.
@@ -60,12 +60,12 @@ struct TerrainWatchInput {
     PredictedTrack track;
     TrackUncertainty uncertainty;
     flight::FlightPhase phase;
-    /// Those of the scene, or empty, and they must stay; runways near the track beyond kMaxRunways count as ground.
+    /// Layers of the scene, or empty; they must stay valid. Runways near the track beyond kMaxRunways count as ground.
     base::Span<const scene::Layer> layers;
 };
 
-/// What the track passes from one time to another: a disc that holds all true tracks on their way, and the height above which
-/// what stands there is too close.
+/// The track between two times: a disc that contains all true tracks, and the height above which ground and obstacles in it are
+/// too close.
 struct TrackStep {
     double from_s = 0, to_s = 0;
     double north_m = 0, east_m = 0;  ///< of the own ship
@@ -76,8 +76,8 @@ inline constexpr std::size_t kMaxTrackSteps = 256;
 using TrackSteps = base::FixedVector<TrackStep, kMaxTrackSteps>;
 
 /// Returns the time by which an alert is judged where the predicted track turns, s: that on it, or twice that on the straight
-/// track if this is less. Who circles in a valley has terrain straight ahead all the time and turns away from it: it is a caution
-/// within 30 s and a warning within 15 s, since the turn may end.
+/// track if this is less. An aircraft that circles in a valley has terrain straight ahead all the time and turns away from it.
+/// Since the turn may end, this terrain is a caution within 30 s and a warning within 15 s.
 [[nodiscard]] double counted_s(double on_track_s, double straight_s) noexcept;
 [[nodiscard]] TerrainAhead level_within(double seconds) noexcept;
 
@@ -88,8 +88,8 @@ public:
     static constexpr int kMaxSteps = kMaxTrackSteps;
     static constexpr std::size_t kMaxRunways = 32;
     /// The zone that is shown is so much wider than the track's uncertainty, and lower by what a moving floor rises or falls on
-    /// the way through it: an alert colors the ground that it is for, and a little more. Ground that the bound of a coarser block
-    /// or of a whole chunk was for may lie outside of it.
+    /// the way through it: an alert colours the ground that caused it, and a little more. Where the bound of a coarser block or
+    /// of a whole chunk caused it, that ground may lie outside of the zone.
     static constexpr double kShownMargin_m = 200;
 
     /// Both grounds must outlive the object.
@@ -98,14 +98,14 @@ public:
     [[nodiscard]] TerrainAhead ahead() { return level_within(seconds_to_terrain()); }
     /// Returns the time until the track is too close to the ground, s; infinite where it is not within kLookAhead_s.
     [[nodiscard]] double seconds_to_terrain();
-    /// Returns the zone that an alert colors.
+    /// Returns the zone that an alert colours.
     [[nodiscard]] TerrainAlertZone zone(TerrainAhead alert);
 
     [[nodiscard]] const PredictedTrack& track() const { return track_; }
-    /// Returns the way to where the track ends: at a runway, after half a turn. None for aircraft that stand or taxi. Near a
-    /// runway the floor leaves what stands there a quarter of the track's height above it.
+    /// Returns the steps of the track until its end, at a runway or after half a turn; none for aircraft that stand or taxi. Near
+    /// a runway the floor is at least a quarter of the track's height above the runway.
     [[nodiscard]] TrackSteps steps();
-    /// False where the alert is inhibited, and on a runway.
+    /// Returns false where the alert is inhibited, and on a runway.
     [[nodiscard]] bool is_watching();
     /// Height above the ground that the track must keep, m: of the phase, or less in low flight.
     [[nodiscard]] double clearance_m() const { return clearance_m_; }

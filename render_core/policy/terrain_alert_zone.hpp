@@ -1,4 +1,4 @@
-/// Which ground comes too close to the predicted track, and when: what the terrain alert colors.
+/// Which ground the predicted track comes too close to, and when: what the terrain alert colours.
 ///
 /// A place on the ground counts at the time at which the track passes it: on a straight line, or on a circle for a constant turn
 /// rate, for no more than half of it. It lies in the zone where it is no farther from the track than the track's uncertainty at
@@ -30,7 +30,7 @@ struct RunwayGround {
 };
 
 struct TerrainAlertZone {
-    TerrainAhead alert = TerrainAhead::none;  ///< nothing is colored without
+    TerrainAhead alert = TerrainAhead::none;  ///< without an alert nothing is coloured
     earth::Geodetic from;                     ///< the own ship, above the ellipsoid
     double north_mps = 0, east_mps = 0;
     double turn_radps = 0;                                 ///< of the track, to the right
@@ -46,7 +46,7 @@ struct TerrainAlertZone {
 static_assert(std::is_trivially_copyable_v<TerrainAlertZone>);
 
 inline constexpr double kTerrainCaution_s = 60, kTerrainWarning_s = 30;
-/// Slower turns are straight lines: over a minute they leave them by less than 4 m at 100 m/s.
+/// Slower turns are treated as straight lines: within a minute at 100 m/s the difference is less than 4 m.
 inline constexpr double kMinTurn_radps = 2e-5;
 
 /// Where the track passes a place.

@@ -11,6 +11,7 @@ const std::map<std::string, std::string>& names() {
     static const std::map<std::string, std::string> table = {
         {"AirWay", "AirPath"},
         {"AllSpoken", "PhaseVotes"},
+        {"CallingDesign", "RequestingDesign"},
         {"CellMeeting", "CellHit"},
         {"ClutterControl", "DeclutterControl"},
         {"Crowding", "Declutter"},
@@ -41,6 +42,7 @@ const std::map<std::string, std::string>& names() {
         {"WayPoint", "PolylineVertex"},
         {"any_true_way", "any_true_segment"},
         {"approach_epoch", "preroll_interval"},
+        {"design_calling_for", "design_requesting"},
         {"eye_pair", "stereo_cameras"},
         {"forget_turns", "cut_to_design"},
         {"gives_way", "may_declutter"},
@@ -48,6 +50,7 @@ const std::map<std::string, std::string>& names() {
         {"hear_traffic", "receive_traffic"},
         {"is_met", "is_hit"},
         {"judge_sight", "count_out_of_view"},
+        {"kCallingDesigns", "kRequestingDesigns"},
         {"kLadder", "kQualityLevels"},
         {"kLastRung", "kLastQualityLevel"},
         {"kRungs", "kQualityLevelCount"},
@@ -59,12 +62,34 @@ const std::map<std::string, std::string>& names() {
         {"met_column", "hit_column"},
         {"met_row", "hit_row"},
         {"met_t", "hit_t"},
+        {"note_delay", "record_delay"},
+        {"note_failure", "record_failure"},
+        {"note_latency", "record_latency"},
+        {"note_terrain_use", "record_terrain_use"},
         {"planned_way", "planned_track"},
         {"set_meeting", "set_hit"},
         {"stand_at", "set_camera"},
         {"weigh_element", "apply_to_element"},
         {"weigh_elements", "apply_to_elements"},
         {"weigh_way", "weigh_vertices"},
+    };
+    return table;
+}
+
+/// Phrases of this project's own, and what plain English says. The standard names what is meant, not the exact words.
+const std::map<std::string, std::string>& phrases() {
+    static const std::map<std::string, std::string> table = {
+        {"flown way", "flight trail"},
+        {"follow from nothing", "does not depend on earlier frames"},
+        {"follows from nothing", "does not depend on earlier frames"},
+        {"gave way", "was reduced, was replaced"},
+        {"give way", "is reduced, is replaced"},
+        {"given way", "was reduced, was replaced"},
+        {"gives way", "is reduced, is replaced"},
+        {"giving way", "being reduced, being replaced"},
+        {"seen from elsewhere", "from another viewpoint"},
+        {"takes its turn", "draws next, is shown"},
+        {"turn of designs", "design transition"},
     };
     return table;
 }
@@ -95,7 +120,50 @@ std::string standard_of(const std::string& name) {
     return {};
 }
 
+bool is_page(const std::string& path) { return path.size() > 3 && path.compare(path.size() - 3, 3, ".md") == 0; }
+
+/// A text in lower case, with one space between its words, whatever lines and marks of comments lie between.
+struct Prose {
+    std::string text;
+    std::vector<int> lines;  ///< of each character
+};
+
+Prose prose_of(const std::string& text) {
+    Prose prose;
+    int line = 1;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const bool is_gap = std::isspace(c) != 0 || c == '/' || c == '<' || c == '*';
+        if (!is_gap || (!prose.text.empty() && prose.text.back() != ' ')) {
+            prose.text += is_gap ? ' ' : static_cast<char>(std::tolower(c));
+            prose.lines.push_back(line);
+        }
+        if (c == '\n') ++line;
+    }
+    return prose;
+}
+
+/// The places of a phrase, as whole words.
+std::vector<std::size_t> places_of(const std::string& phrase, const std::string& text) {
+    const auto is_letter = [&](std::size_t at) {
+        return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+    };
+    std::vector<std::size_t> places;
+    for (auto at = text.find(phrase); at != std::string::npos; at = text.find(phrase, at + 1))
+        if (!(at > 0 && is_letter(at - 1)) && !is_letter(at + phrase.size())) places.push_back(at);
+    return places;
+}
+
 }  // namespace
+
+std::vector<std::string> phrase_findings(const SourceFile& file) {
+    const Prose prose = prose_of(is_page(file.path) ? file.text : comments_only(file.text));
+    std::vector<std::string> findings;
+    for (const auto& [phrase, standard] : phrases())
+        for (const std::size_t place : places_of(phrase, prose.text))
+            findings.push_back(finding(file, prose.lines[place], "\"" + phrase + "\" is this project's own; say: " + standard));
+    return findings;
+}
 
 std::vector<std::string> name_findings(const SourceFile& file) {
     std::vector<std::string> findings;

@@ -11,11 +11,15 @@ namespace tedavis::tests::layering {
 namespace {
 
 constexpr const char* kFolders[] = {"render_core", "bus", "platform", "target", "host_sim", "tests", "toolchains"};
+constexpr const char* kPageFolders[] = {"render_core", "bus", "platform", "target", "host_sim", "configs", "tests"};
+constexpr const char* kPages[] = {"README.md", "CONTRIBUTING.md", "GLOSSARY.md"};
 
 bool is_source(const std::filesystem::path& path) {
     const auto extension = path.extension();
     return extension == ".cpp" || extension == ".hpp" || extension == ".inc";
 }
+
+bool is_page(const std::filesystem::path& path) { return path.extension() == ".md"; }
 
 std::string read_text(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -27,23 +31,25 @@ std::string read_text(const std::filesystem::path& path) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// Walks over a source text and blanks what is no code.
+enum class TextPart { code, comment, literal };
+
+// Walks over a source text and blanks all but one part of it.
 class Blanker {
 public:
-    explicit Blanker(std::string_view text) : text_(text) {}
+    Blanker(std::string_view text, TextPart kept) : text_(text), kept_(kept) {}
 
     std::string run() {
         while (at_ < text_.size()) {
             if (ahead("//")) {
-                blank_until("\n", false);
+                take_until("\n", false, TextPart::comment);
             } else if (ahead("/*")) {
-                blank_until("*/", true);
+                take_until("*/", true, TextPart::comment);
             } else if (ahead("R\"") && !after_word()) {
-                blank_raw_string();
+                take_raw_string();
             } else if (text_[at_] == '"' || (text_[at_] == '\'' && !after_word())) {
-                blank_literal(text_[at_]);
+                take_literal(text_[at_]);
             } else {
-                out_ += text_[at_++];
+                take_to(at_ + 1, TextPart::code);
             }
         }
         return out_;
@@ -53,44 +59,60 @@ private:
     bool ahead(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
     bool after_word() const { return at_ > 0 && is_word(text_[at_ - 1]); }
 
-    void blank_to(std::size_t end) {
-        for (end = std::min(end, text_.size()); at_ < end; ++at_) out_ += text_[at_] == '\n' ? '\n' : ' ';
+    void take_to(std::size_t end, TextPart part) {
+        for (end = std::min(end, text_.size()); at_ < end; ++at_) out_ += part == kept_ || text_[at_] == '\n' ? text_[at_] : ' ';
     }
 
-    void blank_until(std::string_view end, bool with_end) {
+    void take_until(std::string_view end, bool with_end, TextPart part) {
         const auto found = text_.find(end, at_ + 2);
-        blank_to(found == std::string_view::npos ? text_.size() : found + (with_end ? end.size() : 0));
+        take_to(found == std::string_view::npos ? text_.size() : found + (with_end ? end.size() : 0), part);
     }
 
-    void blank_raw_string() {
+    void take_raw_string() {
         const auto open = text_.find('(', at_);
-        if (open == std::string_view::npos) return blank_to(text_.size());
-        blank_until(")" + std::string(text_.substr(at_ + 2, open - at_ - 2)) + "\"", true);
+        if (open == std::string_view::npos) return take_to(text_.size(), TextPart::literal);
+        take_until(")" + std::string(text_.substr(at_ + 2, open - at_ - 2)) + "\"", true, TextPart::literal);
     }
 
-    void blank_literal(char quote) {
+    void take_literal(char quote) {
         auto end = at_ + 1;
         while (end < text_.size() && text_[end] != quote && text_[end] != '\n') end += text_[end] == '\\' ? 2 : 1;
-        blank_to(end + 1);
+        take_to(end + 1, TextPart::literal);
     }
 
     std::string_view text_;
+    TextPart kept_;
     std::size_t at_ = 0;
     std::string out_;
 };
+
+void add_files(const std::filesystem::path& root, const char* folder, bool (*is_wanted)(const std::filesystem::path&),
+               std::vector<SourceFile>& files) {
+    if (!std::filesystem::is_directory(root / folder)) return;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+        if (!entry.is_regular_file() || !is_wanted(entry.path())) continue;
+        files.push_back({entry.path().lexically_relative(root).generic_string(), read_text(entry.path())});
+    }
+}
+
+void sort_by_path(std::vector<SourceFile>& files) {
+    std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+}
 
 }  // namespace
 
 std::vector<SourceFile> read_tree(const std::filesystem::path& root) {
     std::vector<SourceFile> files;
-    for (const char* folder : kFolders) {
-        if (!std::filesystem::is_directory(root / folder)) continue;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-            if (!entry.is_regular_file() || !is_source(entry.path())) continue;
-            files.push_back({entry.path().lexically_relative(root).generic_string(), read_text(entry.path())});
-        }
-    }
-    std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+    for (const char* folder : kFolders) add_files(root, folder, is_source, files);
+    sort_by_path(files);
+    return files;
+}
+
+std::vector<SourceFile> read_pages(const std::filesystem::path& root) {
+    std::vector<SourceFile> files;
+    for (const char* page : kPages) files.push_back({page, read_text(root / page)});
+    for (const char* folder : kPageFolders) add_files(root, folder, is_page, files);
+    sort_by_path(files);
     return files;
 }
 
@@ -107,7 +129,9 @@ std::vector<IncludeLine> includes_of(const SourceFile& file) {
     return includes;
 }
 
-std::string code_only(std::string_view text) { return Blanker(text).run(); }
+std::string code_only(std::string_view text) { return Blanker(text, TextPart::code).run(); }
+
+std::string comments_only(std::string_view text) { return Blanker(text, TextPart::comment).run(); }
 
 std::vector<Token> tokens_of(const SourceFile& file) {
     const std::string code = code_only(file.text);

@@ -28,10 +28,17 @@ struct Token {
 /// All C++ sources below `root` in the folders that the house knows, sorted by path. Throws where the tree cannot be read.
 std::vector<SourceFile> read_tree(const std::filesystem::path& root);
 
+/// All pages (*.md) below `root` that describe the present state, sorted by path: CHANGELOG.md is none of them. Throws where the
+/// tree cannot be read.
+std::vector<SourceFile> read_pages(const std::filesystem::path& root);
+
 std::vector<IncludeLine> includes_of(const SourceFile& file);
 
 /// The text without comments, string and character literals; lines keep their numbers.
 std::string code_only(std::string_view text);
+
+/// The comments of a text with their marks; lines keep their numbers.
+std::string comments_only(std::string_view text);
 
 std::vector<Token> tokens_of(const SourceFile& file);
 

@@ -28,6 +28,16 @@ TEST(SourceFile, BlanksCommentsAndLiteralsAndKeepsLines) {
     EXPECT_EQ(code.back(), 'c');
 }
 
+TEST(SourceFile, KeepsCommentsAloneWithTheirLines) {
+    const std::string text = "a /* one\ntwo */ b // three\n\"// throw\" R\"(/* throw */)\" 1'000 /// four";
+    const std::string comments = comments_only(text);
+    EXPECT_EQ(comments.size(), text.size());
+    EXPECT_EQ(comments.find("throw"), std::string::npos);
+    EXPECT_EQ(comments.find("000"), std::string::npos);
+    for (const char* word : {"/* one", "two */", "// three", "/// four"}) EXPECT_EQ(comments.find(word), text.find(word)) << word;
+    EXPECT_EQ(std::count(comments.begin(), comments.end(), '\n'), 2);
+}
+
 TEST(SourceFile, LiteralsThatNeverEndStopAtTheText) {
     for (const char* text : {"/* open", "R\"x(open", "R\"", "\"open", "'", "//"}) {
         EXPECT_EQ(code_only(text), std::string(std::string_view(text).size(), ' ')) << text;
@@ -51,6 +61,18 @@ TEST(SourceFile, TheTreeHoldsItsOwnSources) {
     EXPECT_TRUE(has("tests/layering/test_source_file.cpp"));
     EXPECT_TRUE(has("render_core/base/result.hpp"));
     EXPECT_FALSE(has("CMakeLists.txt"));
+}
+
+TEST(SourceFile, PagesAreThoseOfThePresentState) {
+    const auto pages = read_pages(TEDAVIS_SOURCE_DIR);
+    const auto has = [&](std::string_view path) {
+        return std::any_of(pages.begin(), pages.end(), [&](const SourceFile& page) { return page.path == path; });
+    };
+    EXPECT_TRUE(has("README.md"));
+    EXPECT_TRUE(has("render_core/display/README.md"));
+    EXPECT_TRUE(has("configs/designs/README.md"));
+    EXPECT_FALSE(has("CHANGELOG.md"));
+    EXPECT_FALSE(has("render_core/base/result.hpp"));
 }
 
 }  // namespace

@@ -24,17 +24,17 @@ constexpr const char* kAttitudeLevelNames[] = {"heading, pitch and roll each for
 
 /// A unit quaternion: the body's axes in north, east and down.
 template <class Real>
-struct Turn {
+struct Quaternion {
     Real w, x, y, z;
 
-    static Turn of(const Attitude& attitude) {
+    static Quaternion of(const Attitude& attitude) {
         const Real h = static_cast<Real>(attitude.heading_rad) / 2, p = static_cast<Real>(attitude.pitch_rad) / 2,
                    r = static_cast<Real>(attitude.roll_rad) / 2;
         const Real ch = std::cos(h), sh = std::sin(h), cp = std::cos(p), sp = std::sin(p), cr = std::cos(r), sr = std::sin(r);
         return {ch * cp * cr + sh * sp * sr, ch * cp * sr - sh * sp * cr, ch * sp * cr + sh * cp * sr,
                 sh * cp * cr - ch * sp * sr};
     }
-    [[nodiscard]] Turn mixed(Real mine, const Turn& other, Real others) const {
+    [[nodiscard]] Quaternion mixed(Real mine, const Quaternion& other, Real others) const {
         return {mine * w + others * other.w, mine * x + others * other.x, mine * y + others * other.y,
                 mine * z + others * other.z};
     }
@@ -51,21 +51,21 @@ struct Turn {
 
 /// Of a quaternion and its negative, which are the same attitude, the one on `from`'s side.
 template <class Real>
-Turn<Real> nearer_to(const Turn<Real>& from, const Turn<Real>& to) {
+Quaternion<Real> nearer_to(const Quaternion<Real>& from, const Quaternion<Real>& to) {
     const Real dot = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
-    return dot < 0 ? Turn<Real>{-to.w, -to.x, -to.y, -to.z} : to;
+    return dot < 0 ? Quaternion<Real>{-to.w, -to.x, -to.y, -to.z} : to;
 }
 
 template <class Real>
-Turn<Real> straight_between(const Turn<Real>& from, const Turn<Real>& to, Real share) {
-    const Turn<Real> on_chord = from.mixed(1 - share, nearer_to(from, to), share);
+Quaternion<Real> straight_between(const Quaternion<Real>& from, const Quaternion<Real>& to, Real share) {
+    const Quaternion<Real> on_chord = from.mixed(1 - share, nearer_to(from, to), share);
     const Real length = on_chord.length();
     return {on_chord.w / length, on_chord.x / length, on_chord.y / length, on_chord.z / length};
 }
 
 template <class Real>
-Turn<Real> slerp_between(const Turn<Real>& from, const Turn<Real>& other, Real share) {
-    const Turn<Real> to = nearer_to(from, other);
+Quaternion<Real> slerp_between(const Quaternion<Real>& from, const Quaternion<Real>& other, Real share) {
+    const Quaternion<Real> to = nearer_to(from, other);
     const Real angle = 2 * std::atan2(from.mixed(1, to, -1).length(), from.mixed(1, to, 1).length());
     if (!(angle > 0)) return from;
     return from.mixed(std::sin((1 - share) * angle) / std::sin(angle), to, std::sin(share * angle) / std::sin(angle));
@@ -89,8 +89,8 @@ public:
         heading_ = MonotoneCurve({0, 1}, {from_.heading_rad, to_.heading_rad});
         pitch_ = MonotoneCurve({0, 1}, {from_.pitch_rad, to_.pitch_rad});
         roll_ = MonotoneCurve({0, 1}, {from_.roll_rad, to_.roll_rad});
-        quaternions_[0] = Turn<double>::of(from_);
-        quaternions_[1] = Turn<double>::of(to_);
+        quaternions_[0] = Quaternion<double>::of(from_);
+        quaternions_[1] = Quaternion<double>::of(to_);
     }
 
     [[nodiscard]] glm::dmat3 axes(std::size_t level, double share) const {
@@ -115,7 +115,7 @@ private:
 
     Attitude from_, to_;
     MonotoneCurve heading_, pitch_, roll_;
-    Turn<double> quaternions_[2]{};
+    Quaternion<double> quaternions_[2]{};
 };
 
 KnobFacts attitude_between_facts() {
@@ -174,8 +174,8 @@ private:
 }  // namespace
 
 glm::dmat3 axes_by_long_slerp(const Attitude& from, const Attitude& to, double share) {
-    using LongTurn = Turn<long double>;
-    return slerp_between(LongTurn::of(from), LongTurn::of(to), static_cast<long double>(share)).axes();
+    using LongQuaternion = Quaternion<long double>;
+    return slerp_between(LongQuaternion::of(from), LongQuaternion::of(to), static_cast<long double>(share)).axes();
 }
 
 std::unique_ptr<Knob> make_attitude_between_knob(const KnobGround& ground) {

@@ -3,8 +3,8 @@
 /// A level is a set of options of a picture, among them its device, and a change to its design. Each level has a display of its
 /// own, which is started once and stays; the time of its start is build_ms(). Where OSMesa is missing, EGL draws.
 ///
-/// A pose follows from nothing: what a display knows of earlier frames is put back before each, and all terrain has arrived. So
-/// a picture does not depend on the order in which pictures are drawn.
+/// Each pose is drawn without earlier frames: the display's memory of them is reset before each picture, and all terrain has
+/// arrived. So a picture does not depend on the order in which pictures are drawn.
 ///
 /// Thread  one. No surface is current between the calls, but from show() to the draw() that follows.
 #pragma once

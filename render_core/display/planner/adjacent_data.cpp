@@ -27,7 +27,7 @@ GroundDataState find_field(const SpatialData& data, const design::AdjacentView& 
     return GroundDataState::shown;
 }
 
-/// As adjacent_maps.cpp draws cells: `under` on or through `color`.
+/// Mixes colours as adjacent_maps.cpp draws cells: `under` on or through `color`.
 void add_sign(std::string_view text, draw::SampleLook look, design::Color color, design::Color under, draw::DataLegend& legend) {
     draw::LegendSample sample;
     sample.text.append(text);

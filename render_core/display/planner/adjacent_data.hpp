@@ -1,6 +1,7 @@
-/// What the maps beside the picture show, from the scene and the design.
+/// Plans what the maps beside the picture show, from the scene and the design.
 ///
-/// Time as of the ground's data (spatial_data.hpp). Pure; any thread. Pointers are the scene's: for this frame only.
+/// Their time is that of the ground's data (spatial_data.hpp). Pure functions; any thread. Pointers point into the scene and are
+/// valid for this frame only.
 #pragma once
 
 #include "render_core/display/planner/data_legends.hpp"
@@ -14,12 +15,12 @@ struct AdjacentData {
     draw::AdjacentInput maps;
 };
 
-/// `place`: of the own ship; `sign`: the colour of what is missing or unknown.
+/// `place`: position of the own ship; `sign`: the colour of missing and unknown values.
 [[nodiscard]] AdjacentData plan_adjacent_data(const SpatialData& data, const design::AdjacentView& view,
                                               const earth::Geodetic& place, const flight::FlightTime& time,
                                               design::Color sign) noexcept;
 
-/// The scale of the maps, where they are shown and no other legend says the same.
+/// Adds the scale of the maps, where they are shown and no other legend has the same content.
 void add_adjacent_legend(const AdjacentData& data, const flight::FlightTime& time, const design::DesignSettings& design,
                          draw::DataLegends& legends) noexcept;
 

@@ -1,5 +1,4 @@
-/// What runways and their approach lights need to know of the frame: the eye, the own ship, and where the planned flight ends;
-/// pure.
+/// The input for runways and their approach lights: the eye point, the own ship, and where the planned flight ends. Pure.
 #pragma once
 
 #include "render_core/draw/data/extended_centerline.hpp"

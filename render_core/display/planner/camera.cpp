@@ -28,18 +28,18 @@ constexpr double kFarthestMapCamera_m = 15'000'000;
 constexpr double kHighestElement_m = 20'000;
 constexpr double kNearestObliqueCamera_m = 3'000'000;
 
-// Shares of the way in which the eye turns and in which it rises.
+// Shares of the transition in which the camera turns and in which it rises.
 constexpr double kTurned = 0.6;
 constexpr double kRiseBegins = 0.35;
 constexpr double kMinAboveGround_m = 1;
 constexpr double kMaxAboveGround_m = 100'000;
 
-/// The visible horizon's distance over a sphere, with room for mountains behind it.
+/// Returns the distance of the visible horizon over a sphere, with room for mountains behind it.
 double horizon_m(double height_m) {
     return std::sqrt(2 * kRadius_m * std::fmax(height_m, 1.0)) + std::sqrt(2 * kRadius_m * kHighestSummit_m);
 }
 
-/// From 0 at `begin` to 1 at `end`, at rest at both.
+/// Rises from 0 at `begin` to 1 at `end`, with slope 0 at both.
 double eased(double share, double begin, double end) {
     const double t = std::clamp((share - begin) / (end - begin), 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -65,7 +65,8 @@ terrain::View perspective_view(const CameraInput& input, const design::ViewSetti
     return view;
 }
 
-/// So far that a summit in a small picture hardly has another scale, no farther than floats place vertices.
+/// Returns a distance so large that a summit in a small picture has nearly the scale of the ground, but not beyond the range in
+/// which float vertices are accurate.
 double oblique_distance_m(const design::ViewSettings& design) {
     return std::fmin(std::fmax(kMapDistanceOfRange * design.map_range_m, kNearestObliqueCamera_m), kFarthestMapCamera_m);
 }
@@ -74,7 +75,7 @@ double map_distance_m(const design::ViewSettings& design) {
     return std::fmin(kMapDistanceOfRange * design.map_range_m, kFarthestMapCamera_m);
 }
 
-/// How far the ground has fallen below the middle's level at the corners of the map.
+/// Returns how far the ground has fallen below the level of the middle at the corners of the map.
 double drop_at_corner_m(const CameraInput& input, const design::ViewSettings& design) {
     const double half_diagonal_px = 0.5 * std::hypot(input.width_px, input.height_px);
     const double corner_m = half_diagonal_px / map_scale_px_per_m(design, input.width_px, input.height_px);
@@ -90,14 +91,15 @@ void set_map_planes(terrain::View& view, double eye_msl_m, double drop_m) {
     view.far_m = eye_msl_m - kLowestGround_m + drop_m + slack_m;
 }
 
-/// From the own ship's plane to one that no summit reaches, though corners look further down than the middle.
+/// Sets the planes. The near one is that of the own ship's view or, where the camera is higher, one above all summits; rays at
+/// the corners go further down than in the middle.
 void set_planes_on_the_way(terrain::View& view, double msl_m, double climb_m, double growth) {
     const double corner = std::hypot(1.0, view.half_width_tangent(), view.half_height_tangent());
     view.near_m = std::fmax(view.near_m, (msl_m + climb_m - kHighestSummit_m - 2 * kMaxUndulation_m) / corner);
     view.far_m = std::fmin(kFar_m * growth, horizon_m(msl_m + climb_m) + climb_m);
 }
 
-/// From the own ship's eye a share of the way to the map's.
+/// Makes the camera for a share of the transition from the own ship's eye point to the map's.
 void travel(Camera& camera, const CameraInput& input, const design::ViewSettings& design) {
     const double turn = eased(input.map_share, 0, kTurned), rise = eased(input.map_share, kRiseBegins, 1);
     const double above_m = std::clamp(input.above_ground_m, kMinAboveGround_m, kMaxAboveGround_m);
@@ -118,7 +120,7 @@ void travel(Camera& camera, const CameraInput& input, const design::ViewSettings
     camera.height_weight = turn;
 }
 
-/// Half of the picture's height, and of its diagonal, at the own ship.
+/// Half of the picture's height and of its diagonal, at the distance of the own ship.
 struct Reach {
     double half_height_m = 0, half_diagonal_m = 0;
 };
@@ -127,8 +129,8 @@ Reach reach_of(const CameraInput& input, const design::ViewSettings& design) {
     return {0.5 * input.height_px / px_per_m, 0.5 * std::hypot(input.width_px, input.height_px) / px_per_m};
 }
 
-/// Round what the picture can show between the lowest ground and the highest element. Of a picture's place v over its middle what
-/// lies z below the own ship's level is (z + v cos(down)) / sin(down) behind the own ship.
+/// Sets the planes round what the picture can show between the lowest ground and the highest element. Of a picture's place v over
+/// its middle what lies z below the own ship's level is (z + v cos(down)) / sin(down) behind the own ship.
 void set_oblique_planes(terrain::View& view, const CameraInput& input, const design::ViewSettings& design, double distance_m) {
     const Reach reach = reach_of(input, design);
     const double sine = std::sin(design.look_down_rad), rise_m = reach.half_height_m * std::cos(design.look_down_rad);

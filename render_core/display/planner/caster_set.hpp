@@ -1,6 +1,6 @@
-/// What casts shadows in a frame: data elements of the roles that a design names, as they are drawn.
+/// The shadow casters of a frame: data elements of the roles that a design names, as they are drawn.
 ///
-/// Plain data but for what it refers to, which stays until the next plan. Thread  the display's.
+/// Plain data, with pointers that are valid until the next plan. Thread  the display's.
 #pragma once
 
 #include "render_core/draw/data/caster_groups.hpp"
@@ -13,7 +13,7 @@ struct CasterSet {
     const draw::SolidBatch* solids[draw::kMaxSolidBuffers] = {};
     draw::CasterGroups groups;
     const draw::GlyphBatch* glyphs = nullptr;
-    std::uint32_t glyph_slots = 0;  ///< a bit each
+    std::uint32_t glyph_slots = 0;  ///< one bit for each slot
 };
 
 }  // namespace tedavis::display

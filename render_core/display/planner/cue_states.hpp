@@ -1,4 +1,4 @@
-/// What became of the cues to the depth of data elements in a frame. Pure; any thread.
+/// The states of the depth cues of data elements in a frame. Pure; any thread.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace tedavis::display {
 using CueStates = std::array<effects::CueState, draw::kCues>;
 
 [[nodiscard]] effects::Effect effect_of(draw::Cue cue) noexcept;
-/// Over all elements that are shown.
+/// Returns the states over all elements that are shown.
 [[nodiscard]] CueStates cue_states(const ElementReports& reports) noexcept;
 
 }  // namespace tedavis::display

@@ -56,7 +56,7 @@ std::string_view title_of(const scene::AttributeEntry& attribute) {
     return title.empty() ? field_text(attribute.name) : title;
 }
 
-/// Whether its uncertainty is a level without a unit: of a class, or of data that do not say what counts as unsure.
+/// Whether its uncertainty is a level without a unit: that of a class, or of data that do not state what counts as uncertain.
 bool is_graded(const scene::AttributeEntry& attribute) {
     return attribute.uncertainty_kind == scene::UncertaintyKind::ordinal || !(attribute.uncertainty_full > 0);
 }
@@ -82,7 +82,7 @@ Color sample_color(const design::GroundData& ground, Color plain) {
     return blended(plain, scale_color(ground.scale, 0.5 * (stops[0].value + stops.back().value)), ground.opacity);
 }
 
-/// As ground_data.frag draws the least sure.
+/// The look of the greatest uncertainty, as ground_data.frag draws it.
 LegendSample unsure_sample(const design::GroundUncertainty& uncertainty, Color color, Color plain) {
     LegendSample sample;
     sample.color = color;
@@ -110,7 +110,7 @@ LegendSample sample_of(std::string_view text, Color color, Color under, SampleLo
     return sample;
 }
 
-/// As ground_overlay.frag draws the least sure, or the threshold.
+/// The look of the greatest uncertainty, or of the threshold, as ground_overlay.frag draws it.
 LegendSample overlay_sample(const design::GroundOverlay& overlay, Color color) {
     LegendSample sample;
     sample.color = color;
@@ -135,7 +135,7 @@ LegendSample sure_sample(const design::GroundData& ground, Color color) {
     return sample;
 }
 
-/// What the overlay's sample says: the least sure, or all that is less sure than its threshold.
+/// The text of the overlay's sample: the greatest uncertainty, or everything that is less certain than its threshold.
 base::FixedString<15> overlay_text(const design::GroundOverlay& overlay, const scene::AttributeEntry& attribute,
                                    base::DisplayUnits units) {
     const bool is_line = overlay.technique == UncertaintyOverlay::contour || overlay.technique == UncertaintyOverlay::halo;

@@ -7,7 +7,7 @@
 namespace tedavis::display {
 namespace {
 
-constexpr double kHaste = 2;   // most of what gives way does so near the least detail
+constexpr double kHaste = 2;   // most data are reduced near the least detail
 constexpr double kSpared = 1;  // budgets of excess, of all regions together, for which detail elsewhere is not given up
 
 }  // namespace
@@ -47,7 +47,7 @@ void DeclutterControl::forget() {
     for (Held& held : held_) held.is_known = false;
 }
 
-/// Of an interval before this time's, not too long ago.
+/// Whether a measurement is of an earlier interval within the last kHeld.
 bool DeclutterControl::counts(const Held& held, base::Time now, std::size_t design) const {
     const std::int64_t age = interval_of(now) - held.interval;
     return held.is_known && held.design == design && age >= 1 && age * interval_.ns <= kHeld.ns;
@@ -118,7 +118,8 @@ void DeclutterControl::take(const effects::ClutterMap& map) {
     }
 }
 
-/// The best so far stays; of equals the first, which leaves more. Where none of them is good enough all keep the least.
+/// Keeps the best try so far; of equal ones the first, which keeps more detail. Where none of them is good enough, all regions
+/// keep the least detail.
 void DeclutterControl::take_try(Held& held, const effects::ClutterMap& reached) {
     const effects::ClutterMeasures& clutter = held.measured.clutter;
     const double excess = effects::excess(reached, clutter, budget_);

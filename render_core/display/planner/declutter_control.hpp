@@ -1,17 +1,18 @@
-/// Holds the budget of clutter of a display's own pictures (effects/clutter_budget.hpp): when they are measured, and by which
-/// measures a frame goes.
+/// Decides when the clutter of a display's own pictures is measured, and which measurements a frame uses to hold the clutter
+/// budget (effects/clutter_budget.hpp).
 ///
 /// The first frame of each interval of labels (draw/data/label_planner.hpp; on es2 of every second one) measures its picture with
-/// all detail and, where that is beyond the budget, with the least, and up to kMaxTries times with what may suffice; such
-/// pictures are drawn for that, and never seen. A frame goes by the intervals before its own as far back as kHeld, and in each
-/// region by the one that takes away most: what gives way comes back when it would have had room for so long. With nothing before
-/// it, at a flight's beginning and after a turn of designs, it goes by its own interval's. No measure depends on what gave way
-/// before, so that a frame is the same however it is reached, where the frames that measure have been drawn. What another of the
-/// display's designs measured does not count.
+/// all detail. Where that is above the budget, it also measures a picture with the least detail, and up to kMaxTries pictures
+/// with detail that may suffice. A measured picture is shown only if no other one is requested after it. A frame uses the
+/// measurements of the intervals that began within the last kHeld, and in each region the one with the lowest detail, so that
+/// detail returns only after it has met the budget for that long. Without earlier measurements, at the beginning of a flight and
+/// after a design transition, a frame uses the measurement of its own interval. No measurement depends on earlier reductions, so
+/// a frame is the same from whichever frame a replay starts, if the frames that measure have been drawn. Measurements of the
+/// display's other designs are not used.
 ///
 ///   follow(...), regions(...), plan(...) each frame · then draw: step() says which picture is to be measured, until none is
 ///
-/// Plain data: a copy is what one frame leaves to the next. Pure; any thread.
+/// Plain data: a copy is the state that one frame passes to the next. Pure; any thread.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
@@ -30,36 +31,38 @@ public:
     enum class Step : std::uint8_t { none, whole, least, tried };
 
     void start(effects::Lane lane, draw::DrawnDesigns designs);
-    /// Whether one of the designs of start() does what this one asks for.
+    /// Whether one of the designs of start() requests what this one requests.
     [[nodiscard]] bool can_show(const design::DesignSettings& design) const;
     /// Whether edges are measured at all, and whether a design shows them.
     [[nodiscard]] bool measures() const { return shows_ || has_budget_; }
     [[nodiscard]] bool shows() const { return shows_; }
 
-    /// Before regions(): the same instant seen from elsewhere follows from nothing.
+    /// Begins a frame; to be called before regions(). A second frame at the same instant from another viewpoint uses no earlier
+    /// measurement.
     void follow(base::Time now, const terrain::View& view);
-    /// By which the frame at `now` goes.
+    /// Returns the detail per region for the frame at `now`.
     [[nodiscard]] scene::DetailRegions regions(base::Time now, std::size_t design) const;
     struct Measured {
         effects::ClutterMeasures clutter;
-        effects::ClutterMap reached;  ///< with what the interval would leave; where nothing gives way unknown
+        effects::ClutterMap reached;  ///< with the detail that the interval keeps; unknown where nothing is reduced
     };
-    /// Of the newest interval that they follow from; unknown without one.
+    /// Returns the measurement of the newest interval that regions() uses; unknown without one.
     [[nodiscard]] Measured measured(base::Time now, std::size_t design) const;
 
-    /// `runs`: the plan of effects says so; `budget` 1: none is held, and nothing measured for it.
+    /// Plans the measurements of a frame. `runs`: the effect runs in it; `budget` 1: no budget is held, and nothing is measured
+    /// for it.
     void plan(bool runs, base::Time now, std::size_t design, double budget);
-    /// Later frames go by what the planned one measures.
+    /// Returns true where later frames use what the planned one measures.
     [[nodiscard]] bool must_be_drawn() const { return step_ != Step::none; }
-    /// From when on frames must have been drawn for the one at `time` to be what it is.
+    /// Returns the time from which frames must be drawn so that the frame at `time` is the same as in a whole run.
     [[nodiscard]] base::Time needed_since(base::Time time) const;
-    /// The next frame does not follow the last one.
+    /// Forgets all measurements: the next frame does not continue the last one.
     void forget();
 
     [[nodiscard]] Step step() const { return step_; }
-    /// What each region keeps in the picture that it asks for.
+    /// Returns the detail of each region in the picture that step() requests.
     [[nodiscard]] scene::DetailRegions step_regions() const { return step_regions_; }
-    /// What was measured of the picture that step() asks for; the next step follows from it.
+    /// Takes the measurement of the picture that step() requests, and determines the next step.
     void take(const effects::ClutterMap& map);
 
 private:
@@ -79,10 +82,10 @@ private:
     [[nodiscard]] bool is_own(const Held& held, base::Time now, std::size_t design) const;
     [[nodiscard]] bool follows(base::Time now, std::size_t design) const;
     using Deciding = base::FixedVector<const Held*, kMaxHeld + 1>;
-    /// What a frame goes by: earlier intervals, or, where none is known, its own.
+    /// Returns the measurements that a frame uses: those of earlier intervals, or, where none is known, that of its own.
     [[nodiscard]] Deciding deciding(base::Time now, std::size_t design) const;
 
-    bool shows_ = false, has_budget_ = false;  ///< one of the designs
+    bool shows_ = false, has_budget_ = false;  ///< of at least one design
     base::Duration interval_{0};
     std::array<Held, kMaxHeld + 1> held_;
     Step step_ = Step::none;

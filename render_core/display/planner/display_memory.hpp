@@ -1,6 +1,6 @@
-/// The processor memory of a display: one arena for each line of the device's budget table that it takes memory by.
+/// The processor memory of a display: one arena for each line of the device's budget table that it uses.
 ///
-/// Memory  of the reservation given to cut(). Thread  one. Failure  cut() gives one sentence that names the line.
+/// Memory  of the reservation given to cut(). Thread  one. Failure  cut() gives one message that names the line.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@ namespace tedavis::display {
 
 class DisplayMemory {
 public:
-    /// What a reservation must hold for a table.
+    /// Returns the bytes that a reservation must hold for a table.
     [[nodiscard]] static std::uint64_t bytes_needed(const base::BudgetTable& budget);
 
-    /// The table has all the lines, as every device file has; but for edges and what is traced, which it may have. An empty
-    /// sentence means success.
+    /// Divides the reservation by the lines of the table. The lines for edges and for traced terrain are optional; all others are
+    /// required, and every device file has them. An empty message means success.
     [[nodiscard]] base::Error cut(const base::BudgetTable& budget, base::Arena& reservation);
-    /// Writes into the lines what their owners have taken.
+    /// Writes into the lines how much their owners use.
     void record_use(base::BudgetTable& budget) const;
 
     /// References to the arenas: valid as long as this object.
     [[nodiscard]] TerrainMemory terrain() { return {index_, records_, payloads_, attributes_, drape_, lod_, staging_}; }
     /// Empty where the device has no such line.
     [[nodiscard]] base::Arena& traced_terrain() { return traced_; }
-    /// Likewise.
+    /// Empty where the device has no such line.
     [[nodiscard]] base::Arena& picture_edges() { return edges_; }
     [[nodiscard]] base::Arena& symbology() { return symbology_; }
     [[nodiscard]] base::Arena& frames() { return frames_; }

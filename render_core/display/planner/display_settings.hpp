@@ -20,13 +20,13 @@ struct DisplaySettings {
     design::SymbologyLight light = design::SymbologyLight::day;  ///< may change between frames
     std::uint32_t width_px = 0, height_px = 0;
     flight::LegendShow legend = flight::LegendShow::key;  ///< where neither the panel nor the bus asks for another
-    bool generated_flight = false;                        ///< said on the display
-    policy::DatabaseDates database_dates;                 ///< of terrain and scene; what is out of date is said
-    bool expects_scene = false;                           ///< one may come later, by take_scene()
-    bool terrain_failed_at_start = false;    ///< there should be terrain, and start() is given none: said as a failure
+    bool generated_flight = false;                        ///< the display says so
+    policy::DatabaseDates database_dates;                 ///< of terrain and scene; the display says that they are out of date
+    bool expects_scene = false;                           ///< a scene may come later, by take_scene()
+    bool terrain_failed_at_start = false;                 ///< start() is given no terrain because it failed: the display says so
     base::ProgramStore* programs = nullptr;  ///< of a device without a compiler, or to be filled; must outlive start()
 
-    /// Whether one of the designs asks for terrain that is traced by rays: workers make it faster (TerrainInput).
+    /// Whether one of the designs requests terrain that is traced by rays: workers make it faster (TerrainInput).
     [[nodiscard]] bool asks_for_rays() const;
 };
 

@@ -23,7 +23,7 @@ DistortionState state_of(const DistortionScene& scene, const scene::FocusRegion&
     return region.point_count > 1 ? DistortionState::not_one : DistortionState::shown;
 }
 
-/// Adds it to the plan where nothing speaks against it.
+/// Adds the focus to the plan unless there is a reason against it.
 DistortionState magnify(const DistortionScene& scene, const scene::FocusRegion& region, DistortionRecord& record,
                         earth::Magnifiers& magnifiers) {
     const earth::Geodetic middle = middle_of(region);

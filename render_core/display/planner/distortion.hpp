@@ -1,9 +1,10 @@
-/// Which foci of a frame are shown larger than what is round them, and which are not, and why.
+/// Decides which foci of a frame are magnified, and why the others are not.
 ///
-/// Only seen from far away: on the map and in the orthographic view. What the own ship sees ahead must lie where it is: symbols
-/// over it are conformal, and a summit beside its true place is worse than none. So, too, the own ship and half a minute of its
-/// way stay clear of all that is moved: its distance to what is near it, and the ground below it, are true in every view. Of the
-/// rest of the picture only the plane is moved: heights, warning colours, and what instruments say are never.
+/// Foci are magnified only on the map and in the orthographic view. The own ship's view must show everything at its true place:
+/// its symbols are conformal, and a summit beside its true place is worse than none. For the same reason the own ship and half a
+/// minute of its track are kept clear of everything that is moved: the ground below it and its distance to what is near are true
+/// in every view. Magnification moves places horizontally only: heights, warning colours and the values of instruments never
+/// change.
 ///
 /// Pure; any thread.
 #pragma once
@@ -19,50 +20,51 @@ namespace tedavis::display {
 
 enum class DistortionState : std::uint8_t {
     shown,
-    egocentric,  ///< the view is the own ship's, or on the way from or to it
+    egocentric,  ///< the view is the own ship's, or a transition from or to it
     no_terrain,
-    no_place,     ///< the focus is nowhere in this frame
-    not_one,      ///< it is no single place
+    no_place,     ///< the focus has no position in this frame
+    not_one,      ///< the focus is not a single place
     too_narrow,   ///< its context leaves too little room
-    no_position,  ///< of the own ship, so that nobody knows whether it is clear
-    own_ship,     ///< it is not
-    overlaps,     ///< another one
-    over_budget,  ///< the ground takes a draw more for each of its parts, and would be less accurate for it
+    no_position,  ///< the own ship's position is unknown, so it might be too close
+    own_ship,     ///< the own ship or its track is too close
+    overlaps,     ///< it would overlap another focus
+    over_budget,  ///< the ground needs additional draws for its parts, and would be less accurate
 };
-/// A sentence's part for records; "" where it is shown.
+/// Returns the reason as a part of a sentence, for records; "" where the focus is shown.
 [[nodiscard]] const char* reason_of(DistortionState state) noexcept;
 
-/// Of one focus that the design asks to be larger.
+/// What a record says of one focus that the design requests to magnify.
 struct DistortionRecord {
     base::FixedString<23> focus;
     DistortionState state = DistortionState::shown;
-    std::uint32_t power = 0, compression = 0;  ///< of two: the focus is so much larger, the ring so much smaller; 0: not shown
+    std::uint32_t power = 0, compression = 0;  ///< powers of 2 that enlarge the focus and compress the ring; 0: not shown
     earth::Geodetic middle;                    ///< on the ground, where it is known; else on the ellipsoid
     bool is_square = false;
-    double radius_m = 0, reach_m = 0;  ///< beyond the latter nothing moves; 0: not shown
+    double radius_m = 0, reach_m = 0;  ///< nothing moves beyond reach_m; 0: not shown
 };
 using DistortionRecords = base::FixedVector<DistortionRecord, scene::kMaxFoci>;
 
 struct DistortionScene {
     const design::FocusList& foci;
     base::Span<const scene::FocusRegion> regions;  ///< of each focus
-    bool is_far = false;                           ///< the map or the orthographic view, arrived at
+    bool is_far = false;                           ///< the map or the orthographic view, not during a transition
     bool shows_terrain = false;
     bool has_position = false;  ///< of the own ship, valid
     earth::Ecef own_ship{0};
     double ground_speed_mps = 0;  ///< NaN where it is not known
 };
 
-/// Of the own ship at least, and half a minute of its way; of one whose speed nobody knows that of a fast one.
+/// Radius kept clear round the own ship: at least kMinClear_m, else the distance flown in kClear_s; with unknown speed that at
+/// kUnknownSpeed_mps.
 inline constexpr double kMinClear_m = 2000, kClear_s = 30, kUnknownSpeed_mps = 250;
 
 struct DistortionPlan {
     earth::Magnifiers magnifiers;
     DistortionRecords records;
 };
-/// In the order of the design: the first of two that would overlap is shown.
+/// Plans the foci in the order of the design: of two that would overlap the first is magnified.
 [[nodiscard]] DistortionPlan plan_distortion(const DistortionScene& scene) noexcept;
-/// What is shown is not, after all.
+/// Withdraws all foci that would be shown, for this reason.
 void withhold(DistortionRecords& records, DistortionState reason) noexcept;
 
 }  // namespace tedavis::display

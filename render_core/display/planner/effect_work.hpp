@@ -1,5 +1,5 @@
-/// What a frame's effects cost in GL, each by itself: draws, passes over a picture, bytes that went to the GPU. What an effect
-/// shares with others, such as a variant of the terrain's program, is no work of its own.
+/// The GL work of each effect in a frame: draws, passes over a picture, bytes uploaded to the GPU. Work that an effect shares
+/// with others, such as a variant of the terrain's program, is not counted.
 ///
 /// Plain data; one frame.
 #pragma once

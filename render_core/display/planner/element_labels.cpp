@@ -100,7 +100,7 @@ bool ElementLabels::is_any(const scene::Scene& scene, const design::DataElementL
     return false;
 }
 
-/// The same instant seen from elsewhere: nobody flies there, and what stood has no meaning.
+/// Returns true where the same instant is seen from another viewpoint: earlier labels then have no meaning.
 bool ElementLabels::has_leapt(const LabelFrame& frame) {
     const bool is_same = last_eye_ == frame.view.eye && last_forward_ == frame.view.forward;
     const bool leapt = frame.now == last_now_ && !is_same;
@@ -123,7 +123,7 @@ void ElementLabels::decide(const LabelFrame& frame) {
     decide_interval(frame, interval);
 }
 
-/// Of an interval without labels there is nothing to decide.
+/// In an interval without labels there is nothing to decide.
 void ElementLabels::decide_anew(const LabelFrame& frame) {
     decided_for_ = design_;
     if (!planner_.is_decided()) return;
@@ -223,7 +223,7 @@ bool ElementLabels::Pass::is_left(const draw::Rect& box) const {
     return !left_.is_free(room) && sheet_.is_free(box) && sheet_.is_clear_of_signs(room);
 }
 
-/// True where a name has its room, or better one that is left.
+/// Returns true where a name has its room, or finds better room that is left.
 bool ElementLabels::Pass::find_left_room(const Label& label, const draw::BillboardShape& shape, const scene::Layer& layer,
                                          draw::BillboardWish& wish) const {
     for (wish.stem = 0; wish.stem < draw::sign_stems(layer); ++wish.stem)
@@ -235,7 +235,8 @@ bool ElementLabels::Pass::find_left_room(const Label& label, const draw::Billboa
     return false;
 }
 
-/// By the view of the interval: a label on the border of two regions does not come and go with every frame.
+/// The region follows from the view of the interval, so that a label on the border of two regions does not come and go with every
+/// frame.
 LabelLevel ElementLabels::Pass::most_of(const Label& label, const draw::ElementInput& input) const {
     const LabelLevel most = std::max(label.level, label.wanted);
     const scene::DetailRegions* const regions =
@@ -281,7 +282,7 @@ void ElementLabels::Pass::add(std::size_t n, const draw::ElementInput& input, La
     standing_[n] = {answer.look(), level == LabelLevel::name && answer.side != draw::SignSide::none};
 }
 
-/// Nothing where it is not shown.
+/// Adds nothing where the layer is not shown.
 draw::Rect ElementLabels::Pass::marker_room(std::size_t n) {
     const Label& label = labels_.planner_.labels()[n];
     const Group& group = group_of(label);
@@ -299,7 +300,7 @@ void ElementLabels::Pass::add_protected() {
     for (std::size_t n = 0; n < protected_; ++n) add(n);
 }
 
-/// Those that gave way come last: they must not take the room of what stands where it was placed.
+/// Displaced labels come last: they must not take the room of labels that stand where they were placed.
 void ElementLabels::Pass::add_others() {
     const base::Span<const Label> labels = labels_.planner_.labels();
     for (const bool was_decluttered : {false, true})

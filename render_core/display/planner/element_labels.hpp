@@ -1,17 +1,17 @@
-/// Icons and names of all elements that have them, as one: decided together at intervals of the source's time
-/// (label_planner.hpp), and put onto the sheet of every frame where they have room and the eye sees them.
+/// Labels: the icons and names of all data elements. They are decided together at intervals of the source's time
+/// (label_planner.hpp), and added to the sheet of every frame where they have room and are visible.
 ///
 ///   start(arena) · set(...) when scene or design has changed · decide(frame) each frame, and at every interval that a replay
 ///   passes over · a Pass onto the frame's sheet
 ///
-/// The decision at an interval follows from scene, design and view at the interval's first instant, and from the interval before;
-/// not from the frames between, the drawn terrain or the symbology. Those matter to a frame alone: what the symbology covers goes
-/// to another side, what terrain hides is not drawn, and both leave their room to others; what gives way in a crowded region
-/// leaves it empty. When another of the display's designs takes its turn the interval is decided anew for that one, as seen at
-/// its first instant, without a memory, and without foci.
+/// The decision of an interval depends on scene, design and view at the interval's first instant, and on the previous interval.
+/// It does not depend on the frames between, the drawn terrain or the symbology; these affect single frames only. A label that
+/// the symbology would cover moves to another side, a label that terrain hides is not drawn, and other labels may use their
+/// space. A label that is removed to meet the clutter budget leaves its space empty. After a design transition the interval is
+/// decided again for the new design, for the view at its first instant, without the previous interval and without foci.
 ///
-/// Of foci, what lies within has marker and name, what lies in the intermediate context its marker, and the rest what the design
-/// leaves of it; what warns has what it has without them.
+/// Where there are foci, features inside them have marker and name, features in the intermediate context have their marker, and
+/// the others keep what the design states. Foci do not change the labels of features that warn.
 ///
 /// Memory  from an arena, once. Thread  the display's.
 #pragma once
@@ -25,7 +25,7 @@
 
 namespace tedavis::display {
 
-/// Of a frame; labels are names.
+/// The counts of a frame; only names are placed and suppressed.
 struct LabelCounts {
     std::uint32_t placed = 0;
     std::uint32_t suppressed = 0;   ///< in the picture, but not shown: of too little interest, no room, behind terrain
@@ -37,7 +37,7 @@ struct LabelFrame {
     scene::Ground& ground;
     const terrain::View& view;
     design::Color missing;
-    flight::FlightTime time;  ///< by which data are valid
+    flight::FlightTime time;  ///< the time at which data must be valid
     base::Time now;           ///< the source's
     double text_px = 16;
     const draw::FrameFoci* foci = nullptr;  ///< null: there are none
@@ -46,12 +46,12 @@ struct LabelFrame {
 
 /// Whether the technique gives a layer's features icons and names.
 [[nodiscard]] bool has_labels(const design::DataElement& element, const scene::Layer& layer);
-/// Whether the layer is meant by an element of the scene, by its name or role.
+/// Whether an element names the layer, by the layer's name or role.
 [[nodiscard]] bool is_meant(const design::DataElement& element, const scene::Layer& layer);
-/// False where the layer's data are out of date; true where nobody knows the time.
+/// Returns false where the layer's data are out of date, and true where the time is unknown.
 [[nodiscard]] bool is_valid_at(const scene::Layer& layer, const flight::FlightTime& time);
 
-/// What a frame leaves to the next one, and to a turn of designs. Plain data.
+/// The state that one frame passes to the next one, also across a design transition. Plain data.
 struct LabelHistory {
     draw::LabelMemory labels;
     terrain::View view;  ///< at the interval's first instant, with what follows
@@ -62,30 +62,31 @@ struct LabelHistory {
     base::Time last_now{0};
     glm::dvec3 last_eye{0}, last_forward{0};
 
-    /// What they are has changed, or the scene: the next frame places all at once.
+    /// To be called when the elements or the scene have changed: the next frame places all labels at once.
     void forget() { labels = {}; }
-    /// Takes over what was decided for an interval; what the last frame showed of it remains.
+    /// Takes over what was decided for an interval; the memory of what the last frame showed is kept.
     void take_interval(const LabelHistory& decided);
 };
 
 class ElementLabels {
 public:
     [[nodiscard]] bool start(base::Arena& arena) { return planner_.start(arena); }
-    /// All must stay. `design`: a number for each of the display's designs. Another one's labels are decided anew by decide().
+    /// All references must stay valid. `design`: a number for each of the display's designs. When it changes, decide() decides
+    /// the labels again.
     void set(const scene::Scene* scene, const design::DataElementList& elements, const design::LabelSettings& settings,
              std::size_t design = 0);
     /// Whether an element of the scene has labels.
     [[nodiscard]] static bool is_any(const scene::Scene& scene, const design::DataElementList& elements);
 
     void decide(const LabelFrame& frame);
-    /// Instead of it in a frame without a place to stand: until the next interval there are none.
+    /// Replaces decide() in a frame that shows no terrain: there are no labels until the next interval.
     void skip(base::Time now);
-    /// Labels of an element's layer that the interval leaves out.
+    /// Returns the number of labels of an element's layer that the interval leaves out.
     [[nodiscard]] std::uint32_t suppressed(const design::DataElement& element, const scene::Layer& layer) const;
     void keep(LabelHistory& memory) const;
     void restore(const LabelHistory& memory);
 
-    /// Where an element's layer is shown in the frame: null where it is not.
+    /// Port: returns how the frame shows an element's layer, or null where it does not.
     class Inputs {
     public:
         virtual ~Inputs() = default;
@@ -97,14 +98,14 @@ public:
         Inputs& operator=(const Inputs&) = default;
     };
     class Pass;
-    /// Instead of them in a frame without signs.
+    /// Replaces a Pass in a frame without signs.
     void rest() {
         planner_.rest();
         obstacle_rooms_.clear();
     }
-    /// Signs that the last pass added of an element's layer.
+    /// Returns the number of signs that the last pass added for an element's layer.
     [[nodiscard]] std::uint32_t drawn(const design::DataElement& element, const scene::Layer& layer) const;
-    /// The room that the last pass gave the sign of an obstacle; null where it does not stand, and of more than
+    /// Returns the box that the last pass gave the sign of an obstacle; null where it has none, and for signs beyond
     /// kMaxObstacleRooms.
     [[nodiscard]] const draw::Rect* obstacle_room(const scene::Layer& layer, std::uint32_t feature) const;
     static constexpr std::size_t kMaxObstacleRooms = 64;
@@ -139,16 +140,17 @@ private:
     glm::dvec3 last_eye_{0}, last_forward_{0};
 };
 
-/// The labels of a frame onto a sheet that has begun. Room that was decided for what does not stand there, for terrain hides it
-/// or the symbology covers it, is left to those that gave way.
+/// Adds the labels of a frame to a sheet that has begun. Labels that have lost their place may use the room of others that
+/// terrain hides or the symbology covers in this frame.
 class ElementLabels::Pass {
 public:
-    /// All must stay. `declutter`: null: nothing gives way.
+    /// All references must outlive the pass. `declutter`: null: nothing is reduced.
     Pass(ElementLabels& labels, draw::BillboardSheet& sheet, Inputs& inputs, const policy::Declutter* declutter);
-    /// What warns, before all other signs; then, in the room that is left, the others.
+    /// add_protected() adds the labels of features that warn, before all other signs; add_others() adds the others in the room
+    /// that is left.
     void add_protected();
     void add_others();
-    /// Of a frame, once: the next one is compared with it.
+    /// Returns the counts of the frame; to be called once, since the next frame is compared with this one.
     [[nodiscard]] LabelCounts count();
 
 private:

@@ -36,7 +36,8 @@ draw::LegendSample sample_of(std::string_view text, Color color) {
     return sample;
 }
 
-/// Of what nobody knows how sure it is: signs have a question mark, glyphs a colour of their own, surfaces are cut by stripes.
+/// The look of an unknown uncertainty: signs have a question mark, glyphs a colour of their own, and surfaces are crossed by
+/// stripes.
 draw::LegendSample unknown_sample(const ElementReport& report, Color color, Color faded, Color ground) {
     draw::LegendSample sample = sample_of(draw::kUnknownText, color);
     if (is_sign_technique(report.element->technique)) {
@@ -51,7 +52,7 @@ draw::LegendSample unknown_sample(const ElementReport& report, Color color, Colo
     return sample;
 }
 
-/// What fades, at its surest and at its least sure, and the unknown, which is neither.
+/// Samples of a look that fades: at no uncertainty, at the greatest one, and for the unknown, which is neither.
 void add_fading(const ElementReport& report, const scene::Attribute& attribute, const design::DesignSettings& design,
                 draw::DataLegend& legend) {
     const design::DataElement& element = *report.element;

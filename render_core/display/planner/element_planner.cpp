@@ -112,7 +112,7 @@ void ElementPlanner::set(const scene::Scene* scene, const design::DataElementLis
     scene_ = scene;
     elements_ = &elements;
     has_changed_ = true;
-    // What they point to may be gone.
+    // The objects that they point to may no longer exist.
     reports_.clear();
     glyphs_.clear();
     shown_ = 0;
@@ -151,7 +151,7 @@ void ElementPlanner::plan(const ElementFrame& frame) {
     has_changed_ = false;
 }
 
-/// What stands has the look that the foci give it.
+/// Geometry that does not move has the look that the foci give it.
 void ElementPlanner::take_foci(const ElementFrame& frame) {
     const bool changes = frame.foci != nullptr && frame.foci->changes_data();
     const std::uint64_t key = changes ? draw::key_of(*frame.foci, time_.utc.ns, time_.is_date) : 0;
@@ -162,7 +162,7 @@ void ElementPlanner::take_foci(const ElementFrame& frame) {
                                                 : draw::LayerFoci(frame.foci, *reports_[n].layer, time_.utc.ns, time_.is_date);
 }
 
-/// Obstacles stand, and have another color in the way.
+/// Obstacles do not move, and those in the way have another colour.
 void ElementPlanner::take_alerts(const ElementFrame& frame) {
     const std::uint64_t key = frame.alerts == nullptr ? 0 : frame.alerts->key();
     has_changed_ = has_changed_ || key != alerts_key_;
@@ -235,7 +235,7 @@ void ElementPlanner::count_out_of_view(const ElementFrame& frame) {
     }
 }
 
-/// With a sheet those that stand on it, else the others.
+/// With a sheet plans the elements that are on it, else the others.
 void ElementPlanner::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet* sheet) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         const ElementReport& report = reports_[n];
@@ -245,7 +245,7 @@ void ElementPlanner::plan_glyphs(const ElementFrame& frame, draw::BillboardSheet
     }
 }
 
-/// Fields may be sampled more sparsely; what stands for one thing each may not.
+/// Fields may be sampled more sparsely; glyphs that represent one object each may not.
 void ElementPlanner::plan_glyphs_of(std::size_t n, const ElementFrame& frame, draw::BillboardSheet* sheet) {
     ElementReport& report = reports_[n];
     const scene::LayerRole role = report.layer->entry->role;
@@ -284,14 +284,14 @@ draw::ElementInput ElementPlanner::input_of(std::size_t report, const ElementFra
             frame.units};
 }
 
-/// A layer that is not of the scene has a number that none has.
+/// A layer that is not in the scene has a number that no layer of the scene has.
 std::uint16_t ElementPlanner::layer_number(const scene::Layer& layer) const {
     for (std::size_t n = 0; scene_ != nullptr && n < scene_->layers().size(); ++n)
         if (&scene_->layers()[n] == &layer) return static_cast<std::uint16_t>(n);
     return std::numeric_limits<std::uint16_t>::max();
 }
 
-/// What stands is built whether it is valid now or not: it may become so.
+/// Geometry that does not move is built even where it is not valid now, since it may become valid.
 void ElementPlanner::build(draw::SolidBatch& batch, bool moving, const ElementFrame& frame) {
     batch.clear();
     for (std::size_t n = 0; n < reports_.size(); ++n) {

@@ -1,13 +1,13 @@
-/// Which elements of the data aspect a frame shows over the terrain, and their geometry: what the design asks for of the scene's
-/// layers; no GL.
+/// Plans which data elements of the design a frame shows over the terrain, and builds their geometry from the scene's layers; no
+/// GL.
 ///
-///   start(...) · set(scene, design) when either has changed · plan(frame) each frame · planned(): what a painter is given
+///   start(...) · set(scene, design) when either has changed · plan(frame) each frame · planned() for the painter
 ///
-/// What a layer says once is built by set() and stands, until foci that change the data move; what moves, the own flight and
-/// other aircraft among it, is built by every plan().
+/// Geometry that does not move is built after set(), and again when foci that change the data move. Geometry that moves, such as
+/// the own ship's trail and other aircraft, is built by every plan().
 ///
 /// Memory    the budget lines scene_solids, scene_glyphs and scene_billboards. Thread  the display's. Failure  start() gives one
-///           message; a layer or attribute that is not there, or no room, hides features, which are counted.
+///           message; features whose layer or attribute is missing, or for which there is no room, are hidden and counted.
 #pragma once
 
 #include "render_core/base/fixed_vector.hpp"
@@ -42,7 +42,7 @@ struct ElementFrame {
     OwnFlightFrame own{};
     double detail_factor = 1;                        ///< of the detail of glyphs of fields
     const draw::FrameFoci* foci = nullptr;           ///< null: there are none
-    const policy::Declutter* declutter = nullptr;    ///< null: nothing gives way
+    const policy::Declutter* declutter = nullptr;    ///< null: nothing is reduced
     const policy::ObstacleAlerts* alerts = nullptr;  ///< null: no obstacle is in the way
     base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
@@ -52,27 +52,27 @@ struct ElementCounters {
     std::uint32_t features = 0, glyphs = 0;
 };
 
-/// What signs need besides.
+/// The additional input for signs.
 struct SignFrame {
     double text_px = 16;                         ///< of the display's ordinary text
     terrain::LineOfSight* sight = nullptr;       ///< over the drawn terrain; null: nothing stands in the way
     const draw::QuadBatch* symbology = nullptr;  ///< of the frame, which signs keep clear of; null: there is none
     std::uint32_t margin_px = 0;                 ///< of a picture that is wider than the screen, on both sides together
     std::int32_t screen_begins_px = 0;           ///< in such a picture
-    bool is_planned_again = false;               ///< of one eye of a pair, or to be measured: labels have been counted
+    bool is_planned_again = false;               ///< for one eye of a pair, or for a probe: labels have been counted
 };
 
-/// Room of what stands, and of what moves.
+/// The capacities for geometry that does not move, and for geometry that moves.
 struct SolidRooms {
     draw::SolidRoom standing, moving;
 };
 [[nodiscard]] SolidRooms solid_rooms(const base::BudgetTable& budget);
 
-/// What a frame draws of the elements. What it refers to stays until the next plan.
+/// What a frame draws of the elements; valid until the next plan.
 struct PlannedElements {
     std::uint32_t shown = 0;         ///< a bit a report: the group of what it draws
-    bool has_reports = false;        ///< something is asked for: there is something to upload
-    std::uint64_t standing_key = 0;  ///< another one: what stands has been built anew
+    bool has_reports = false;        ///< the design requests elements, so there is something to upload
+    std::uint64_t standing_key = 0;  ///< changes when geometry that does not move was built again
     flight::FlightTime time;
 };
 
@@ -81,48 +81,48 @@ public:
     struct Memory {
         base::Arena &solids, &glyphs, &billboards;
     };
-    /// Only for displays that have a scene, or whose design asks for the own flight or other aircraft. `has_instances`:
-    /// draw::GlyphDrawer::has_instances() of the device.
+    /// To be called only for displays that have a scene, or whose design requests the own ship's trail or other aircraft.
+    /// `has_instances`: draw::GlyphDrawer::has_instances() of the device.
     [[nodiscard]] base::Error start(bool has_instances, const base::BudgetTable& budget, const Memory& memory);
     [[nodiscard]] bool is_started() const { return is_started_; }
 
-    /// What is shown from the next plan() on. Scene (null: there is none) and design must stay. Other aircraft that the own one
-    /// receives are a layer beside the scene's. A role of which there is no layer asks for nothing. `design`: its number among
-    /// those that the display turns between.
+    /// Sets what is shown from the next plan() on. Scene (null: there is none) and design must stay valid. Aircraft that the own
+    /// ship receives are a layer in addition to the scene's. An element of a role without a layer shows nothing. `design`: the
+    /// index of the design among those of the display.
     void set(const scene::Scene* scene, const design::DataElementList& elements,
              const design::LabelSettings& labels = design::LabelSettings(), std::size_t design = 0);
     void plan(const ElementFrame& frame);  ///< without set() there is nothing to show
-    /// After plan() of the same frame, and what it makes of the legends: icons, names, diagrams and barbs, in the room that is
-    /// left.
+    /// Plans icons, names, diagrams and barbs in the room that is left; to be called after plan() and the legends of the same
+    /// frame.
     void plan_signs(const ElementFrame& frame, const SignFrame& signs);
-    /// What gives way, again, of the planned frame with another declutter; plan_signs() must follow.
+    /// Plans the elements that may be reduced again, with another declutter; plan_signs() must follow.
     void plan_detail(const ElementFrame& frame);
-    /// What plan_signs() does where it has not been done for the frame's interval: also of intervals that a replay passes over
-    /// (element_labels.hpp). Of the middle eye.
+    /// Decides the labels of the frame's interval as the middle eye sees it. plan_signs() does so where it has not been done; a
+    /// replay also decides the intervals that it passes over (element_labels.hpp).
     void decide_labels(const ElementFrame& frame, double text_px);
     [[nodiscard]] ElementLabels& labels() { return labels_; }
     [[nodiscard]] const ElementLabels& labels() const { return labels_; }
     [[nodiscard]] const LabelCounts& label_counts() const { return label_counts_; }
-    /// Instead of them in a frame that shows none of it.
+    /// Replaces plan() and plan_signs() in a frame that shows no elements.
     void rest();
     [[nodiscard]] const ElementReports& reports() const { return reports_; }
     [[nodiscard]] bool has_anything() const { return shown_ != 0; }
-    /// From the eye to the nearest and the farthest of what is shown of a role's surfaces; after plan(). False where there is
-    /// none.
+    /// Writes the distances from the eye to the nearest and the farthest of a role's shown surfaces; to be called after plan().
+    /// Returns false where there are none.
     [[nodiscard]] bool distances_m(scene::LayerRole role, const glm::dvec3& eye, terrain::DepthSpan& distances_m) const;
     [[nodiscard]] ElementCounters counters() const;
-    /// What the record says of the n-th focus over all that is shown; after plan(). None of what may be left as it is.
+    /// Returns the record's counts for a focus, over all elements that are shown; to be called after plan().
     [[nodiscard]] draw::FocusCounts count_in_focus(const ElementFrame& frame, std::size_t focus) const;
-    /// What became of the cues to hidden foci; after plan_signs().
+    /// Returns the states of the cues to hidden foci; valid after plan_signs().
     [[nodiscard]] const draw::FocusCues& focus_cues() const { return focus_cues_; }
 
-    /// What is shown of these roles and casts shadows; after plan().
+    /// Returns the shown elements of these roles, which cast shadows; to be called after plan().
     [[nodiscard]] CasterSet casters(const design::CasterRoles& roles) const;
 
-    /// Seen from another eye than the planned one from here on.
+    /// Moves the eye point away from the planned one.
     void set_camera(const glm::dvec3& eye) { glyphs_.set_camera(eye); }
     [[nodiscard]] PlannedElements planned() const { return {shown_, !reports_.empty(), standing_key_, time_}; }
-    /// What planned() is drawn from.
+    /// The batches from which planned() is drawn.
     [[nodiscard]] const draw::SolidBatch& standing() const { return standing_; }
     [[nodiscard]] const draw::SolidBatch& moving() const { return moving_; }
     [[nodiscard]] const draw::GlyphBatch& glyphs() const { return glyphs_.batch(); }
@@ -171,8 +171,8 @@ private:
     flight::FlightTime time_;                              ///< of the planned frame
     std::array<draw::LayerFoci, kMaxElementGroups> foci_;  ///< of the reports' layers
     draw::FocusCues focus_cues_{};
-    std::uint64_t foci_key_ = 0;    ///< of those that what stands was built with; 0: none
-    std::uint64_t alerts_key_ = 0;  ///< likewise of the obstacles that are in the way
+    std::uint64_t foci_key_ = 0;    ///< of the foci with which standing_ was built; 0: none
+    std::uint64_t alerts_key_ = 0;  ///< of the obstacles in the way with which it was built
     bool has_changed_ = false;
     std::uint64_t standing_key_ = 0;
     bool is_started_ = false;

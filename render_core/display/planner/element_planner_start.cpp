@@ -43,7 +43,7 @@ base::Error ElementPlanner::start(bool has_instances, const base::BudgetTable& b
     return {};
 }
 
-/// Builders that keep nothing from one element to the next share their memory.
+/// Builders without state between elements share their memory.
 bool ElementPlanner::start_scratch(base::Arena& memory, std::uint32_t batch_vertices) {
     const std::uint32_t rings = draw::TubeSolids::rings_for(batch_vertices);
     const draw::IsosurfaceRoom room = draw::IsosurfaceRoom::beside(batch_vertices);

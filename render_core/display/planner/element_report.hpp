@@ -1,4 +1,4 @@
-/// What became of the elements of the data aspect in a frame. Plain data; pure functions; any thread.
+/// Which data elements a frame shows, and why it does not show the others. Plain data; pure functions; any thread.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@ namespace tedavis::display {
 enum class ElementState : std::uint8_t {
     shown,
     no_such_layer,
-    not_measured,  ///< of what the aircraft itself states: nothing to show yet, or not any more
+    not_measured,  ///< the aircraft's signals give nothing to show, not yet or no longer
     wrong_layer,   ///< the technique does not show layers of this kind
-    no_room,       ///< the device has none for one more
+    no_room,       ///< the device has no room for another element
     out_of_date,   ///< the layer is not valid at this time
-    no_terrain,    ///< which is what data are shown over
+    no_terrain,    ///< data are shown only over terrain
 };
 /// For records: "the scene has no such layer".
 [[nodiscard]] const char* reason_of(ElementState state) noexcept;
 
-/// What became of an element and one of the layers that it names.
+/// How a frame shows one of the layers that an element names.
 struct ElementReport {
     ElementState state = ElementState::no_such_layer;
     const design::DataElement* element = nullptr;
     const scene::Layer* layer = nullptr;  ///< null where the scene has none
     draw::ElementCount count;
     std::size_t slot = GlyphElements::kSlots;  ///< of glyphs; kSlots: none
-    /// Of what stands or moves in space (prisms, tubes, ribbons, solids): wholly out of the frame's view, within `count`.
+    /// Prisms, tubes, ribbons and solids that are wholly out of the frame's view; they are part of `count`.
     std::uint32_t out_of_view = 0;
     std::uint32_t suppressed_labels = 0;  ///< names of features in view that are not shown
     double detail_factor = 1;             ///< of the element's detail, as shown
@@ -36,11 +36,11 @@ struct ElementReport {
 };
 /// Whether the frame shows features of a layer by this element.
 [[nodiscard]] bool is_drawn(const ElementReport& report) noexcept;
-/// Whether it shows how unsure they are, too: the element has a technique for it, and the layer states an uncertainty.
+/// Whether it also shows their uncertainty: the element has a technique for it, and the layer states an uncertainty.
 [[nodiscard]] bool shows_uncertainty(const ElementReport& report) noexcept;
-/// Whether an element faces the eye, in pixels: signs that are built every frame.
+/// Whether a technique draws signs that face the eye and have sizes in pixels; they are built in every frame.
 [[nodiscard]] bool is_billboard_technique(design::DataTechnique technique) noexcept;
-/// Whether an element stands over the picture as signs, which take what room the symbology leaves.
+/// Whether a technique draws signs over the picture, in the room that the symbology leaves.
 [[nodiscard]] bool is_sign_technique(design::DataTechnique technique) noexcept;
 
 inline constexpr std::size_t kMaxElementGroups = 32;

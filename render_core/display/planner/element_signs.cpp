@@ -19,7 +19,7 @@ draw::ElementCount build_billboard(draw::BillboardSheet& sheet, const draw::Elem
 
 }  // namespace
 
-/// Of the reports that are shown in the frame.
+/// The reports that are shown in the frame.
 class ElementPlanner::LabelInputs final : public ElementLabels::Inputs {
 public:
     LabelInputs(const ElementPlanner& elements, const ElementFrame& frame) : elements_(elements), frame_(frame) {}
@@ -70,7 +70,7 @@ void ElementPlanner::plan_detail(const ElementFrame& frame) {
     plan_glyphs(frame, nullptr);
 }
 
-/// Other aircraft and diagrams. Only what is valid now: what is not shown must take no room from what is.
+/// Adds other aircraft and diagrams that are valid now: elements that are not shown must take no room from others.
 void ElementPlanner::plan_billboards(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
@@ -79,7 +79,8 @@ void ElementPlanner::plan_billboards(const ElementFrame& frame) {
     }
 }
 
-/// Barbs of the air round the own ship, the newest first; no field: there are few, and they are new in every frame.
+/// Adds barbs of the air round the own ship, the newest first. They need no field of glyphs: they are few, and change in every
+/// frame.
 void ElementPlanner::plan_own_winds(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         ElementReport& report = reports_[n];
@@ -94,7 +95,7 @@ void ElementPlanner::plan_own_winds(const ElementFrame& frame) {
     }
 }
 
-/// Of storm cells, in the room that all other signs have left.
+/// Adds the signs of storm cells, in the room that all other signs have left.
 void ElementPlanner::plan_motion_times(const ElementFrame& frame) {
     for (std::size_t n = 0; n < reports_.size(); ++n) {
         const ElementReport& report = reports_[n];

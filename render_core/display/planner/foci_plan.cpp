@@ -8,7 +8,7 @@
 namespace tedavis::display {
 namespace {
 
-/// Where the intermediate context meets the context.
+/// The border between the intermediate context and the context.
 double least_degree(const design::FocusList& foci) {
     double least = 1;
     for (const design::FocusSettings& focus : foci)
@@ -16,7 +16,7 @@ double least_degree(const design::FocusList& foci) {
     return least;
 }
 
-/// Once each of what the elements colour by, of wind the speed.
+/// Records the values of the attribute by which an element is coloured, each attribute once; for wind those of the speed.
 void record_values(const scene::FocusRegion& region, const ElementReport& report, const flight::FlightTime& time,
                    FocusRecord& record) {
     const scene::Layer& layer = *report.layer;

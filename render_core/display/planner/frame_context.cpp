@@ -7,7 +7,7 @@ namespace tedavis::display {
 
 namespace {
 
-/// On the screen, of what is ahead.
+/// The position on the screen, for places ahead.
 draw::MagnifiedSign magnified_sign(const terrain::View& view, const DistortionRecord& focus, double px_per_m) {
     constexpr double kSquareCorner = 1.42, kOctagonCorner = 1.09;
     const glm::dvec3 place = earth::to_ecef(focus.middle) - view.eye;

@@ -1,4 +1,4 @@
-/// A planned frame as one of its cameras sees it: what symbology and signs are planned by. Pure; any thread.
+/// A planned frame as one of its cameras sees it: the input for planning symbology and signs. Pure functions; any thread.
 #pragma once
 
 #include "render_core/display/planner/camera.hpp"
@@ -14,7 +14,7 @@
 
 namespace tedavis::display {
 
-/// References to the planner's own.
+/// It refers to the planner's objects.
 struct FrameContext {
     const design::DesignSettings& design;
     const policy::DisplayDecisions& decisions;
@@ -22,19 +22,19 @@ struct FrameContext {
     const FrameStatement& record;
     double aircraft_msl_m = 0, eye_msl_m = 0;
     double haze_per_m = 0;       ///< 0 for none
-    double map_share = 0;        ///< of the way from 3D to the map, 0..1
+    double map_share = 0;        ///< share of the transition from 3D to the map, 0..1
     bool is_free_view = false;   ///< the camera is not the own ship's
     draw::HeightSpan heights{};  ///< of the whole database
     draw::FocusRange focus{};
     ShadowPlan shadows{};
     policy::TerrainAlertZone alert_zone{};
-    const scene::FocusRegions* foci = nullptr;  ///< that change the ground; must stay. Null: none does
+    const scene::FocusRegions* foci = nullptr;  ///< foci that change the ground; null: none does
 };
 
 [[nodiscard]] FrameContext context_of(const PlannedFrame& frame, const Camera& camera);
 
 [[nodiscard]] draw::HeightSpan height_span(const terrain::FileHeader& header);
-/// Of the map and the orthographic view.
+/// Makes the input for the symbols of the map and of the orthographic view.
 [[nodiscard]] draw::MapInput make_map_input(const FrameContext& frame, const flight::AircraftState& state);
 
 }  // namespace tedavis::display

@@ -1,4 +1,4 @@
-/// What a frame's record says of the terrain, the data and the memory. Pure; any thread.
+/// Writes what a frame's record says of the terrain, the data and the memory. Pure; any thread.
 #pragma once
 
 #include <string_view>
@@ -13,30 +13,30 @@
 
 namespace tedavis::display {
 
-/// Once, however often it is raised. A full list counts what it refuses.
+/// Raises a flag. A flag that is raised again is listed once. A full list counts what it refuses.
 void flag(std::string_view name, FrameStatement& record);
 void flag(policy::RecordFlag raised, FrameStatement& record);
 
-/// Once a layer, with the flag data.stale; an age of 0 is none.
+/// Records a stale layer, each once, and raises the flag data.stale. With an age of 0 it does nothing.
 void record_stale(std::string_view layer, base::Duration age, FrameStatement& record);
 
-/// One more technique that shows an aspect, named once; the aspect's detail is that of the most detailed one.
+/// Adds a technique that shows an aspect. It is named once; the aspect's detail is that of its most detailed technique.
 void add_technique(std::string_view name, double detail, AspectRecord& aspect);
 
-/// Asks for record.terrain.tau_px. Triangles are those planned until record_drawn().
+/// Records the terrain's plan; record.terrain.tau_px must be set. The number of triangles is the planned one until
+/// record_drawn().
 void record_terrain(const TerrainPlan& plan, FrameStatement& record);
-/// With the flag terrain.not_traced where rays were asked for and triangles are drawn.
+/// Records what draws the terrain, and raises the flag terrain.not_traced where rays were requested and triangles are drawn.
 void record_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record);
-/// Counts by type, an effect an element ("data.tube"), and the techniques of all that is shown of the data and of their
-/// uncertainty.
+/// Records counts by type, an effect for each element ("data.tube"), and the techniques that show the data and their uncertainty.
 void record_elements(const ElementReports& reports, FrameRecord& record);
-/// The weight of each aspect, and of which one something has raised it.
+/// Records the weight of each aspect, and which weights were raised.
 void record_weights(const design::PrioritySettings& priority, const design::AspectWeights& weights, FrameRecord& record);
-/// With the flag deadline.missed where it was missed.
+/// Records how the deadline was held, and raises the flag deadline.missed where it was missed.
 void record_budget(const effects::BudgetReport& report, FrameRecord& record);
-/// After record_effects().
+/// Records the GL work of the effects; to be called after record_effects().
 void record_work(const EffectWorkTable& work, FrameRecord& record);
-/// After the terrain is noted among the effects.
+/// Records what was drawn; to be called after the terrain has been recorded among the effects.
 void record_drawn(const draw::TerrainDrawResult& drawn, const base::BudgetTable& budget, FrameRecord& record);
 
 }  // namespace tedavis::display

@@ -149,7 +149,7 @@ void FramePlanner::plan_without_terrain() {
     end();
 }
 
-/// The design of another phase may decide; what painters have been told of the shown one holds on.
+/// Another phase's design may be used for decisions; the look that painters have taken remains.
 void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemory& memory) {
     const LookOf look = look_of_;
     const std::uint64_t look_key = look_key_;
@@ -166,7 +166,7 @@ void FramePlanner::decide_interval(const flight::FrameInput& input, PlannerMemor
     look_key_ = look_key;
 }
 
-/// Where the eye is, and what it may be shown: all that does not depend on what has arrived of the terrain.
+/// Plans the camera and what may be shown: everything that does not depend on which terrain has arrived.
 void FramePlanner::begin_plan() {
     const flight::AircraftState& state = frame_->state;
     frame_->flight_time = flight::flight_time(state.utc, frame_->time);
@@ -203,8 +203,8 @@ policy::TerrainSource FramePlanner::terrain_source() const {
     return inside || own_ship.state == base::SignalState::missing ? policy::TerrainSource::ready : policy::TerrainSource::outside;
 }
 
-/// Beyond the database the terrain alert knows nothing. The track may end its turn at any time, so the straight one counts as
-/// well.
+/// Beyond the database there can be no terrain alert. The turn of the track may end at any time, so the straight track is checked
+/// as well.
 bool FramePlanner::terrain_ends_ahead() const {
     constexpr int kPlaces = 4;
     const flight::OwnShipEstimate& own = frame_->state.own_ship;
@@ -225,14 +225,14 @@ bool FramePlanner::terrain_ends_ahead() const {
 void FramePlanner::decide() {
     frame_->conditions.is_map = is_map();
     frame_->decisions = policy::decide_display(frame_->state, frame_->time, frame_->conditions, look_);
-    // On the way between 3D and the map what holds for 3D holds; without terrain there is no way to be seen.
+    // During the transition between 3D and the map the rules of 3D apply; without terrain there is no transition.
     if (!memory_->view.is_under_way() || frame_->decisions.show_terrain) return;
     memory_->view.arrive();
     frame_->conditions.is_map = is_map();
     frame_->decisions = policy::decide_display(frame_->state, frame_->time, frame_->conditions, look_);
 }
 
-/// Terrain that turns out not to be had: its notice must be on this frame already.
+/// Handles terrain that turns out to be unavailable: the notice must be in this frame already.
 void FramePlanner::give_up_terrain(policy::TerrainSource reason) {
     frame_->conditions.terrain = reason;
     frame_->alert_zone = {};
@@ -302,7 +302,7 @@ void FramePlanner::plan_terrain() {
     frame_->terrain_has_void = plan.has_void;
     record_terrain(plan, *frame_);
     record_renderer(look_.terrain.renderer, terrain_.trace_state(), *frame_);
-    // What budgets leave is the best there will be, and is said to be coarse.
+    // Terrain within the budgets will not get better, and is stated as coarse.
     if (plan.pending != 0 && plan.lod.worst_waiting_px > look_.degradation.terrain_removed_px) {
         give_up_terrain(policy::TerrainSource::too_coarse);
         return;

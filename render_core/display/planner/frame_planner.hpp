@@ -1,11 +1,11 @@
-/// Decides what a frame shows: which design, from where, which terrain, data, labels and effects, and why. No GL, no clock, no
-/// file, no heap after start().
+/// Decides what a frame shows, and why: design, view, terrain, data, labels and effects. No GL, no clock, no file, no heap after
+/// start().
 ///
-///   start(...) · each frame plan(input, memory, frame), plan_again(findings, memory, frame) while the painter has found
-///   something of it, and conclude(memory, frame) when it has been drawn
+///   start(...) · each frame plan(input, memory, frame), plan_again(findings, memory, frame) while the painter reports findings,
+///   and conclude(memory, frame) when it has been drawn
 ///
-/// What one frame leaves to the next is PlannerMemory, and nothing else decides: the same input and memory, with the same chunks
-/// arrived, give the same frame. Built geometry and chunks are kept here, because they take time.
+/// PlannerMemory is the only state of earlier frames that influences decisions: the same input and memory give the same frame if
+/// the same chunks have arrived. The planner also keeps built geometry and chunks, which only saves time.
 ///
 /// Memory    the arenas of the device's budget table, at start(). Thread  the display's. Failure  start() gives one message.
 #pragma once
@@ -29,7 +29,7 @@
 
 namespace tedavis::display {
 
-/// What the painter has, as far as it matters to planning. Does not change after start().
+/// The abilities of the painter on which planning depends. They do not change after start().
 struct PainterAbilities {
     bool is_stereo = false;  ///< it draws a picture for each eye
     bool fades = false;      ///< it can keep a picture
@@ -41,28 +41,29 @@ struct PainterAbilities {
 
 class FramePlanner final : public flight::TerrainHeights {
 public:
-    /// Takes the designs, as the device can show them; before all else. What cannot be had is refused in one message.
+    /// Takes the designs, as the device can show them; to be called first. Returns one message if they cannot be shown.
     [[nodiscard]] base::Error take_designs(const DisplaySettings& settings, PlannerMemory& memory);
-    /// What the designs ask to be measured; a memory that was not started cannot be planned from.
+    /// Prepares a memory for what the designs request to measure; plan() needs a memory that was prepared.
     void start_memory(draw::DrawnDesigns designs, PlannerMemory& memory) const;
-    /// Of the designs that a painter is started with.
+    /// Starts the terrain for the designs that a painter is started with.
     [[nodiscard]] base::Error start_terrain(const TerrainInput& terrain, draw::DrawnDesigns designs, const TerrainMemory& memory);
     [[nodiscard]] base::Error start_symbology(base::Arena& memory);
-    /// Before decide_interval(), which plans in this memory.
+    /// Starts the memory in which decide_interval() plans; to be called before it.
     [[nodiscard]] base::Error start_intervals(base::Arena& frames, base::Arena& memories) {
         return interval_.start(frames, memories);
     }
-    /// `scene`: a scene database, or null. After start_terrain(), and after the painter's own start.
+    /// `scene`: a scene database, or null. To be called after start_terrain() and after the painter's own start.
     [[nodiscard]] base::Error start_scene(base::ByteSource* scene, const SpatialData::Memory& memory, std::uint32_t ground_side);
-    /// `has_instances`: draw::GlyphDrawer::has_instances() of the device. Where there are data to show, after start_scene().
+    /// `has_instances`: draw::GlyphDrawer::has_instances() of the device. To be called after start_scene(), where
+    /// has_data_to_show().
     [[nodiscard]] base::Error start_elements(bool has_instances, const ElementPlanner::Memory& memory);
-    /// What the painter can do; ends the start.
+    /// Takes the abilities of the painter, and ends the start.
     void follow_painter(const PainterAbilities& painter, draw::DrawnDesigns designs);
 
-    /// The frame of this input, which follows the one that left `memory`.
+    /// Plans the frame of this input. `memory` is the state after the previous frame, and is updated.
     void plan(const flight::FrameInput& input, PlannerMemory& memory, PlannedFrame& frame);
-    /// The planned frame again, from what the painter has found of it: terrain that cannot be drawn, or the edges of the picture
-    /// that `frame.clutter.probe` asked for. Nothing else reaches the planner from the painter.
+    /// Plans the frame again with what the painter has found: terrain that cannot be drawn, or the edges of the picture that
+    /// `frame.clutter.probe` requested. The painter passes nothing else to the planner.
     void plan_again(const PainterFindings& findings, PlannerMemory& memory, PlannedFrame& frame);
     /// Decides only what is decided once for each interval (flight/decision_interval.hpp): labels, priorities and the terrain
     /// alert. `input`: at the interval's first instant, but with the phase of the frame before, whose design the next one shows.
@@ -70,18 +71,19 @@ public:
     /// intervals since the log's start, so that they are the same however a frame is reached.
     void decide_interval(const flight::FrameInput& input, PlannerMemory& memory);
 
-    /// The planned frame as one camera of a pair sees it.
+    /// Returns the planned frame as one camera of a pair sees it.
     [[nodiscard]] PlannedPicture plan_side(const StereoCameras& pair, draw::EyeSide side, PlannerMemory& memory,
                                            PlannedFrame& frame);
-    /// The planned frame has been drawn: states how the budget of clutter was held, and remembers that saliency was measured.
+    /// Concludes a frame that has been drawn: states how the clutter budget was held, and remembers that saliency was measured.
     void conclude(PlannerMemory& memory, PlannedFrame& frame);
 
-    /// Other designs, which painters have said they can show.
+    /// Replaces the designs by others, which the painter must be able to show.
     void set_designs(const design::DesignSettings& design, const design::PhaseDesigns* phases, PlannerMemory& memory);
-    /// False, and nothing changes, where the scene is no newer revision, or none was expected.
+    /// accepts() returns false where the scene is no newer revision, or none was expected; take_scene() then returns false and
+    /// changes nothing.
     [[nodiscard]] bool accepts(const scene::Scene& scene) const;
     [[nodiscard]] bool take_scene(const scene::Scene& scene, PlannerMemory& memory);
-    /// What is planned stays in the picture for a while, and fades: the painter has kept it.
+    /// States that the painter has kept the planned picture, which fades out in the next frames.
     void keep_scene(const PlannedFrame& frame, PlannerMemory& memory) const;
 
     /// Replaces the own ship's camera with another one until cleared: the simulator's free camera.
@@ -90,26 +92,27 @@ public:
         free_view_active_ = true;
     }
     void clear_free_view() { free_view_active_ = false; }
-    /// From the next plan() on nothing is left out for being unseen: what the planner of effects saves can be measured.
+    /// If forced, no effect is left out for being invisible from the next plan() on, so that what leaving out saves can be
+    /// measured.
     void force_effects(bool forced) { effects_are_forced_ = forced; }
 
     [[nodiscard]] std::size_t design_count() const { return phases_.size() + 1; }
     [[nodiscard]] const design::DesignSettings& design_at(std::size_t place) const {
         return place == 0 ? design_ : phases_.at(place);
     }
-    /// Of the design that the phase has at the moment.
+    /// Returns the place of the design that a phase has now.
     [[nodiscard]] std::size_t place_of(flight::FlightPhase phase) const;
     [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
     [[nodiscard]] bool has_data_to_show() const;
     [[nodiscard]] draw::DataVariant data_variant() const;
-    /// Whether an interval leaves anything to the next one.
+    /// Whether anything is decided by intervals.
     [[nodiscard]] bool has_intervals() const { return has_intervals_; }
-    /// Whether a phase's design takes the place of another one little by little.
+    /// Whether design transitions are cross-faded.
     [[nodiscard]] bool fades() const { return painter_.fades; }
-    /// Missing outside the database or over voids, too.
+    /// Returns the height of the own ship above the terrain; missing also outside the database and over voids.
     [[nodiscard]] base::Stamped<double> height_above_terrain(const flight::OwnShipEstimate& own_ship, base::Time now) override;
-    /// Where the obstacles on the way are in a frame that has been drawn: computed when it is asked for, and only then. None
-    /// where no terrain or no data are shown.
+    /// Returns where the obstacles ahead are in a frame that has been drawn; they are computed only by this call. Empty where no
+    /// terrain or no data are shown.
     [[nodiscard]] ObstaclePlaces obstacles_ahead(const PlannedFrame& frame, const PlannerMemory& memory);
 
     [[nodiscard]] DisplaySettings& settings() { return settings_; }
@@ -131,7 +134,7 @@ public:
 
 private:
     class Boosts;
-    /// What the look of the shown design follows from.
+    /// What determines the look of the shown design.
     struct LookOf {
         std::size_t shown = 0;
         design::AspectWeights weights;
@@ -152,7 +155,7 @@ private:
     [[nodiscard]] bool has_warning() const;
     void begin_fade(base::Time now);
     [[nodiscard]] double next_fade_share();
-    // What may be shown, and what comes first
+    // Failure policy and priorities
     void begin_plan();
     [[nodiscard]] policy::TerrainSource terrain_source() const;
     [[nodiscard]] bool terrain_ends_ahead() const;
@@ -232,7 +235,7 @@ private:
     bool effects_are_forced_ = false;
 
     double unmagnified_near_m_ = 0, unmagnified_far_m_ = 0;  ///< planes of a view with magnifiers before they made room
-    PlanPair interval_;                                      ///< that is decided; nothing of it lasts
+    PlanPair interval_;                                      ///< of decide_interval(); it keeps no state between calls
     PlannerMemory* memory_ = nullptr;                        ///< while planning
     PlannedFrame* frame_ = nullptr;                          ///< likewise
 };

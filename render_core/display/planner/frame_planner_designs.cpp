@@ -1,4 +1,4 @@
-// The designs of a display: which phase has which, how one takes the place of another, and how the shown one looks.
+// The designs of a display: which phase has which, transitions between them, and the look of the one that is shown.
 #include <glm/geometric.hpp>
 
 #include "render_core/design/weighted_design.hpp"
@@ -40,7 +40,7 @@ base::Error FramePlanner::take_designs(const DisplaySettings& settings, PlannerM
     return {};
 }
 
-/// 0: one picture is for both eyes.
+/// Returns 0 where one picture is for both eyes.
 std::uint32_t FramePlanner::stereo_margin_px(const design::DesignSettings& design) const {
     if (design.effects.stereo.mode == design::StereoMode::none) return 0;
     return eye_margin_px(design.view.horizontal_field_of_view_rad, settings_.width_px);
@@ -63,7 +63,7 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
     find_intervals();
 }
 
-/// To the heights of the terrain, as soon as they are known; see design::fitted_palette().
+/// Fits palettes to the heights of the terrain, as soon as these are known; see design::fitted_palette().
 void FramePlanner::fit_palettes() {
     if (!terrain_.is_started()) return;
     const draw::HeightSpan span = height_span(terrain_.database().header());
@@ -98,14 +98,14 @@ void FramePlanner::take_look(const LookOf& of) {
     if (elements_.is_started()) set_elements(of.shown);
 }
 
-/// A design that puts data or their uncertainty first waits for a scene: without one the ground would lose its detail for
-/// nothing.
+/// A design that gives data or their uncertainty priority is shown only with a scene: without one the ground would lose detail
+/// without any gain.
 std::size_t FramePlanner::place_of(flight::FlightPhase phase) const {
     const std::size_t place = phases_.place_of(phase);
     return data_.has_scene() || design_at(place).priority.puts_terrain_first() ? place : 0;
 }
 
-/// While there is a warning the picture turns at once: nobody shall look for it in a picture that is half another.
+/// While there is a warning the design changes at once, so that the warning is never shown in a picture that is half faded.
 void FramePlanner::follow_phase() {
     if (memory_->transition.keeps) {
         memory_->transition.keeps = false;
@@ -122,7 +122,7 @@ void FramePlanner::follow_phase() {
     memory_->transition.keeps = true;
 }
 
-/// Where no focus is anywhere the ground is that of a design without foci, by its programs.
+/// Where no focus has a position the ground is drawn with the programs of a design without foci.
 void FramePlanner::follow_foci() {
     const bool draws = frame_->foci_plan.foci.is_any() && frame_->decisions.show_terrain && !frame_->decisions.unusual_attitude;
     frame_->draws_foci = draws;
@@ -149,7 +149,7 @@ void FramePlanner::begin_fade(base::Time now) {
     memory_->transition.fade_began = now;
 }
 
-/// Of the scene as it was, in the planned frame.
+/// Returns the share of the kept picture in the planned frame.
 double FramePlanner::next_fade_share() {
     if (memory_->transition.keeps) return 1;
     if (memory_->transition.fades_next) {

@@ -50,7 +50,7 @@ void FramePlanner::plan_effects() {
                           may_hold ? look_.priority.held_clutter() : 1);
 }
 
-/// What may be shown, and how the eye sees it.
+/// States what may be shown, and the view.
 void FramePlanner::state_view(effects::EffectFacts& facts) {
     const Camera& camera = frame_->picture.camera;
     SeenSpan seen;

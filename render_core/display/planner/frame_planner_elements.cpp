@@ -1,4 +1,4 @@
-// The data of a frame: elements, labels, and what gives way where the picture is too cluttered.
+// Plans the data of a frame: elements, labels, and what is reduced where the picture is too cluttered.
 #include "render_core/display/planner/frame_notes.hpp"
 #include "render_core/display/planner/frame_planner.hpp"
 #include "render_core/display/planner/symbology_plan.hpp"
@@ -64,7 +64,7 @@ ElementFrame FramePlanner::element_frame(scene::Ground& ground, const terrain::V
             look_.symbology.units};
 }
 
-/// Symbology first, then the signs in the room that it leaves.
+/// Plans the symbology first, then the signs in the room that it leaves.
 void FramePlanner::plan_elements() {
     TerrainGround ground(terrain_, frame_->seen);
     if (shows_elements())
@@ -98,7 +98,7 @@ void FramePlanner::plan_signs(const Camera& camera, SignFrame signs) {
     elements_.plan_signs(element_frame(ground, camera.view), signs);
 }
 
-/// Nothing of a picture without terrain.
+/// Decides nothing for a picture without terrain.
 void FramePlanner::decide_labels() {
     if (!elements_.is_started()) return;
     if (!frame_->decisions.show_terrain) return elements_.labels().skip(frame_->time);
@@ -107,7 +107,7 @@ void FramePlanner::decide_labels() {
                             text_px(context_of(*frame_, frame_->picture.camera), settings_.width_px, settings_.height_px));
 }
 
-/// By the quality level of the frame before: the notice comes and goes with the view, a frame late at most.
+/// Uses the quality level of the frame before, so the notice follows the view at most a frame late.
 bool FramePlanner::shows_measure() const {
     using effects::Effect;
     const design::ViewEffects& asked = look_.effects;
@@ -128,7 +128,7 @@ bool FramePlanner::has_declutterable_data() const {
     return false;
 }
 
-/// Glyphs and signs of the planned frame, as far as frame_->declutter leaves them.
+/// Plans glyphs and signs of the frame with the detail that frame_->declutter keeps.
 void FramePlanner::plan_detail_again(bool is_shown) {
     if (!shows_elements()) return;
     TerrainGround ground(terrain_, frame_->seen);
@@ -142,8 +142,8 @@ void FramePlanner::plan_detail_again(bool is_shown) {
     frame_->labels.changed += changed;
 }
 
-/// The picture that the budget of clutter asks to be measured. Where the frame itself has all its detail, and no other design's
-/// picture stands in it, it is the first one.
+/// Plans the picture that the clutter budget requests to measure. The first one is the frame itself where it has all its detail
+/// and no other design's picture fades out in it.
 void FramePlanner::plan_probe() {
     using Step = DeclutterControl::Step;
     PlannedClutter& clutter = frame_->clutter;
@@ -158,7 +158,7 @@ void FramePlanner::plan_probe() {
     set_camera_data();
 }
 
-/// The frame that is shown, by what its probes have measured. A probe that is shown stays as it is.
+/// Plans the frame that is shown, with the measurements of its probes. A probe that is shown is not planned again.
 void FramePlanner::plan_measured() {
     PlannedClutter& clutter = frame_->clutter;
     const bool is_planned = clutter.probe == Probe::shown;

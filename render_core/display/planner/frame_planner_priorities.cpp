@@ -1,4 +1,4 @@
-// What comes first in a frame: the design's weights, what raises them, and what of the data is stale.
+// Priorities of a frame: the design's weights, what raises them, and which data are stale.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,7 +29,7 @@ bool is_obstacles(const scene::Layer& layer) {
            (shape == scene::LayerShape::points || shape == scene::LayerShape::lines);
 }
 
-/// A turn may end at any time: what lies straight ahead counts as well, with twice its time.
+/// A turn may end at any time, so terrain and obstacles straight ahead count as well, with twice their time.
 policy::TerrainWatchInput straight(policy::TerrainWatchInput watched) {
     watched.track.turn_radps = 0;
     return watched;
@@ -100,7 +100,7 @@ private:
         const policy::PredictedTrack track = planner_.track_of(instant.own_ship);
         TerrainGround ground(planner_.terrain_, terrain::View());
         policy::HazardWatch watch(priority_, track, ground, instant.time.utc.ns);
-        // Where terrain comes first already it needs no focus of its own.
+        // Where terrain already has priority it needs no focus of its own.
         if (priority_.weights.of[design::kTerrainAspect] < priority_.hazard_weight)
             boost(boosts, design::kTerrainAspect, watch.terrain_share(), priority_.hazard_weight);
         for (std::size_t n = 0; n < priority_.parts.size() && planner_.data_.has_scene(); ++n)
@@ -131,7 +131,7 @@ policy::PredictedTrack FramePlanner::track_of(const flight::OwnShipEstimate& own
     return track;
 }
 
-/// By the signal, or by the bank in a coordinated turn; straight ahead where neither is valid.
+/// Returns the rate of turn by the signal, or by the bank in a coordinated turn; 0 where neither is valid.
 double FramePlanner::turn_radps() const {
     const flight::AircraftState& state = frame_->state;
     if (state.is_valid(Signal::heading_rate, frame_->time)) {
@@ -173,8 +173,8 @@ policy::TerrainWatchInput FramePlanner::watched(const policy::PriorityInstant& i
     return input;
 }
 
-/// While there is an alert, from where the own ship is now: along the track that meets terrain first. As warning colors, it needs
-/// a geometric height, and gives way to the recovery from an unusual attitude.
+/// Plans the zone that an alert colours, from the present position of the own ship along the track that reaches terrain first.
+/// Like warning colours it needs a geometric height, and it is not shown during the recovery from an unusual attitude.
 void FramePlanner::plan_alert_zone() {
     const policy::DisplayDecisions& decisions = frame_->decisions;
     if (decisions.terrain_ahead == policy::TerrainAhead::none || !decisions.show_terrain || decisions.unusual_attitude) return;
@@ -186,7 +186,7 @@ void FramePlanner::plan_alert_zone() {
     frame_->alert_zone = (counted_s < on_track_s ? ahead : watch).zone(decisions.terrain_ahead);
 }
 
-/// What the record says of the alerts.
+/// Writes the alerts into the record.
 void FramePlanner::state_alerts() {
     AlertRecord& alerts = frame_->alerts;
     alerts = {};

@@ -1,4 +1,4 @@
-// Where a frame is seen from, and what it shows larger than it is.
+// The camera of a frame, and what it magnifies.
 #include <cmath>
 
 #include "render_core/display/planner/distortion.hpp"

@@ -34,8 +34,8 @@ struct EffectRecord {
     base::FixedString<95> reason;
     Name replaced_by;
     double bound = 0;                     ///< upper bound of its visible contribution, 0..1 of full scale
-    std::uint32_t draws = 0, passes = 0;  ///< of its own; what it shares with others is theirs
-    std::uint64_t bytes = 0;              ///< to the GPU, the same
+    std::uint32_t draws = 0, passes = 0;  ///< without work that it shares with other effects
+    std::uint64_t bytes = 0;              ///< uploaded to the GPU, counted likewise
 };
 
 struct AspectRecord {
@@ -47,15 +47,15 @@ struct AspectRecord {
 struct WeightRecord {
     Name aspect;
     double weight = 1;  ///< 0..1, of the frame
-    double stated = 1;  ///< by the design; a larger weight was raised
+    double stated = 1;  ///< by the design; `weight` is larger where it was raised
 };
 
 struct TerrainRecord {
-    double tau_px = 0;          ///< asked for
+    double tau_px = 0;          ///< requested
     double worst_error_px = 0;  ///< upper bound reached over all drawn chunks
     base::FixedString<31> worst_chunk;
     double tau_reached_px = 0;  ///< what the frame guarantees
-    Name limit;                 ///< what kept it from tau: "met", "triangles", "not_arrived" ...
+    Name limit;                 ///< what prevented tau: "met", "triangles", "not_arrived" ...
     std::uint32_t triangles = 0;
     std::uint32_t chunks = 0;
     std::uint32_t pending = 0;              ///< wanted but not there yet; their coarser parents are drawn
@@ -64,8 +64,8 @@ struct TerrainRecord {
 };
 
 struct ViewRecord {
-    design::ViewMode mode = design::ViewMode::perspective;  ///< that the design asks for
-    double transition = 1;                                  ///< of the way of the eye to it; 1: there
+    design::ViewMode mode = design::ViewMode::perspective;  ///< that the design requests
+    double transition = 1;                                  ///< share of the transition to it; 1: it is complete
 };
 
 struct ByteRecord {
@@ -76,9 +76,9 @@ struct ByteRecord {
 struct DataRecord {
     Name type;
     std::uint32_t drawn = 0;
-    std::uint32_t aggregated = 0;  ///< within what stands for several
+    std::uint32_t aggregated = 0;  ///< shown by a symbol that represents several
     std::uint32_t hidden = 0;
-    std::uint32_t out_of_view = 0;  ///< of prisms, ways and solids: built, but wholly out of the view
+    std::uint32_t out_of_view = 0;  ///< prisms, paths and solids that are built, but wholly out of the view
 };
 
 /// A layer of the picture that was measured longer ago than the design's limit.
@@ -87,13 +87,13 @@ struct StaleRecord {
     double age_s = 0;
 };
 
-/// What explains the colors of the picture.
+/// The legend, which explains the colours of the picture.
 struct LegendRecord {
     flight::LegendShow show = flight::LegendShow::key;
     std::uint32_t entries = 0, left_out = 0;  ///< scales that are explained, and those for which there is no room
 };
 
-/// Of icons and names; labels are names.
+/// The numbers of icons and names; only names are placed and suppressed.
 struct LabelRecord {
     std::uint32_t placed = 0, suppressed = 0, changed = 0, decluttered = 0;  ///< display::LabelCounts
 };
@@ -136,13 +136,13 @@ struct GovernorRecord {
 /// How the budget of clutter was held (display/planner/declutter_control.hpp).
 struct ClutterRecord {
     double budget = 1;                  ///< 1: none is held
-    effects::ClutterMeasures measured;  ///< that it follows from, the newest
-    effects::ClutterMap reached;        ///< with what that interval chose; unknown where nothing gives way
-    scene::DetailRegions left;          ///< what each region keeps
-    std::uint32_t roles = 0;            ///< of the layers that give way; a bit for each scene::LayerRole
+    effects::ClutterMeasures measured;  ///< the newest measurement that the frame uses
+    effects::ClutterMap reached;        ///< with the detail that this interval chose; unknown where nothing is reduced
+    scene::DetailRegions left;          ///< detail that each region keeps
+    std::uint32_t roles = 0;            ///< of the layers that are reduced; a bit for each scene::LayerRole
 };
 
-/// The alerts of the frame, and what they are judged by.
+/// The alerts of the frame, and the values from which they are decided.
 struct AlertRecord {
     policy::TerrainAhead terrain = policy::TerrainAhead::none;
     policy::TerrainAhead obstacle = policy::TerrainAhead::none;
@@ -156,7 +156,7 @@ struct AlertRecord {
 struct FrameStatement {
     std::uint64_t frame = 0;
     base::Time time;
-    flight::FlightTime flight_time;  ///< by which data are valid and have an age
+    flight::FlightTime flight_time;  ///< for which data are valid and have an age
     flight::PhaseStatus phase;
     flight::OwnShipEstimate own_ship;
     double altitude_msl_m = 0;
@@ -170,7 +170,7 @@ struct FrameStatement {
     design::BandWidening bands;  ///< of the warning colours; 0 in frames without
     TerrainRecord terrain;
     AlertRecord alerts;
-    policy::TerrainAlertZone alert_zone;       ///< of the ground that comes too close to the predicted track, and is colored
+    policy::TerrainAlertZone alert_zone;       ///< the ground that the predicted track comes too close to, which is coloured
     std::uint64_t scene_revision = 0;          ///< of the scene database that is shown; 0: none
     base::FixedVector<StaleRecord, 16> stale;  ///< with the flag data.stale
     LegendRecord legend;

@@ -1,4 +1,4 @@
-/// Ghosts (draw/data/ghost_signs.hpp) are shown in every design: whoever puts them into a scene wants to see them, in each phase.
+/// Ghosts (draw/data/ghost_signs.hpp) are shown in every design and phase, since a scene has them only in order to show them.
 #pragma once
 
 #include "render_core/design/data_element.hpp"
@@ -6,9 +6,9 @@
 
 namespace tedavis::display {
 
-/// Whether a layer has ghosts of which a design with these elements says nothing.
+/// Whether a layer has ghosts, and a design with these elements has none that shows them.
 [[nodiscard]] bool needs_ghost_element(const design::DataElementList& elements, const scene::Layer& layer);
-/// Shows them then. Stays for as long as the program.
+/// Returns the element that shows them then; it is valid as long as the program runs.
 [[nodiscard]] const design::DataElement& ghost_element();
 
 }  // namespace tedavis::display

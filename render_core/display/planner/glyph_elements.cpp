@@ -21,7 +21,7 @@ constexpr double kBarSlenderness = 3;        // bars are as large as they are hi
 constexpr std::uint32_t kAll = 0xFFFFFFFFu;
 constexpr std::uint32_t kMaxFields = 2 * GlyphElements::kSlots;
 
-/// So wide that magnifiers can bring nothing else into the view.
+/// Widens the view so that magnifiers cannot bring other places into it.
 double magnified_tangent(const terrain::View& view) {
     double most_m = 0;
     for (const earth::Magnifier& magnifier : view.magnifiers) most_m = std::fmax(most_m, magnifier.farthest_move_m());
@@ -52,7 +52,7 @@ draw::GlyphForm form_of(ElementUncertainty uncertainty) {
     }
 }
 
-/// Where no scale says it, from nothing to the largest value there is.
+/// Where no scale is stated, it reaches from 0 to the largest value.
 void set_range(const design::DataElement& element, const scene::Attribute& attribute, draw::GlyphStyle& style) {
     if (element.by_color.is_used()) {
         style.least_value = element.by_color.scale.palette.stops[0].value;
@@ -161,7 +161,7 @@ void GlyphElements::begin_plan() {
     if (!is_shared_out_) share_out();
 }
 
-/// The slots in the order of what they need; each has an even share of what those before it have left.
+/// Divides the memory in the order of what the slots need; each gets an even share of what the slots before it have left.
 void GlyphElements::share_out() {
     is_shared_out_ = true;
     site_memory_.reset();

@@ -1,10 +1,11 @@
-/// Elements of the data aspect that are glyphs: a field of sites each, and what a view shows of it; no GL.
+/// Data elements that are shown as glyphs: each has a field of sites, of which a view shows a selection; no GL.
 ///
-///   start(...) · set(...) an element a slot · plan(frame) each frame · batch() for the painter
+///   start(...) · clear() and add(...) for each element · begin_plan() and plan(...) each frame · batch() for the painter
 ///
-/// Values at a time are those of the whole minute before it. The next minute's field is made ahead, some sites a frame, so that
-/// no frame stalls; a jump in time makes it at once. What is shown never depends on where a run began.
-/// The memory for sites is shared out anew when elements are set: who needs little gets it whole, the others share the rest.
+/// Values at a time are those of the whole minute before it. The field of the next minute is computed in advance, some sites in
+/// each frame, so that no frame is delayed; after a jump in time it is computed at once. What is shown never depends on where a
+/// run began. The memory for sites is divided again when elements are added: an element that needs little gets all that it needs,
+/// and the others share the rest.
 /// Memory    the budget line scene_glyphs. Thread  the display's. Failure  start() gives one message; elements beyond the slots
 /// are refused.
 #pragma once
@@ -30,12 +31,12 @@ struct GlyphFrameInput {
     draw::BillboardSheet* sheet = nullptr;          ///< of the frame, for wind barbs
     double detail_factor = 1;                       ///< of the element's detail
     const draw::LayerFoci* foci = nullptr;          ///< of the element's layer; null: everything is in the focus
-    const scene::DetailRegions* regions = nullptr;  ///< of the screen, in which the element gives way
+    const scene::DetailRegions* regions = nullptr;  ///< detail of the element in each region of the screen; null: all
 };
 
 [[nodiscard]] bool is_glyph_technique(design::DataTechnique technique) noexcept;
 [[nodiscard]] bool is_glyph_uncertainty(design::ElementUncertainty uncertainty) noexcept;
-/// Of glyphs of uncertainty: levels 0..1 from sure to unsure, in classes where the design asks for them.
+/// Returns the scale of uncertainty glyphs: levels from 0, certain, to 1, in classes where the design requests them.
 [[nodiscard]] design::DataScale uncertainty_scale(const design::DataElement& element) noexcept;
 
 class GlyphElements {
@@ -44,28 +45,29 @@ public:
 
     /// `has_instances`: draw::GlyphDrawer::has_instances() of the device. The arena keeps the drawer's share free.
     [[nodiscard]] base::Error start(bool has_instances, const base::BudgetTable& budget, base::Arena& memory);
-    /// Nothing is shown from here on.
+    /// Removes all elements.
     void clear();
-    /// One more. False where no slot is left or the layer has nothing that glyphs show. Element and layer must stay.
+    /// Adds an element. Returns false where no slot is left or the layer has nothing that glyphs show. Element and layer must
+    /// stay valid.
     [[nodiscard]] bool add(const design::DataElement& element, const scene::Layer& layer);
 
     [[nodiscard]] std::size_t size() const { return used_; }
 
-    /// Of the n-th element that was added; to be called for all of them, once each, after begin_plan().
+    /// Begins a frame: plan() must then be called once for each element that was added, n from 0.
     void begin_plan();
     [[nodiscard]] draw::ElementCount plan(std::size_t n, const GlyphFrameInput& frame);
 
-    /// Of the planned frame, but for barbs.
+    /// Returns the number of glyphs in the planned frame, without barbs.
     [[nodiscard]] std::uint32_t glyphs() const { return static_cast<std::uint32_t>(batch_.instances().size()); }
-    /// For how many sites the n-th element has room; others are merged.
+    /// Returns the number of sites for which the n-th element has room; further sites are merged.
     [[nodiscard]] std::uint32_t sites_of(std::size_t n) const { return slots_[n].fields[0].most_sites(); }
 
     /// What is drawn; runs have the slot of their element.
     [[nodiscard]] const draw::GlyphBatch& batch() const { return batch_; }
-    /// A bit for each element of these roles.
+    /// Returns a bit for each element of these roles.
     [[nodiscard]] std::uint32_t slots_of(const design::CasterRoles& roles) const;
 
-    /// Seen from another eye than the planned one from here on.
+    /// Moves the eye point away from the planned one.
     void set_camera(const glm::dvec3& eye);
 
 private:

@@ -10,7 +10,7 @@
 namespace tedavis::display {
 namespace {
 
-/// A feature on the way, before it is looked for in the picture.
+/// An obstacle ahead, before its place in the picture is known.
 struct MetObstacle {
     const scene::Layer* layer = nullptr;
     std::uint32_t feature = 0;
@@ -18,7 +18,7 @@ struct MetObstacle {
 };
 using MetObstacles = base::FixedVector<MetObstacle, kMaxObstaclePlaces>;
 
-/// Keeps the soonest, in their order.
+/// Keeps the obstacles that are reached first, in their order.
 void keep_soonest(MetObstacles& all, const MetObstacle& met) {
     if (all.full()) {
         if (!(met.ahead_s < all.back().ahead_s)) return;

@@ -1,13 +1,13 @@
-/// The own aircraft's flight as spatial data: its flown way and the air that it has measured, as layers like those of a scene, so
-/// that the techniques for them show them.
+/// The own ship's trail, with the air data measured along it, as layers like those of a scene, so that the same techniques show
+/// them.
 ///
 ///   start(arena) · take(frame) each frame · trail(), winds(): layers that stay at their places
 ///
-/// The trail is a line a part of the way (flight/flight_trail.hpp), up to the own ship, with the attributes of its points
-/// "position_accuracy" and "height_accuracy" (m, 95 %), "wind_speed" (m/s), "temperature" (K); missing where they were not
-/// stated. Where no accuracy was, kUnstatedAccuracy_m is the layer's: unknown must not look certain. Winds stand where they were
-/// measured every kWindEvery points, and at the own ship; there are none while the aircraft states no valid wind. Heights by
-/// pressure are those over MSL on the geoid.
+/// The trail has a line for each of its parts (flight/flight_trail.hpp), up to the own ship. Its points have the attributes
+/// "position_accuracy" and "height_accuracy" (m, 95 %), "wind_speed" (m/s), "temperature" (K), which are missing where they were
+/// not stated. Where no accuracy was stated the layer's accuracy is kUnstatedAccuracy_m: an unknown accuracy must not look
+/// certain. Winds are at the places where they were measured, one for every kWindEvery points, and at the own ship; there are
+/// none while the aircraft states no valid wind. Pressure heights count as heights above the geoid.
 ///
 /// Memory  from an arena, once. Thread  the display's. Failure  start() false where the arena is too small.
 #pragma once
@@ -23,7 +23,7 @@
 namespace tedavis::display {
 
 struct OwnFlightFrame {
-    const flight::FlightTrail* way = nullptr;  ///< null: nobody keeps it, and there is nothing to show
+    const flight::FlightTrail* way = nullptr;  ///< null: no trail is kept, and nothing is shown
     const flight::AircraftState* aircraft = nullptr;
     base::Time now;
 };
@@ -45,7 +45,7 @@ public:
 
     [[nodiscard]] const scene::Layer& trail() const { return trail_; }
     [[nodiscard]] const scene::Layer& winds() const { return winds_; }
-    /// Of winds(), relative to an eye in ECEF; valid until the next call.
+    /// Returns the glyphs of winds(), relative to an eye point in ECEF; valid until the next call.
     [[nodiscard]] base::Span<const scene::SelectedGlyph> wind_glyphs(const glm::dvec3& eye);
 
 private:
@@ -67,7 +67,7 @@ private:
     std::array<base::Span<float>, kAttributes> values_{};
     base::Span<flight::FlownPoint> measured_;  ///< winds, with heights over the ellipsoid
     base::Span<scene::SelectedGlyph> glyphs_;
-    base::Duration ahead_;  ///< of the flight's time before the source's
+    base::Duration ahead_;  ///< the flight's time minus the source's
     std::uint32_t point_count_ = 0, part_count_ = 0, wind_count_ = 0;
 };
 

@@ -1,5 +1,5 @@
-/// What a picture is painted of, from the back to the front: it can be drawn up to each of them, so that every pixel can be told
-/// whose it is.
+/// The layers of a picture, from back to front. A picture can be drawn up to each of them, so that the layer of every pixel can
+/// be determined.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace tedavis::display {
 enum class PictureLayer : std::uint8_t {
     terrain,      ///< with the sky and what foci change of it
     data,         ///< on the ground and over it
-    uncertainty,  ///< of the ground's data, and glyphs that say nothing else; what changes the look of an element is data
+    uncertainty,  ///< of the ground's data, and glyphs that show only uncertainty; what changes the look of an element is data
     labels,       ///< icons, names, diagrams, barbs and cues
     symbology,    ///< instruments, legends and maps beside the picture
 };

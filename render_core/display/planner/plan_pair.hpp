@@ -1,5 +1,5 @@
-/// A planned frame and the planner's memory that goes with it. A display has one pair for the frame that is shown, its planner
-/// another one for the intervals that are decided between frames.
+/// A planned frame and the memory it was planned with. A display has one pair for the frame that is shown, its planner another
+/// one for the intervals that are decided between frames.
 ///
 /// Memory    of the arenas given to start(), in which both stay.
 /// Failure   start() names the budget line that is too small for two pairs.

@@ -1,7 +1,8 @@
-/// All that decides in one frame because of the frames before it. Plain data: to plan a frame again, or one that lies elsewhere,
-/// is to plan it from a copy. A replay keeps copies as the state of the log's decision intervals (flight/decision_interval.hpp).
+/// All state of earlier frames that influences the decisions of a frame. It is plain data: from a copy of it a frame can be
+/// planned again, or planning can continue at another instant. A replay keeps copies as the state of the log's decision intervals
+/// (flight/decision_interval.hpp).
 ///
-/// What the planner keeps besides (chunks that have arrived, geometry that is built) only saves time.
+/// Everything else that the planner keeps (chunks that have arrived, geometry that is built) only saves time.
 #pragma once
 
 #include <algorithm>
@@ -16,16 +17,17 @@
 
 namespace tedavis::display {
 
-/// From the design of one phase to another's: one frame is planned as it was, and kept; the next has the new one.
+/// The transition between the designs of two phases: one frame is planned with the earlier design and kept; the next one has the
+/// new design.
 struct DesignTransition {
     bool keeps = false;        ///< the planned frame is the one that is kept
     std::size_t to = 0;        ///< with it: the place of the next design
     base::Time at{0};          ///< with it
     bool is_first = true;      ///< no frame came before: the phase has its design at once
-    bool fades_next = false;   ///< from the next frame on, from what was kept by hand
+    bool fades_next = false;   ///< a fade from the picture of FramePlanner::keep_scene() begins with the next frame
     base::Time fade_began{0};  ///< with fade_lasts
     bool fade_lasts = false;
-    terrain::View kept_view;  ///< of the scene as it was
+    terrain::View kept_view;  ///< of the kept picture
 
     /// The next frame does not follow the last one.
     void cut() {
@@ -48,16 +50,16 @@ struct PlannerMemory {
     SaliencySchedule saliency;
     effects::FrameBudget budget;
 
-    /// The next frame does not follow the last one: the phase that it is told has its design at once.
+    /// Cuts: the next frame does not continue the last one, and has the design of its phase at once.
     void cut() {
         transition.cut();
         saliency.forget();
         clutter.forget();
     }
-    /// True where a later frame shows the planned one again, or what is measured of it: it must be drawn, even if nobody looks at
-    /// it.
+    /// Returns true where a later frame shows the planned one again, or what is measured of it: it must then be drawn even if it
+    /// is not shown.
     [[nodiscard]] bool must_be_drawn() const { return transition.keeps || saliency.must_be_drawn() || clutter.must_be_drawn(); }
-    /// From when on, besides, frames that must be drawn are a part of the one at `time`.
+    /// Returns the time from which frames that must be drawn influence the frame at `time`.
     [[nodiscard]] base::Time needed_since(base::Time time) const {
         return std::min(saliency.needed_since(time), clutter.needed_since(time));
     }

@@ -1,10 +1,10 @@
 /// When the saliency map of a display's own pictures is measured.
 ///
 /// On es3 every frame that shows it measures it. On es2 the first frame of each decision interval (flight/decision_interval.hpp)
-/// does, as often as it is drawn, and the others show what that one measured: at most so old, and of a picture that stood a
-/// little elsewhere. A frame that measures for later ones must be drawn.
+/// measures it, each time that it is drawn. The others show this map, which is at most one interval old and of a slightly
+/// different view. A frame that measures for later ones must be drawn.
 ///
-/// Plain data: a copy is what one frame leaves to the next. Pure; any thread.
+/// Plain data: a copy is the state that one frame passes to the next. Pure; any thread.
 #pragma once
 
 #include <type_traits>
@@ -16,26 +16,26 @@ namespace tedavis::display {
 
 class SaliencySchedule {
 public:
-    /// `is_asked_for`: by a design that is shown; without, nothing is measured.
+    /// `is_asked_for`: one of the designs requests it; else nothing is measured.
     void start(effects::Lane lane, bool is_asked_for) {
         keeps_ = lane == effects::Lane::es2;
         is_asked_for_ = is_asked_for;
     }
-    /// Of the frame at `now`; `runs`: the plan of effects says so.
+    /// Plans the frame at `now`; `runs`: the effect runs in it.
     void plan(bool runs, base::Time now);
     /// Whether the planned frame shows the map, and whether it measures it.
     [[nodiscard]] bool runs() const { return runs_; }
     [[nodiscard]] bool measures() const { return measures_; }
-    /// Later frames show what the planned one measures.
+    /// Returns true where later frames show what the planned one measures.
     [[nodiscard]] bool must_be_drawn() const { return measures_ && keeps_; }
-    /// From when on frames must have been drawn for the one at `time` to be what it is.
+    /// Returns the time from which frames must be drawn so that the frame at `time` is the same as in a whole run.
     [[nodiscard]] base::Time needed_since(base::Time time) const;
-    /// The planned frame has measured.
+    /// States that the planned frame has measured the map.
     void take() {
         measured_ = now_;
         has_map_ = true;
     }
-    /// The next frame does not follow the last one.
+    /// Forgets the map: the next frame does not continue the last one.
     void forget() { has_map_ = false; }
 
 private:

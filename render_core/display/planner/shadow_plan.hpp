@@ -1,4 +1,4 @@
-/// Whether shadows of data fall in a frame, and how its sun sees what casts them. Pure; any thread.
+/// Plans whether data cast shadows in a frame, and the sun's view in which the casters are drawn. Pure functions; any thread.
 #pragma once
 
 #include "render_core/design/shadow_settings.hpp"
@@ -14,7 +14,7 @@ struct ShadowPlan {
     draw::ShadowFrame frame;
     double top_msl_m = 0;  ///< no caster is higher
     double widest_px = 0;  ///< no shadow is wider in the picture
-    double in_air = 0;     ///< of the light of the air that they take
+    double in_air = 0;     ///< share of the air's light that shadows remove
     std::uint32_t steps = 0;
 };
 

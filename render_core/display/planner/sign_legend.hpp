@@ -1,5 +1,6 @@
-/// The legend's last entry: what signs mean that belong to no scale. Areas and how far their edges may be off, tubes and where
-/// the aircraft may be, broken rims, states of other aircraft, barbs, icons of obstacles, and what sizes and heights stand for.
+/// The legend's last entry: the meaning of signs that belong to no scale. It explains areas and the error of their edges, tubes
+/// and the uncertainty of positions, broken rims, states of other aircraft, barbs, icons of obstacles, and the meaning of sizes
+/// and heights.
 ///
 /// Pure; any thread. Memory  the caller's list; rows beyond kMaxLegendSamples are refused and counted there.
 #pragma once
@@ -10,7 +11,7 @@
 
 namespace tedavis::display {
 
-/// After all entries with scales; none where nothing that is shown asks for it.
+/// Adds the entry, after all entries with scales, if something that is shown needs it.
 void add_sign_legend(const ElementReports& reports, const design::DesignSettings& design, draw::DataLegends& legends) noexcept;
 
 }  // namespace tedavis::display

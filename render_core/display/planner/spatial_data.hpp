@@ -27,20 +27,21 @@ enum class GroundDataState : std::uint8_t {
     out_of_date,  ///< the data's validity has ended, or has not begun
     shown,
 };
-/// Whether a layer's data hold at a time.
+/// Whether a layer's data are valid at a time.
 [[nodiscard]] bool is_valid_at(const scene::Layer& layer, std::int64_t time_ns) noexcept;
-/// The height that a design asks for, else the lowest level.
+/// Returns the height that a design requests, else the lowest level.
 [[nodiscard]] double height_or_lowest_m(double height_m, const scene::Layer& layer) noexcept;
 /// For records: "the scene has no such layer".
 [[nodiscard]] const char* reason_of(GroundDataState state) noexcept;
 
 struct SpatialDataPlan {
     GroundDataState ground = GroundDataState::not_asked_for;
-    std::uint32_t member = scene::kMean;  ///< of the ensemble, that colours the ground
-    std::uint32_t members = 0;            ///< that do so one after the other
+    std::uint32_t member = scene::kMean;  ///< the member of the ensemble that colours the ground
+    std::uint32_t members = 0;            ///< members that do so one after the other
 };
 
-/// What a sentence of start() says of the scene database, to stand behind the file's name; empty for one about other things.
+/// Returns the part of a message of start() that concerns the scene database, to follow the file's name; empty for other
+/// messages.
 [[nodiscard]] std::string_view scene_fault(std::string_view message) noexcept;
 
 class SpatialData {
@@ -48,28 +49,28 @@ public:
     struct Memory {
         base::Arena &scene, &slices;
     };
-    /// Bytes of the budget line scene_data that surely hold a file of so many bytes, and the next one of this size.
+    /// Returns the bytes of the budget line scene_data that suffice for a file of so many bytes, and for a next one of this size.
     [[nodiscard]] static std::uint64_t scene_bytes(std::uint64_t file_bytes) noexcept;
     /// `file`: null for no scene. `most_side`: posts across and down that the ground's map has room for; 0
     /// without terrain.
     [[nodiscard]] base::Error start(base::ByteSource* file, const Memory& memory, std::uint32_t most_side);
     [[nodiscard]] bool has_scene() const { return has_scene_; }
-    /// Empty room for the next scene, as large as that of the one that is shown: half of the arena given to start().
+    /// Returns empty memory for the next scene: half of the arena given to start(); the other half holds the scene that is shown.
     [[nodiscard]] base::Arena& spare();
-    /// Of a larger revision than what is shown.
+    /// Whether a scene has a larger revision than the one that is shown.
     [[nodiscard]] bool is_newer(const scene::Scene& scene) const {
         return !has_scene_ || scene.header().revision > scene_.header().revision;
     }
-    /// Shows a scene that was loaded into spare(), from the next plan() on. False, and nothing changes, unless its revision is
-    /// larger.
+    /// Shows a scene that was loaded into spare(), from the next plan() on. Returns false and changes nothing unless its revision
+    /// is larger.
     [[nodiscard]] bool take(const scene::Scene& scene);
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
 
-    /// What colours the ground from here on, or why nothing does.
+    /// Plans what colours the ground from now on, or states why nothing does.
     [[nodiscard]] SpatialDataPlan plan(const design::DataStyle& design, const flight::FlightTime& time);
-    /// Another number after the texels of the ground, or whether there are any, have changed; 0 before the first.
+    /// Returns a number that changes when the texels of the ground change, appear or disappear; 0 before the first.
     [[nodiscard]] std::uint64_t ground_key() const { return ground_key_; }
-    /// What colours the ground; null for nothing.
+    /// Returns what colours the ground; null for nothing.
     [[nodiscard]] const scene::GridSlice* ground() const { return is_shown_ ? &slice_ : nullptr; }
 
 private:

@@ -1,4 +1,4 @@
-/// Layers that the display makes itself, of what the aircraft states: their names, and what all of them say. Pure.
+/// Layers that the display makes from the signals of the aircraft: their names, and the properties that all of them have. Pure.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace tedavis::display {
 
-/// Valid at any time, of heights over the ellipsoid, from on board.
+/// Fills in a layer that is valid at any time, has heights above the ellipsoid, and comes from on board.
 void name_layer(scene::LayerEntry& entry, std::string_view name, std::string_view title);
-/// Quantitative, by point, without an uncertainty of its own.
+/// Fills in a quantitative attribute with a value for each point, and without an uncertainty of its own.
 void name_attribute(scene::AttributeEntry& entry, std::string_view name, std::string_view unit);
-/// Of the values that are there; both 0 where there are none.
+/// Sets the range to that of the values that are present; both ends are 0 where there are none.
 void set_range(base::Span<const float> values, scene::AttributeEntry& entry);
 
 }  // namespace tedavis::display

@@ -1,5 +1,5 @@
-/// What the symbology of a frame tells of its spatial data (legends, and maps beside the picture) and of the aircraft's speeds.
-/// Pure; any thread.
+/// What the symbology of a frame shows of its spatial data (legends, and maps beside the picture) and of the aircraft's speeds.
+/// Pure functions; any thread.
 #pragma once
 
 #include "render_core/design/aircraft_settings.hpp"
@@ -17,7 +17,7 @@ struct MapsBeside {
     std::uint32_t drawn = 0;  ///< how many, where they are shown
 };
 
-/// References to the display's own.
+/// It refers to the display's objects.
 struct SymbologyData {
     const SpatialData& data;
     const SpatialDataPlan& plan;
@@ -29,11 +29,12 @@ struct SymbologyData {
 /// Fills `symbology`, and says whether there are maps beside the picture.
 [[nodiscard]] GroundDataState add_symbology_data(const SymbologyData& frame, draw::SymbologyInput& symbology) noexcept;
 
-/// The bands of the airspeed tape. None beside another speed than an indicated or calibrated airspeed, of which they are.
+/// Returns the bands of the airspeed tape; none where the tape shows neither indicated nor calibrated airspeed, since the bands
+/// are of these.
 [[nodiscard]] policy::SpeedBands shown_speed_bands(const design::AircraftSettings& aircraft, const flight::AircraftState& state,
                                                    const policy::DisplayDecisions& decisions, base::Time now) noexcept;
 
-/// Maps of the frame that have room.
+/// Returns the number of the frame's maps that have room.
 [[nodiscard]] std::uint32_t maps_drawn(const draw::SymbologyInput& symbology, const draw::Layout& layout) noexcept;
 /// Flags what should be there and has no room, or no data.
 void flag_symbology_data(const draw::SymbologyInput& symbology, const draw::Layout& layout, GroundDataState maps,

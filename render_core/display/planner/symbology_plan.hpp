@@ -1,5 +1,5 @@
-/// The symbology of a planned frame, put into its batch before the signs of the data look for room: legends stand where the
-/// layout has them, and signs where the symbology leaves the picture free. So neither covers the other. Pure; any thread.
+/// Plans the symbology of a frame before the signs of the data: legends are placed by the layout, and signs where the symbology
+/// leaves the picture free, so that neither covers the other. Pure functions; any thread.
 #pragma once
 
 #include "render_core/design/symbology_palette.hpp"
@@ -23,7 +23,7 @@ struct SymbologyFrame {
     flight::LegendShow legend = flight::LegendShow::key;
 };
 
-/// Ordinary text of a display, without what legends ask for.
+/// Returns the height of a display's ordinary text, without what legends request.
 [[nodiscard]] double text_px(const FrameContext& frame, std::uint32_t width, std::uint32_t height);
 
 /// Fills the batch, and flags in the record what should be there and has no room, or no data.

@@ -1,5 +1,5 @@
 /// The terrain as the ground that spatial data stand on: heights of its true surface, or of the plane that it is drawn as, and of
-/// the surface that the frame draws. What is read for an answer is bounded.
+/// the surface that the frame draws. Each query reads a bounded amount.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace tedavis::display {
 
 class TerrainGround final : public scene::Ground, public policy::GroundBound {
 public:
-    /// The terrain must be started, and stay.
+    /// The terrain must have been started, and must outlive the object.
     TerrainGround(TerrainPlanner& terrain, const terrain::View& view) : terrain_(terrain), flat_msl_m_(view.flat_msl_m) {}
 
     [[nodiscard]] double height_m(double latitude_rad, double longitude_rad) override {

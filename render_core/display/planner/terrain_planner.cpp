@@ -213,7 +213,8 @@ terrain::LodSettings TerrainPlanner::lod_settings(const design::DesignSettings& 
     return lod;
 }
 
-/// The view with what is known of the ground close to its eye. Of each view anew: a wider one sees more of the ground below.
+/// Returns the view with what is known of the ground close to its eye point. This is done for each view, since a wider one sees
+/// more of the ground below.
 terrain::View TerrainPlanner::over_ground(terrain::View view) {
     view.ground = terrain::near_ground(heights_, view);
     return view;
@@ -262,8 +263,8 @@ void TerrainPlanner::widen_error(const terrain::View& view, const design::Design
     }
 }
 
-/// Not where they take of the ground's triangles what its accuracy needs. Of what would be drawn if all had arrived, so that no
-/// arrival changes the answer.
+/// Returns false where magnifiers need so many triangles that the ground would be less accurate. It decides by what would be
+/// drawn if all chunks had arrived, so that no arrival changes the result.
 bool TerrainPlanner::can_magnify(const terrain::View& view, const terrain::LodSettings& lod) {
     const terrain::LodResult with = selector_.select(store_, over_ground(view), lod, SelectionKind::ideal, selected_);
     if (!is_short(with)) return true;

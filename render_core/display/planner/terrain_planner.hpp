@@ -1,6 +1,6 @@
-/// Which chunks of the terrain a frame shows, from the database file to the selection; nothing of it touches GL.
+/// Selects the chunks of the terrain that a frame shows, from the database file to the selection; no GL.
 ///
-///   start(...) · plan(camera, design) each frame · seen_from(view): what a painter is given
+///   start(...) · plan(camera, design) each frame · seen_from(view) for the painter
 ///
 /// Memory    the arenas given to start(). Thread  the display's. Failure  start() gives one message; a database that fails later
 ///           leaves coarser terrain and says so in the plan.
@@ -30,36 +30,36 @@ struct TerrainInput {
     base::Workers* workers = nullptr;  ///< for terrain that is traced; null: the display's own thread
 };
 
-/// By budget line.
+/// The arenas, by budget line.
 struct TerrainMemory {
     base::Arena &index, &records, &payloads, &attributes, &drape, &lod, &staging;
 };
 
-/// What becomes of the image drape that a style asks for.
+/// Whether the image drape that a style requests is shown, or why not.
 enum class DrapeState : std::uint8_t {
     not_asked_for,
     shown,
     not_in_database,  ///< it was built without an image: the plain colour is drawn
-    not_on_device,    ///< which has no room for its pages
+    not_on_device,    ///< the device has no room for its pages
 };
 
 /// What plan() found; plain data.
 struct TerrainPlan {
     terrain::LodResult lod;
-    std::uint32_t pending = 0;    ///< chunks wanted and not there yet
+    std::uint32_t pending = 0;    ///< chunks that were requested and have not arrived
     bool has_void = false;        ///< ground without data in view
     bool is_late = false;         ///< the file answers too slowly
-    bool is_failing = false;      ///< parts of it cannot be had
-    bool is_unmagnified = false;  ///< the view's magnifiers left no room for it, and it is planned without
+    bool is_failing = false;      ///< parts of it cannot be read
+    bool is_unmagnified = false;  ///< it is planned without the view's magnifiers, which left no room for it
 };
 
-/// The same where the terrain is traced: everything that the database has is drawn, whatever has arrived of its chunks.
+/// Returns the plan of traced terrain: the whole database is drawn, no matter which chunks have arrived.
 [[nodiscard]] TerrainPlan as_traced(TerrainPlan plan);
 
-/// What a sentence of start() says of the database, to stand behind the file's name; empty for a sentence about other things.
+/// Returns the part of a message of start() that concerns the database, to follow the file's name; empty for other messages.
 [[nodiscard]] std::string_view database_fault(std::string_view message);
 
-/// The terrain of one camera, as a painter draws it. The chunks must stay: until the next plan().
+/// The terrain of one camera, as a painter draws it. The chunks are valid until the next plan().
 struct SeenTerrain {
     base::Span<const terrain::SelectedChunk> chunks;
     draw::DepthPlan depth;   ///< the ranges in which they are drawn
@@ -71,22 +71,22 @@ struct SeenTerrain {
 class TerrainPlanner final : public terrain::DrawnMeshes {
 public:
     [[nodiscard]] static std::uint32_t reader_tickets(const effects::DeviceSettings& device);
-    /// Bytes of the budget line lod_scratch for so many slots of chunks.
+    /// Returns the bytes of the budget line lod_scratch for so many slots of chunks.
     [[nodiscard]] static std::uint64_t lod_bytes(std::uint32_t slots);
 
-    /// For designs that follow one another; the first is drawn first.
+    /// Starts for the designs that the display changes between; the first is drawn first.
     [[nodiscard]] base::Error start(const TerrainInput& input, draw::DrawnDesigns designs, effects::DeviceSettings& device,
                                     const TerrainMemory& memory);
     [[nodiscard]] bool is_started() const { return started_; }
-    /// What the painter has made ready, before the first plan(): whether attribute pages are drawn, and whether it can trace.
+    /// Takes the abilities of the painter, before the first plan(): whether attribute pages are drawn, and whether it can trace.
     void follow_painter(bool reads_pages, draw::TraceState tracer);
-    /// From here on this design.
+    /// Plans for this design from now on.
     void set_design(const draw::DrawnDesign& design);
 
     [[nodiscard]] DrapeState drape(const design::TerrainStyle& style) const {
         return needs_map(style, design::BakedMap::drape) ? drape_ : DrapeState::not_asked_for;
     }
-    /// What becomes of tracing in the planned frame, where the design that is drawn wants it.
+    /// Whether the planned frame is traced where its design requests it, or why not.
     [[nodiscard]] draw::TraceState trace_state() const { return trace_; }
     [[nodiscard]] bool is_traced() const { return trace_ == draw::TraceState::traced; }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
@@ -96,30 +96,30 @@ public:
     [[nodiscard]] const terrain::TerrainStore& store() const { return store_; }
     [[nodiscard]] terrain::ChunkIndices& chunk_indices() { return chunk_indices_; }
 
-    /// Chooses the chunks of this frame from what is there, and asks for what the view needs. `tau_factor`: of the error
-    /// that the design allows.
+    /// Selects the chunks of this frame from those that have arrived, and requests those that the view needs. `tau_factor`:
+    /// factor of the error that the design allows.
     [[nodiscard]] TerrainPlan plan(const Camera& camera, const design::DesignSettings& design, double tau_factor = 1);
-    /// After plan(): of the chosen chunks seen from elsewhere, too, where that makes the worst error greater.
+    /// Raises the worst error to that of the selected chunks in another view, if it is greater there; to be called after plan().
     void widen_error(const terrain::View& view, const design::DesignSettings& design, terrain::LodResult& lod);
-    /// Instead of plan() in a frame without terrain: what has arrived later follows from such frames as well.
+    /// Replaces plan() in a frame without terrain: which chunks have arrived later depends on such frames, too.
     void rest();
 
-    /// Instead of plan() in a frame that shows no terrain because the own ship is outside of the database: asks for what the view
+    /// Replaces plan() in a frame that shows no terrain because the own ship is outside of the database: requests what the view
     /// needs, so that it has arrived when the own ship comes over the terrain.
     void approach(const Camera& camera, const design::DesignSettings& design, double tau_factor);
 
-    /// What plan() chose, for a painter; nothing before start().
+    /// Returns what plan() selected, for a painter; empty before start().
     [[nodiscard]] SeenTerrain seen_from(const terrain::View& view) const;
-    /// Depth of the farthest point that is drawn; 0 when nothing is.
+    /// Returns the depth of the farthest point that is drawn; 0 where nothing is drawn.
     [[nodiscard]] double farthest_depth_m(const terrain::View& view) const;
-    /// No ground in the picture is farther from the eye.
+    /// Returns a distance from the eye beyond which there is no ground in the picture.
     [[nodiscard]] double farthest_m(const terrain::View& view) const;
-    /// Nor is any nearer.
+    /// Returns a distance from the eye within which there is no ground in the picture.
     [[nodiscard]] double nearest_m(const terrain::View& view) const;
 
-    /// The drawn surface at a place, for what stands on the ground; after plan().
+    /// Returns the drawn surface at a place, for what stands on the ground; to be called after plan().
     [[nodiscard]] terrain::DrawnPoint drawn_point(double latitude_rad, double longitude_rad);
-    /// Over the surface of this frame; after plan(). The view must stay.
+    /// Returns lines of sight over the surface of this frame; to be called after plan(). The view must stay valid.
     [[nodiscard]] terrain::LineOfSight sight(const terrain::View& view) { return {database_.lattice(), selected(), *this, view}; }
     [[nodiscard]] base::Span<const terrain::ChunkVertex> vertices(const terrain::SelectedChunk& chunk) override;
     [[nodiscard]] base::Span<const std::uint16_t> stored_indices(const terrain::SelectedChunk& chunk) override;

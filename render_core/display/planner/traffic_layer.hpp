@@ -29,7 +29,7 @@ public:
     TrafficLayer& operator=(const TrafficLayer&) = delete;
 
     [[nodiscard]] bool start(base::Arena& arena);
-    /// `ahead`: of the flight's time, which the layer's times are in, before the source's.
+    /// `ahead`: the flight's time, in which the layer states times, minus the source's time.
     void take(const flight::Traffic& traffic, base::Duration ahead);
 
     [[nodiscard]] const scene::Layer& layer() const { return layer_; }

@@ -1,6 +1,6 @@
-/// How far the eye has come from one view mode to another: by the time of the source, at an even rate, so that the same instants
-/// give the same ways. To and from the orthographic view there is no way: back from the own ship it would lead through the
-/// terrain. Plain data; a copy is a checkpoint.
+/// The progress of the camera from one view mode to another: at a constant rate of the source's time, so that equal instants give
+/// equal positions. The orthographic view is entered and left without a transition, since a path back from the own ship would
+/// lead through the terrain. Plain data; a copy is a checkpoint.
 #pragma once
 
 #include <type_traits>
@@ -12,13 +12,14 @@ namespace tedavis::display {
 
 class ViewTransition {
 public:
-    /// Once a frame. The first frame is there at once; so is a frame before the last one, later than it by more than a whole way,
-    /// or at its very instant but in another mode: time that stands still leaves no way to be seen.
+    /// Advances the transition; to be called once per frame. The first frame has the requested mode at once. So has a frame that
+    /// is earlier than the last one, later than it by more than a whole transition, or at the same instant but in another mode:
+    /// while time stands still no transition can be seen.
     void step(design::ViewMode wanted, double whole_way_s, base::Time now) noexcept;
-    /// Leaves out the rest of the way.
+    /// Completes the transition at once.
     void arrive() noexcept;
 
-    /// Of the way from 3D to the map, 0..1; 1 in the orthographic view too, which is as far away.
+    /// Returns the share of the transition from 3D to the map, 0..1; it is 1 in the orthographic view, too, which is as far away.
     [[nodiscard]] double map_share() const { return map_share_; }
     [[nodiscard]] bool is_under_way() const { return map_share_ != goal(); }
 

@@ -1,4 +1,4 @@
-/// Upper bounds of what effects of the view change in a picture, by how near and how far what it shows is. Pure; any thread.
+/// Upper bounds of what effects of the view change in a picture, from the distances of what it shows. Pure functions; any thread.
 #pragma once
 
 #include "render_core/design/design_settings.hpp"
@@ -14,13 +14,13 @@ struct SeenSpan {
     double farthest_m = std::numeric_limits<double>::infinity();
 };
 
-/// Part of full scale by which haze may change a colour as far away as `farthest_m`.
+/// Returns the part of full scale by which haze may change a colour as far away as `farthest_m`.
 [[nodiscard]] double haze_bound(double haze_per_m, double farthest_m) noexcept;
-/// The same of air: as dense all the way as at sea level.
+/// Returns the same for air, which is assumed to be as dense everywhere as at sea level.
 [[nodiscard]] double air_bound(const design::AirSettings& air, double farthest_m) noexcept;
-/// By distance, or as far as what is shown of the role reaches.
+/// Returns the range in focus, by distance or by what is shown of a role.
 [[nodiscard]] draw::FocusRange focus_of(const design::DepthOfField& field, const ElementPlanner& elements, const glm::dvec3& eye);
-/// The widest blur, in pixels, of what is seen.
+/// Returns the widest blur, in pixels, of what is seen.
 [[nodiscard]] double blur_bound(const draw::FocusRange& focus, const SeenSpan& seen) noexcept;
 
 }  // namespace tedavis::display

@@ -28,7 +28,7 @@ float icon_px(const ElementInput& input, std::uint32_t feature, const SignView& 
     return std::clamp(static_cast<float>(size_m * view.view.focal_px / distance_m), least, greatest);
 }
 
-/// A runway's sign gives way to the runway itself.
+/// Returns the opacity of a sign: a runway's sign fades out at the distance at which the runway itself is seen.
 double sign_share(const ElementInput& input, double distance_m) {
     if (input.layer.entry->role != scene::LayerRole::runway) return 1;
     return std::clamp((distance_m - kRunwaySignFrom_m) / (kRunwaySignWhole_m - kRunwaySignFrom_m), 0.0, 1.0);

@@ -1,10 +1,10 @@
 /// Draws other flights that are shown beside this one for comparison: layers of lines of the role `ghost`.
 ///
 /// Each has an aeroplane at the place of the frame's time (between its points, in proportion of time), its name beside it, and
-/// its way as a thin line: whole for kGhostFlown_s behind it, and faint for kGhostComes_s before it. Seen from above the
-/// aeroplane flies where the way leads. `link` draws a line down to the ground. A ghost states nothing about the own flight: it
-/// has no relative height, no arrow, no age, and the color of its element. Before its first point, after its last one, and where
-/// its points have no times, it is hidden.
+/// its path as a thin line: solid for kGhostFlown_s behind it, and faint for kGhostComes_s ahead of it. Seen from above the
+/// aeroplane points along the path. `link` draws a line down to the ground. A ghost states nothing about the own flight: it has
+/// no relative height, no arrow, no age, and the colour of its element. Before its first point, after its last one, and where its
+/// points have no times, it is hidden.
 ///
 /// Terrain hides the line pixel by pixel, and the aeroplane where it is behind it. Signs that were placed before, those of
 /// traffic and of obstacles among them, are never covered by an aeroplane; a name without room is left out.

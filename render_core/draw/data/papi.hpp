@@ -1,10 +1,10 @@
 /// A precision approach path indicator: four lights beside the aiming point, on the left, that tell by their colours whether the
 /// own ship is above or below the approach path.
 ///
-/// Seen from above its own angle a light is white, else red. For a path of 3 degrees the angles are 3.5, 3.17, 2.83 and 2.5
+/// A light is white from above its own angle, red from below. For a path of 3 degrees the angles are 3.5, 3.17, 2.83 and 2.5
 /// degrees from the runway outwards (ICAO Annex 14, Volume I, 5.3.5 and figure 5-20): on the path the two nearest to the runway
 /// are red and the two others white. For another path they are shifted with it. Colour is not the only cue: a white light is a
-/// square, a red one a lying bar of half its height.
+/// square, a red one a horizontal bar, half as high.
 ///
 /// Pure functions; any thread.
 #pragma once
@@ -25,7 +25,7 @@ using PapiLights = std::array<bool, kPapiLights>;
 /// `angle_deg`: elevation of the own ship above the lights' horizontal.
 [[nodiscard]] PapiLights papi_lights(double angle_deg, double path_deg = kPapiPath_deg);
 
-/// Whether the lights are seen from so far before them along the approach, and so far beside it. False for NaN.
+/// Whether the lights are visible `before_m` ahead of them along the approach and `aside_m` beside it. False for NaN.
 [[nodiscard]] bool is_papi_seen(double before_m, double aside_m);
 
 }  // namespace tedavis::draw

@@ -1,6 +1,6 @@
 /// Positions and colours of a scene's features.
 ///
-/// Pure, apart from queries to the ground. Bounded. Thread  the ground's.
+/// Pure, apart from queries to the ground. Bounded. To be called on the thread that owns the ground.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -24,7 +24,7 @@ struct Placed {
     double height_m = 0;    ///< over the ellipsoid
     bool is_known = false;  ///< false: the ground that the position refers to is unknown
 };
-/// Returns the position of a height in the layer's datum; NaN means on the ground.
+/// Returns the position. `height_m` is in the layer's datum; NaN: on the ground.
 [[nodiscard]] Placed placed(const ElementInput& input, double latitude_rad, double longitude_rad, double height_m);
 [[nodiscard]] Placed placed(const ElementInput& input, const scene::ScenePoint& point);
 /// The same for a height above the ground.
@@ -35,17 +35,17 @@ struct Placed {
 
 /// Returns the colour of an encoding at value n of its attribute: `plain` where the element has no such encoding; the colour of
 /// missing data where the layer has no such attribute, the value is missing, or a nominal palette has no such class. Outside a
-/// focus it is changed as its look states (layer_foci.hpp); n is then a feature.
+/// focus the colour is changed as the focus's look states (layer_foci.hpp); n must then be the index of a feature.
 [[nodiscard]] design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding, std::size_t n);
-/// Returns the uncertainty of the element's coloured value; without one, that of the layer's first attribute with an
-/// uncertainty; certain where none is stated.
+/// Returns the uncertainty of the element's coloured value; without one, that of the layer's first attribute with an uncertainty;
+/// where none is stated it counts as certain.
 [[nodiscard]] scene::Uncertainty encoded_uncertainty(const ElementInput& input, std::size_t n);
 /// Growth of the uncertainty that encoded_uncertainty() returns.
 [[nodiscard]] double uncertainty_growth_per_hour(const ElementInput& input);
 
 [[nodiscard]] design::Color encoded_color(const ElementInput& input, const design::ColorEncoding& encoding,
                                           const scene::PointOfFeature& of);
-/// The uncertainty of what an encoding shows; for a plain colour that of the function above.
+/// The uncertainty of what an encoding shows; for a plain colour the result of the overload above.
 [[nodiscard]] scene::Uncertainty encoded_uncertainty(const ElementInput& input, const design::ColorEncoding& encoding,
                                                      const scene::PointOfFeature& of);
 

@@ -46,15 +46,15 @@ struct TerrainDrawInput {
 
 class TerrainDrawer {
 public:
-    /// For chunks without attribute pages, with them, and with a coast as well. Of codes: sea and void by the vertices, land
-    /// alone, a coast by the pages.
+    /// Programs for chunks without attribute pages, with them, and with a coast as well; where codes are drawn, for sea and void
+    /// by the vertices, land alone, and a coast by the pages.
     static constexpr std::size_t kPageVariants = 3;
 
-    /// For chunks that lie in focus as a whole, or where there is none, and for the others.
+    /// Programs for chunks that lie in a focus as a whole, or without any focus, and for the others.
     static constexpr std::size_t kFocusVariants = 2;
 
-    /// Of each design, as its weights leave it and with raised ones; of one with foci also for frames in which none is
-    /// anywhere, and of one that magnifies for what is magnified.
+    /// Styles of each design, with its stated weights and with raised ones; for a design with foci also those of frames in which
+    /// no focus has a position, and for a design that magnifies those of what is magnified.
     static constexpr std::size_t kMaxStyles = 8 * (design::kMaxPhaseDesigns + 1);
 
     /// Prepares the designs that a running display changes between; the first is the initial one. Store and index lists must

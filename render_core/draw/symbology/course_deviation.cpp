@@ -185,7 +185,7 @@ void build_course_texts(const Painter& painter, const CompassRose& rose, const S
     const DeviationScale scale = deviation_scale(input.guidance.navigation_source, input.phase.presented);
     const auto is_old = [&](Element element) { return input.decisions[element].show == ElementShow::flagged; };
     const bool is_stale = is_old(Element::course) || is_old(Element::lateral_deviation);
-    // Where there are three rows, the scale's name gives way.
+    // Where there are three rows, the scale's name is left out.
     const int stale_row = rose.rows - 1;
     if (is_stale) write(stale_row, short_words_or_none("STALE"), painter.color(SymbolRole::caution));
     if (has_deviation && !scale.name.empty() && !(is_stale && stale_row == 2))

@@ -132,7 +132,7 @@ void add_rose(Layout& layout) {
     layout.attitude.height = layout.heading.y - gap - layout.attitude.y;
 }
 
-/// Beside the rose, which keeps the width of its card and texts; else above the attitude, which gives way.
+/// Beside the rose, which keeps the width of its card and texts; else above the attitude, which becomes smaller.
 void add_key(Layout& layout, std::size_t entries) {
     const float t = layout.text_px, gap = kGap * t, center = layout.screen.center().x;
     const float picture_px2 = layout.screen.width * layout.screen.height;

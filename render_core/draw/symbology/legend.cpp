@@ -1,7 +1,7 @@
 // What the colours mean: above, the values of the palette with samples of sea, missing data and the outside of the database;
 // below, the warning bands with the heights relative to the own ship at which they begin and by how much they are lowered for the
-// vertical uncertainty. Stacked at the foot of its box; the layout gives it room on every
-// screen, for the bar of values gives way to the bands.
+// vertical uncertainty. Stacked at the foot of its box; the layout gives it room on every screen, since the bar of values
+// becomes shorter where the bands need room.
 #include <algorithm>
 #include <cmath>
 

@@ -21,7 +21,7 @@ struct VerticalTape {
     double span = 100;       ///< units over the whole height
     double minor_step = 10;  ///< units between two ticks
     int majors = 2;          ///< number of minor steps from one number to the next
-    /// Every how many minor steps a tick is bold (two strokes); every second of these has three strokes. 0: none.
+    /// Minor steps between bold ticks (two strokes); every second bold tick has three strokes. 0: none.
     int emphasis = 0;
     RollingFormat readout;
     bool ticks_right = false;  ///< ticks on the right edge of the box, numbers left of them; else the other way round
@@ -35,7 +35,7 @@ struct VerticalTape {
 /// Draws nothing if the value is absent.
 void build_vertical_tape(const Painter& painter, const VerticalTape& tape);
 
-/// Where the parts of a tape are placed; the scale has the room that the rows leave.
+/// Where the parts of a tape are placed; the scale takes the space that the rows leave free.
 struct TapeLayout {
     Rect selected, label, minimum;
     TapeScale scale;
@@ -45,7 +45,7 @@ struct TapeLayout {
 };
 [[nodiscard]] TapeLayout tape_layout(const Painter& painter, const VerticalTape& tape) noexcept;
 
-/// Cuts a row off the top of a box.
+/// Removes a row from the top of the box and returns it.
 [[nodiscard]] Rect take_top(Rect& box, float height) noexcept;
 
 }  // namespace tedavis::draw

@@ -1,8 +1,8 @@
 /// Finds the first hit of a ray with the surface of one cell, for every surface of surface/.
 ///
 /// A hit is decided by the signs of the heights above the surface (patch and micro-structure) at both ends of the segment, then
-/// by the search between; never by a discriminant alone (NUMERICS A20). Ends on the side of a cell are equal bit for bit in its
-/// neighbour, so no ray passes between cells.
+/// by the search between; never by a discriminant alone. Ends on the side of a cell are equal bit for bit in its neighbour, so no
+/// ray passes between cells.
 ///
 /// | surface | between the ends | error of s |
 /// |---|---|---|

@@ -2,9 +2,9 @@
 /// 2005; the thesis's default, 6.2.2.2): a fast method that only needs the surface's height at a point.
 ///
 /// What goes wrong: whatever is thinner along the ray than a step is passed over; near the horizon 2.83-cell steps got 2.8 % of
-/// rays wrong by more than a cell, 0.35-cell steps 0.37 % (NUMERICS finding 5), and halvings mend none of those, as they only
-/// make the place of what was found precise: to the step times 2^-halvings. Within leaf cells of a mipmap whose bounds are those
-/// of the function (search_surface.hpp) steps are fractions of a cell and no cell is passed over.
+/// rays wrong by more than a cell, 0.35-cell steps 0.37 %. Halvings correct none of these, since they only refine the place of a
+/// hit that was found, to the step times 2^-halvings. Within leaf cells of a mipmap whose bounds are those of the function
+/// (search_surface.hpp) steps are fractions of a cell and no cell is passed over.
 ///
 /// Pure; any thread; steps + halvings + 1 heights.
 #pragma once
@@ -15,7 +15,7 @@
 namespace tedavis::raytrace {
 
 struct UniformSearch {
-    /// More halvings say nothing: a float has no more digits (NUMERICS A23).
+    /// More halvings have no effect: a float has no more digits.
     static constexpr std::uint32_t kMaxHalvings = 24;
 
     std::uint32_t steps = 4;      ///< 1 or more

@@ -1,5 +1,5 @@
 /// Inverse trigonometric functions from additions, multiplications, divisions and square roots alone. Unlike those of the C
-/// library (NUMERICS finding 2), they give the same bits on every machine, and so do maps computed from them.
+/// library, they give the same bits on every machine, and so do maps computed from them.
 #pragma once
 
 #include <glm/vec2.hpp>

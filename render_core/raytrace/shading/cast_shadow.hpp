@@ -1,9 +1,9 @@
 /// Cast shadows: whether the terrain hides the light from a point of the surface, by one ray to the light.
 ///
 /// The ray must not hit its own surface because of rounding, and must not start so high that light leaks below neighbouring
-/// terrain. So it starts on the surface itself (not at the hit of the view ray, whose rounding error grows with the distance)
-/// and is lifted by a bound of the rounding errors of the tracer (Pharr, Jakob and Humphreys 2023, 6.8), not by a fixed length
-/// (Dammertz and Keller 2006; NUMERICS A22).
+/// terrain. So it starts on the surface itself (not at the hit of the view ray, whose rounding error grows with the distance) and
+/// is lifted by a bound of the rounding errors of the tracer (Pharr, Jakob and Humphreys 2023, 6.8), not by a fixed length
+/// (Dammertz and Keller 2006).
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,9 +1,9 @@
 /// The surface of one cell as a bicubic patch through its posts (Catmull and Rom 1974: slope at a post is half the difference of
 /// its neighbours), in Bezier form: 4 x 4 control heights whose hull holds the patch (Farin, Curves and Surfaces for CAGD, 4).
 ///
-/// The patch overshoots its posts by up to 28.125 % of the range of the sixteen (NUMERICS finding 4), so the maximum of the
-/// cell's four posts is not a bound. The surface is defined by what at() returns: every interpolation is clamped between its
-/// two heights, so that rounding cannot leave the hull, and bounds hold bit for bit.
+/// The patch overshoots its posts by up to 28.125 % of the range of the sixteen, so the maximum of the cell's four posts is not a
+/// bound. The surface is defined by what at() returns: every interpolation is clamped between its two heights, so that rounding
+/// cannot leave the hull, and bounds hold bit for bit.
 ///
 /// u and v, 0..1, run from the cell's first post along its row and its column. Edges of neighbouring cells are equal, bit for
 /// bit.

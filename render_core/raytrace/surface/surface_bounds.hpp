@@ -1,8 +1,8 @@
 /// Bounds of every cell for a HeightMipmap, for any surface over the posts.
 ///
-/// A bound is that of the cell's patch (cell_patch.hpp; for a cubic one the extreme control height), enlarged by the amplitude
-/// of the micro-structure and rounded outwards to Height. No height of CellPatch::at() plus micro_structure_at() exceeds it
-/// (NUMERICS A24, findings 4 and 8). The highest of the four posts would not be a bound of a bicubic surface.
+/// A bound is that of the cell's patch (cell_patch.hpp; for a cubic one the extreme control height), enlarged by the amplitude of
+/// the micro-structure and rounded outwards to Height. No height of CellPatch::at() plus micro_structure_at() exceeds it. The
+/// highest of the four posts would not be a bound of a bicubic surface.
 ///
 /// Cost: 16 posts and about 50 operations per cell for cubic surfaces.
 #pragma once

@@ -57,6 +57,22 @@ TEST(SwitchDebounce, bounces_shorter_than_the_stable_time_never_count) {
     EXPECT_EQ(debounce.levels(at_ms(630)).high, 1u);
 }
 
+TEST(SwitchDebounce, lines_are_settled_when_none_of_them_is_about_to_change) {
+    SwitchDebounce debounce(kStable);
+    EXPECT_TRUE(debounce.are_settled(0b11, at_ms(0))) << "nothing is known of them";
+    debounce.add(edge(0, 0, false));
+    debounce.add(edge(0, 1, false));
+    EXPECT_TRUE(debounce.are_settled(0b11, at_ms(0))) << "first levels";
+    debounce.add(edge(100, 1, true));
+    EXPECT_TRUE(debounce.are_settled(0b01, at_ms(110)));
+    EXPECT_FALSE(debounce.are_settled(0b11, at_ms(129)));
+    EXPECT_TRUE(debounce.are_settled(0b11, at_ms(130)));
+    debounce.add(edge(200, 1, false));
+    EXPECT_FALSE(debounce.are_settled(0b10, at_ms(200)));
+    debounce.add(edge(210, 1, true));
+    EXPECT_TRUE(debounce.are_settled(0b10, at_ms(210))) << "it came back";
+}
+
 TEST(SwitchDebounce, restating_a_level_does_not_start_its_time_again) {
     SwitchDebounce debounce(kStable);
     debounce.add(edge(0, 0, false));

@@ -107,6 +107,65 @@ TEST(SwitchToPhase, one_impossible_pattern_after_another_does_not_restart_the_se
     EXPECT_EQ(panel.at(1230), "ground!");
 }
 
+/// The phases that a panel shows, millisecond by millisecond, when its lines go from one pattern to another in the given order,
+/// `apart_ms` between two of them.
+std::vector<std::string> shown_between(const SwitchConfig& config, std::uint32_t from, std::uint32_t to,
+                                       const std::vector<int>& order, int apart_ms) {
+    Panel panel(config);
+    panel.start(from);
+    std::vector<std::string> phases{panel.at(999)};
+    int at_ms = 1000;
+    for (const int line : order) {
+        if (((from ^ to) >> line & 1u) == 0) continue;
+        for (int before = at_ms - apart_ms; before < at_ms; ++before) phases.push_back(panel.at(std::max(before, 999)));
+        panel.set(at_ms, line, (to >> line & 1u) != 0);
+        at_ms += apart_ms;
+    }
+    for (int ms = at_ms - apart_ms; ms < at_ms + 300; ++ms) phases.push_back(panel.at(ms));
+    phases.erase(std::unique(phases.begin(), phases.end()), phases.end());
+    return phases;
+}
+
+TEST(SwitchToPhase, a_panel_whose_supply_fails_shows_no_other_phase_in_whatever_order_its_lines_fall) {
+    const SwitchConfig config = config_from(shipped_text("coded_parity.toml"));
+    for (const SwitchPattern& pattern : config.patterns) {
+        std::vector<int> order{0, 1, 2, 3, 4};
+        do {
+            const std::vector<std::string> phases = shown_between(config, pattern.high, 0, order, 2);
+            ASSERT_EQ(phases.size(), 2u) << pattern.high;
+            EXPECT_EQ(phases[1], phases[0] + "!");
+        } while (std::next_permutation(order.begin(), order.end()));
+    }
+}
+
+TEST(SwitchToPhase, between_two_positions_whose_lines_change_apart_there_is_no_third_one) {
+    const SwitchConfig config = config_from(shipped_text("coded_parity.toml"));
+    const std::vector<int> up{0, 1, 2, 3, 4}, down{4, 3, 2, 1, 0};
+    for (const SwitchPattern& from : config.patterns)
+        for (const SwitchPattern& to : config.patterns)
+            for (const auto& order : {up, down})
+                EXPECT_LE(shown_between(config, from.high, to.high, order, 9).size(), 2u) << from.high << " to " << to.high;
+}
+
+TEST(SwitchToPhase, lines_that_change_farther_apart_than_the_debounce_time_show_what_lies_between) {
+    const SwitchConfig config = config_from(shipped_text("coded_parity.toml"));
+    const std::vector<std::string> phases = shown_between(config, 0b11001, 0, {0, 3, 4, 1, 2}, 40);
+    EXPECT_EQ(phases, (std::vector<std::string>{"approach", "ground", "ground!"})) << "so the test above can fail";
+}
+
+TEST(SwitchToPhase, a_line_that_bounces_and_comes_back_keeps_no_position_away) {
+    Panel panel(config_from(shipped_text("coded_parity.toml")));
+    panel.start(0b11001);
+    for (int ms = 1000; ms < 2000; ms += 10) {
+        if (ms == 1500) {
+            EXPECT_EQ(panel.at(1499), "approach");
+            panel.set(ms, 0, false).set(ms, 3, false);
+        }
+        panel.set(ms, 1, ms / 10 % 2 == 0);
+    }
+    EXPECT_EQ(panel.at(1999), "ground");
+}
+
 TEST(SwitchToPhase, edges_of_one_instant_are_one_pattern) {
     const SwitchConfig config = config_from(
         "debounce_ms = 0\nsettle_ms = 0\n[[line]]\nchip='p'\nname='A'\n[[line]]\nchip='p'\nname='B'\n"

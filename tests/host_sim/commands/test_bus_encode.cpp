@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bus/canaerospace/message_decoder.hpp"
+#include "bus/candump/candump_line.hpp"
+#include "host_sim/input_file.hpp"
+#include "host_sim/shipped_files.hpp"
 #include "tests/support/programs/command_run.hpp"
 #include "tests/support/programs/expect_user_error.hpp"
 
@@ -33,6 +37,39 @@ TEST(BusEncode, WritesPhases) {
     EXPECT_THAT(encode({"phase=approach.final"}).results, HasSubstr("726#091000002B0001FF")) << "2B hex: 43; FMS";
     EXPECT_THAT(encode({"phase=approach.final", "phase_origin=pilot"}).results, HasSubstr("726#091000002B0002FF"));
     EXPECT_EQ(encode({"phase=cruise"}, true).json()["lines"].size(), 1u);
+}
+
+/// The fourth byte; the halves of a position and repeated values count on, and 0 follows 255.
+TEST(BusEncode, TheMessageCodeCanBeStated) {
+    BusEncodeOptions options;
+    options.values = {"pitch_deg=5", "phase=cruise", "phase=cruise", "latitude_deg=47.2602"};
+    options.code = 255;
+    const auto run = test_support::run_command([&](Console& console) { return run_bus_encode(options, console); });
+    for (const char* const frame : {"137#090200FF", "726#091000FF", "726#09100000", "40C#091E00FF", "40C#091F0000"})
+        EXPECT_THAT(run.results, HasSubstr(frame));
+}
+
+/// As the guide says: of three messages a second apart the receiver takes the first alone, unless their codes count.
+TEST(BusEncode, AReceiverDropsMessagesWithTheCodeBefore) {
+    const std::string path = resolve_config("canaerospace", "buses");
+    const auto settings = bus::load_bus_settings(read_file(path), path);
+    ASSERT_TRUE(settings.ok());
+    bus::MessageDecoder decoder(settings.value());
+    const auto taken = [&](double at_s, unsigned code) {
+        BusEncodeOptions options;
+        options.values = {"phase=cruise"};
+        options.at_s = at_s;
+        options.code = code;
+        const auto run = test_support::run_command([&](Console& console) { return run_bus_encode(options, console); });
+        bus::CanFrame frame;
+        const std::string line = run.results.substr(0, run.results.find('\n'));
+        EXPECT_EQ(bus::parse_candump_line(line, frame).kind, bus::LineKind::frame);
+        return decoder.decode(frame).kind == bus::MessageKind::phase;
+    };
+    EXPECT_TRUE(taken(10, 0));
+    EXPECT_FALSE(taken(11, 0));
+    EXPECT_FALSE(taken(12, 0));
+    for (unsigned n = 0; n < 4; ++n) EXPECT_TRUE(taken(20 + n, n)) << n;
 }
 
 TEST(BusEncode, AllThatIsWrongIsToldAtOnceAndNothingIsPrinted) {

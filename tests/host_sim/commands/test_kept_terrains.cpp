@@ -54,7 +54,7 @@ protected:
 TEST_F(KeptTerrains, AreListedByTheirLastUse) {
     const std::string old = keep("old", 100, 50), fresh = keep("fresh", 10, 1), middle = keep("middle", 20, 9);
     EXPECT_THAT(paths(), ElementsAre(fresh, middle, old));
-    note_terrain_use(old);
+    record_terrain_use(old);
     EXPECT_THAT(paths(), ElementsAre(old, fresh, middle));
     EXPECT_EQ(kept_terrains(folder_)[0].bytes, 100u);
     EXPECT_TRUE(kept_terrains(folder_ + "/none").empty());

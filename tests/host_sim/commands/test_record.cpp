@@ -41,14 +41,15 @@ protected:
         options_.input = place_.file("steps.log");
         options_.output = place_.file("s.toml");
     }
-    void make_steps() {
+    void make_steps(const std::string& steps = kSteps) {
         ScriptFaults faults;
-        const FlightTest test = read_flight_test(place_.write("steps.toml", kSteps), {}, faults);
+        const FlightTest test = read_flight_test(place_.write("steps.toml", steps), {}, faults);
         ASSERT_TRUE(faults.empty());
         std::ostringstream log;
         write_step_log(test, log, "steps.log");
         place_.write("steps.log", log.str());
-        options_.switches = place_.write("steps.switches", step_switch_log(test));
+        if (const std::string edges = step_switch_log(test); !edges.empty())
+            options_.switches = place_.write("steps.switches", edges);
     }
     CommandRun verify() const {
         VerifyOptions options;
@@ -186,12 +187,54 @@ TEST_F(Record, APartOfTheShippedFlightIsExpectedAsItIs) {
     EXPECT_EQ(run.code, 0) << run.results << script;
 }
 
+/// Without edits. In the first two there is a scene and no terrain, at the ground and in flight; in the third the flag
+/// terrain.tau_raised is there for two frames; in the last two obstacles are watched for, and are not.
+TEST_F(Record, StretchesOfTheShippedFlightHoldUnedited) {
+    const struct {
+        const char* terrain;
+        double from_s, to_s;
+        const char* says;
+    } kStretches[] = {{"", 0, 4, "phase = \"ground\""},
+                      {"", 150, 154, "phase = \"approach"},
+                      {"jacksboro", 134, 138, "terrain.tau_raised goes"},
+                      {"jacksboro", 0, 4, "obstacle_alert = \"not_watching\""},
+                      {"jacksboro", 120, 124, "obstacle_alert = \"none\""}};
+    options_.input = "default";
+    options_.yes = true;
+    for (const auto& stretch : kStretches) {
+        options_.terrain = stretch.terrain;
+        options_.from_s = stretch.from_s;
+        options_.to_s = stretch.to_s;
+        ASSERT_EQ(record(options_).code, 0);
+        const std::string script = place_.read("s.toml");
+        EXPECT_THAT(script, HasSubstr(stretch.says)) << stretch.from_s;
+        const CommandRun run = verify();
+        EXPECT_EQ(run.code, 0) << stretch.from_s << " " << run.results << script;
+    }
+}
+
+/// From a sub-phase to its own scenario, and back.
+TEST_F(Record, AScenarioAfterItsSubPhaseIsExpectedAsItIs) {
+    const std::string steps =
+        "[[step]]\nat_s = 0\nphase = \"approach.final\"\n[[step]]\nat_s = 4\nphase = \"approach\"\n"
+        "[[step]]\nat_s = 9\nphase = \"approach.final\"\n[[expect]]\nat_s = 14\nphase = \"approach\"\n";
+    make_steps(steps);
+    ASSERT_EQ(record(options_).code, 0);
+    const std::string script = place_.read("s.toml");
+    EXPECT_THAT(script, HasSubstr("phase = \"approach.none\""));
+    EXPECT_EQ(verify().code, 0) << script;
+    std::filesystem::remove(place_.file("steps.log"));
+    const std::size_t at = steps.find("phase = \"approach\"");
+    make_steps(std::string(steps).replace(at, 18, "phase = \"approach.final\""));
+    EXPECT_EQ(first_failure(verify())["expected"], "approach.none") << "a display that stays with the sub-phase is found";
+}
+
 TEST_F(Record, SingleTimesAreExpectedAsTheyAre) {
     make_steps();
     options_.at_s = {14, 2, 2};
     EXPECT_EQ(record(options_, true).json()["expectations"], 2);
     const std::string script = place_.read("s.toml");
-    EXPECT_LT(script.find("at_s = 2\nphase = \"ground\""), script.find("at_s = 14\nphase = \"approach\""));
+    EXPECT_LT(script.find("at_s = 2\nphase = \"ground\""), script.find("at_s = 14\nphase = \"approach.none\""));
     EXPECT_THAT(script, HasSubstr("signals.pitch = \"lost\""));
     EXPECT_EQ(verify().code, 0) << script;
 }

@@ -53,6 +53,22 @@ TEST_F(RecordInput, ARunNamesWhatItWasMadeOf) {
     test_support::expect_user_error([&] { static_cast<void>(input(place_.file("run"))); }, "its log my.log is not there");
 }
 
+/// A replay of a part is recorded as that part, whichever way its frames were flown.
+TEST_F(RecordInput, ARunHasTheSpanOfItsFrames) {
+    place_.write("frames.jsonl",
+                 "{\"frame\":0,\"time_s\":180.0,\"hash\":\"a\"}\n{\"frame\":1,\"time_s\":165.5,\"hash\":\"b\"}\n"
+                 "{\"frame\":2,\"time_s\":150.0,\"hash\":\"c\"}\n");
+    options_.input = place_.path();
+    EXPECT_EQ(recorded_span(options_).from_s, 150.0);
+    EXPECT_EQ(recorded_span(options_).to_s, 180.0);
+    options_.to_s = 160;
+    EXPECT_EQ(recorded_span(options_).from_s, std::nullopt) << "an option takes the place of both";
+    EXPECT_EQ(recorded_span(options_).to_s, 160.0);
+    options_ = RecordOptions();
+    options_.input = "default";
+    EXPECT_EQ(recorded_span(options_).to_s, std::nullopt);
+}
+
 TEST_F(RecordInput, AnotherFolderIsRefused) {
     test_support::expect_user_error([&] { static_cast<void>(input(place_.path())); }, "is neither the folder of a replay");
 }

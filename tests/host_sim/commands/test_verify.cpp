@@ -73,14 +73,54 @@ TEST_F(Verify, ADeadBusAtTheStartIsNotValidYet) {
     EXPECT_EQ(verify_text(steps + "[[expect]]\nat_s = 1\nsignals = { pitch = \"valid\" }\n").code, 1);
 }
 
-TEST_F(Verify, FaultsAreAllToldAndNothingIsWritten) {
+TEST_F(Verify, FaultsAreAllToldAndNothingIsFlown) {
     const CommandRun run = verify_text("titel = \"x\"\n[[expect]]\nat_s = 1\nphase = \"crus\"\n");
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.notes, HasSubstr("a.toml:1: unknown key 'titel'"));
     EXPECT_THAT(run.notes, HasSubstr("a.toml:4: 'phase': there is no 'crus'; say cruise"));
     EXPECT_EQ(run.results, "");
     EXPECT_FALSE(has("out"));
+}
+
+/// Whoever reads results alone finds the fault, and nothing of an earlier run.
+TEST_F(Verify, AFaultIsInTheResultsAndNoEarlierOneIsLeft) {
+    ASSERT_EQ(verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"switch\"\n").code, 1);
+    ASSERT_TRUE(has("out/a.png"));
+    VerifyOptions options;
+    options.scripts = {place_.write("a.toml", "titel = \"x\"\n" + kCruise), place_.write("b.toml", kCruise)};
+    options.output = place_.file("out");
+    options.junit = place_.file("r.xml");
+    const CommandRun run = verify(options, true);
+    EXPECT_EQ(run.code, 2);
+    const auto json = run.json();
+    EXPECT_EQ(json["holds"], false);
+    EXPECT_THAT(json["tests"][0]["fault"].get<std::string>(), HasSubstr("a.toml:1: unknown key 'titel'"));
+    EXPECT_EQ(json["tests"][1]["fault"], nullptr);
+    EXPECT_THAT(json["tests"][1]["left_out"].get<std::string>(), HasSubstr("another script is wrong"));
+    const std::string xml = place_.read("r.xml");
+    EXPECT_THAT(xml, HasSubstr("<error message="));
+    EXPECT_THAT(xml, HasSubstr("unknown key"));
+    EXPECT_THAT(xml, ::testing::Not(HasSubstr("<failure")));
+    EXPECT_FALSE(has("out/a.png"));
+    EXPECT_FALSE(has("out/a.json"));
+}
+
+/// Also where the scripts cannot even be read.
+TEST_F(Verify, AMissingScriptLeavesNoEarlierResult) {
+    ASSERT_EQ(verify_text(kCruise).code, 0);
+    VerifyOptions options;
+    options.scripts = {place_.file("none.toml")};
+    options.junit = place_.file("r.xml");
+    EXPECT_THROW(static_cast<void>(verify(options)), UserError);
     EXPECT_FALSE(has("r.xml"));
+}
+
+/// At 30 frames a second none lies there: that is known before the flight.
+TEST_F(Verify, ATimeWithoutAFrameIsAFault) {
+    const CommandRun run = verify_text(kCruise + "[[expect]]\nafter_s = 1\nwithin_s = 0.01\nphase = \"cruise\"\n");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.notes, HasSubstr("a.toml:8: no frame lies within 0.01 s after 1 s: the device shows 30 a second; say "
+                                     "within_s = 0.034 or more"));
 }
 
 TEST_F(Verify, ParametersComeFromTheCommandLine) {
@@ -97,7 +137,7 @@ TEST_F(Verify, ParametersComeFromTheCommandLine) {
     test_support::expect_user_error([&] { static_cast<void>(verify(options)); }, "--set wanted");
 }
 
-/// Each is told with its script and line, and none hides another.
+/// Each is told with its script and line, none hides another, and the others are flown.
 TEST_F(Verify, InputsThatCannotBePlayedAreAllTold) {
     place_.write("empty.log", "");
     const std::string expect = "[[expect]]\nat_s = 1\nphase = \"cruise\"\n";
@@ -109,7 +149,10 @@ TEST_F(Verify, InputsThatCannotBePlayedAreAllTold) {
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.notes, HasSubstr("a.toml:2: "));
     EXPECT_THAT(run.notes, HasSubstr("c.toml:1: "));
-    EXPECT_FALSE(has("r.xml"));
+    EXPECT_THAT(run.results, HasSubstr("1 of 1 expectations hold, 1 of 3 scripts are judged"));
+    const std::string xml = place_.read("r.xml");
+    EXPECT_THAT(xml, HasSubstr("<error message="));
+    EXPECT_THAT(xml, HasSubstr("failures=\"0\" errors=\"0\""));
 }
 
 TEST_F(Verify, AParameterIsOneOfAnyScript) {

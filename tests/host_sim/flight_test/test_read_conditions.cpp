@@ -91,6 +91,18 @@ TEST(ReadConditions, NoAlertNeedsAWatch) {
     EXPECT_FALSE(holds("obstacle_alert = \"none\"", frame));
 }
 
+/// A scenario stands for its sub-phases, too; "none" for the scenario alone.
+TEST(ReadConditions, APhaseCanHaveNoSubPhase) {
+    ObservedFrame frame = sample_frame();
+    EXPECT_FALSE(holds("phase = \"approach.none\"", frame));
+    frame.record.phase.phase = flight::phase_from_name("approach").phase;
+    EXPECT_TRUE(holds("phase = \"approach.none\"", frame));
+    EXPECT_FALSE(holds("phase = \"takeoff.none\"", frame));
+    EXPECT_EQ(exact_phase_text(frame.record.phase.phase), "approach.none");
+    EXPECT_EQ(exact_phase_text(flight::phase_from_name("approach.final").phase), "approach.final");
+    EXPECT_EQ(exact_phase_text(flight::phase_from_name("cruise").phase), "cruise");
+}
+
 TEST(ReadConditions, AValueThatIsLostIsNone) {
     ObservedFrame frame = sample_frame();
     frame.record.signals[static_cast<std::size_t>(Signal::indicated_airspeed)] = SignalState::lost;

@@ -13,9 +13,9 @@ constexpr double kRate_hz = 30;
 
 using Flags = std::vector<std::string>;
 
-ObservedFrame frame_of(int n, const char* phase, const Flags& flags) {
+ObservedFrame frame_of(int n, const char* phase, const Flags& flags, double rate_hz = kRate_hz) {
     ObservedFrame frame;
-    frame.time_s = n / kRate_hz;
+    frame.time_s = n / rate_hz;
     frame.record.phase.phase = flight::phase_from_name(phase).phase;
     frame.record.design = "default";
     for (const std::string& name : flags) {
@@ -38,20 +38,22 @@ bool has(const std::vector<RecordedFact>& facts, const RecordedFact& wanted) {
     return wanted.value == kFlagGone;
 }
 
-/// What judges do, written anew: an expectation against all frames. What is to be reached must not hold in the first of them.
+/// What judges do, written anew: an expectation against all frames. What is to be reached must not hold in the last frame up to
+/// the window's beginning, and the recording must have seen that frame.
 bool holds(const RecordedExpectation& one, const std::vector<ObservedFrame>& frames) {
-    bool is_any = false, are_all = true, is_first = true, held_at_first = false;
+    bool is_any = false, are_all = true, is_before_known = false, held_before = false;
     for (const ObservedFrame& frame : frames) {
-        if (frame.time_s < one.from_s - 1e-6 || frame.time_s > one.to_s + 1e-6) continue;
         const auto facts = facts_of(frame, {});
         bool all = true;
         for (const RecordedFact& wanted : one.facts) all = all && has(facts, wanted);
-        held_at_first = held_at_first || (is_first && all);
-        is_first = false;
+        const bool is_before = frame.time_s <= one.from_s + (one.kind == WindowKind::within ? 1e-6 : -1e-6);
+        if (is_before) held_before = all;
+        is_before_known = is_before_known || is_before;
+        if (is_before || frame.time_s > one.to_s + 1e-6) continue;
         is_any = is_any || all;
         are_all = are_all && all;
     }
-    return one.kind == WindowKind::within ? is_any && !held_at_first : is_any && are_all;
+    return one.kind == WindowKind::within ? is_any && is_before_known && !held_before : is_any && are_all;
 }
 
 std::vector<ObservedFrame> flight(int frames, const std::function<ObservedFrame(int)>& make) {
@@ -107,15 +109,42 @@ TEST(RecordedExpectations, AMomentsInterruptionIsExpectedFromItsMiddle) {
     }
 }
 
+/// A flag that comes and goes within a few frames is waited for in a frame that it is in.
+TEST(RecordedExpectations, AFlagOfTwoFramesGoesAfterAFrameThatHasIt) {
+    const auto frames =
+        flight(300, [](int n) { return frame_of(n, "cruise", n == 120 || n == 121 ? Flags{"terrain.tau_raised"} : Flags{}); });
+    std::size_t changes = 0;
+    for (const RecordedExpectation& one : expected(frames, rule()).list) {
+        EXPECT_TRUE(holds(one, frames)) << one.words;
+        if (one.kind != WindowKind::within || one.facts[0].value != kFlagGone) continue;
+        ++changes;
+        EXPECT_GE(one.from_s, 120 / kRate_hz);
+        EXPECT_LT(one.from_s, 122 / kRate_hz);
+    }
+    EXPECT_EQ(changes, 1u);
+}
+
+/// "approach" alone would include the sub-phase from before.
+TEST(RecordedExpectations, FromASubPhaseToItsScenarioIsAChange) {
+    const auto frames = flight(300, [](int n) { return frame_of(n, n < 120 ? "approach.final" : "approach", {}); });
+    const RecordedExpectations made = expected(frames, rule());
+    ASSERT_EQ(made.list.size(), 3u);
+    EXPECT_EQ(made.list[1].facts[0].value, "approach.none");
+    EXPECT_EQ(made.list[1].words, "4.00 s: the phase becomes approach without a sub-phase.");
+}
+
 /// Whatever a flight does, what is made of it holds in it; and the windows lie within it.
 TEST(RecordedExpectations, OfRestlessFlightsHold) {
-    const char* const phases[] = {"ground", "takeoff", "cruise", "approach"};
+    const char* const phases[] = {"ground", "approach", "approach.final", "cruise"};
+    const double rates_hz[] = {10, 30, 60, 240};
     for (unsigned seed = 0; seed < 200; ++seed) {
         std::mt19937 random(seed);
         int phase = 0;
         bool flags[3] = {};
         const char* const names[] = {"terrain.missing", "terrain.ahead", "phase.disagreement"};
         const unsigned often = 3 + random() % 60;
+        RecordingRule by = rule();
+        by.rate_hz = rates_hz[seed % 4];
         const auto frames = flight(60 + static_cast<int>(random() % 400), [&](int n) {
             if (random() % often == 0) phase = static_cast<int>(random() % 4);
             Flags there;
@@ -123,9 +152,8 @@ TEST(RecordedExpectations, OfRestlessFlightsHold) {
                 if (random() % often == 0) flags[f] = !flags[f];
                 if (flags[f]) there.emplace_back(names[f]);
             }
-            return frame_of(n, phases[phase], there);
+            return frame_of(n, phases[phase], there, by.rate_hz);
         });
-        RecordingRule by = rule();
         by.margin_s = static_cast<double>(seed % 5) * 0.2;
         by.expectations = 1000;
         for (const RecordedExpectation& one : expected(frames, by).list) {

@@ -49,6 +49,23 @@ TEST(RecordedFacts, AreThoseThatAScriptCanName) {
     EXPECT_TRUE(has_alert(facts_of(frame, {true, false})));
 }
 
+/// As an expectation finds them: "none" is said of a display that watches.
+TEST(RecordedFacts, AlertsSayWhetherTheyWereWatchedFor) {
+    const auto value = [](const ObservedFrame& frame, FactKind kind) {
+        for (const RecordedFact& fact : facts_of(frame, {true, true}))
+            if (fact.kind == kind) return fact.value;
+        return std::string("no fact");
+    };
+    ObservedFrame frame = frame_at(0);
+    EXPECT_EQ(value(frame, FactKind::alert), "not_watching");
+    EXPECT_EQ(value(frame, FactKind::obstacle_alert), "not_watching");
+    frame.record.alerts.is_watching = true;
+    EXPECT_EQ(value(frame, FactKind::alert), "none");
+    EXPECT_EQ(value(frame, FactKind::obstacle_alert), "not_watching") << "the scene has no obstacles";
+    frame.has_obstacles = true;
+    EXPECT_EQ(value(frame, FactKind::obstacle_alert), "none");
+}
+
 TEST(RecordedFacts, AFlagHasSpansWhereItIsGone) {
     FactTracks tracks({});
     for (int n = 0; n < 10; ++n) {

@@ -78,6 +78,31 @@ TEST_F(TextCondition, OnePlaceOfSeveralThatIsSeenIsEnough) {
     EXPECT_FALSE(observe("text = { says = \"TERRAIN AHEAD\", in = \"annunciations\" }").holds);
 }
 
+/// The reason is one of the text, and a long picture is not listed.
+TEST_F(TextCondition, WhatIsMissingIsNamedByItsNearestText) {
+    Observation found = observe("text = { says = \"Terrain ahead\" }");
+    EXPECT_EQ(found.found, "\"TERRAIN AHEAD\"");
+    EXPECT_THAT(found.reason, HasSubstr("in another case"));
+    found = observe("text = { says = \"TERRAIN AHEAD\", in = \"heading\" }");
+    EXPECT_EQ(found.found, "no text");
+    EXPECT_EQ(found.reason, "it is written in annunciations");
+    for (const char* const text : {"IAS", "ALT", "HDG", "CRUISE"})
+        write(text, {100, 60 + 40 * static_cast<float>(std::string_view(text).front() - 'A')});
+    found = observe("text = { says = \"TERAIN AHED\" }");
+    EXPECT_EQ(found.found, "5 texts, the most similar one \"TERRAIN AHEAD\"");
+    EXPECT_EQ(found.reason, "no text there has these words");
+    EXPECT_EQ(observe("text = { says = \"cruise\" }").found, "5 texts, the most similar one \"CRUISE\"");
+}
+
+/// A word in the wrong case is never written: that it is not there would prove nothing.
+TEST_F(TextCondition, WhatMustNotBeThereIsNotWrittenInAnotherCaseEither) {
+    const Observation found = observe("text = { says = \"terrain Ahead\", there = false }");
+    EXPECT_FALSE(found.holds);
+    EXPECT_EQ(found.found, "\"TERRAIN AHEAD\"");
+    EXPECT_THAT(found.reason, HasSubstr("in another case"));
+    EXPECT_TRUE(observe("text = { says = \"errain ahead\", there = false }").holds) << "these words whole";
+}
+
 /// What must not be written may not even be written where it is covered, and nobody looks at the picture.
 TEST_F(TextCondition, WhatMustNotBeThereIsNotWritten) {
     cover(layout_.annunciations);

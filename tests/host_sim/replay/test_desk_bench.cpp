@@ -12,10 +12,10 @@ namespace {
 using effects::Effect;
 
 /// Whoever adds an effect says which shipped design calls for it, and how a design is drawn without it.
-TEST(DeskBench, EveryEffectThatCostsHasADesignThatCallsForIt) {
+TEST(DeskBench, EveryEffectThatCostsHasADesignThatRequestsIt) {
     for (std::size_t n = 0; n < effects::kEffectCount; ++n) {
         const auto effect = static_cast<Effect>(n);
-        const std::string name = design_calling_for(effect);
+        const std::string name = design_requesting(effect);
         const bool is_free = effects::row_of(effect).cost == "none" || effect == Effect::terrain;
         EXPECT_EQ(name.empty(), is_free) << effects::row_of(effect).name;
         if (name.empty()) continue;

@@ -117,7 +117,7 @@ void lose(flight::AircraftState& state, Signal signal) { state[signal] = {}; }
 std::vector<Row> rows() {
     const auto nothing = [](flight::AircraftState&, flight::PhaseStatus&) {};
     return {
-        {"all there", Weather::fresh, nothing, nullptr, true, true, 0},
+        {"all available", Weather::fresh, nothing, nullptr, true, true, 0},
         {"position stale", Weather::fresh, [](auto& state, auto&) { state.own_ship.state = base::SignalState::stale; },
          "own_ship.stale", false, false, 0},
         {"position lost", Weather::fresh,
