@@ -5,6 +5,7 @@
 #include "render_core/display/planner/spatial_data.hpp"
 #include "render_core/display/planner/terrain_planner.hpp"
 #include "render_core/draw/drawers/drape_atlas.hpp"
+#include "render_core/draw/drawers/geometry_picture.hpp"
 #include "render_core/draw/drawers/page_atlas.hpp"
 #include "render_core/draw/drawers/picture_edges.hpp"
 #include "render_core/draw/traced_view.hpp"
@@ -120,10 +121,12 @@ private:
         set(effects::kPictureEdges, draw::PictureEdges::bytes(ask_.size.width, ask_.size.height),
             "edges of the picture, a byte a pixel; rows of it, and a strip read back");
         if (!room_.is_traced) return;
-        set(effects::kTracedPictures, 4 * asked_pixels(ask_), "depths of a traced picture, 4 bytes a pixel");
+        const std::uint64_t word_bytes = needs_.shades_traced ? sizeof(draw::GeometryWords) * asked_pixels(ask_) : 0;
+        set(effects::kTracedPictures, 4 * asked_pixels(ask_) + word_bytes,
+            "depths of a traced picture, 4 bytes a pixel; 16 for its geometry, where a style needs it");
         if (needs_.terrain)
             set(effects::kTracedTerrain,
-                needs_.terrain->traced_bytes + 4 * asked_pixels(ask_) +
+                needs_.terrain->traced_bytes + 4 * asked_pixels(ask_) + word_bytes +
                     draw::TracedView::bytes_needed(ask_.size.width, ask_.size.height) + kArenaSlack,
                 "posts of the database and a traced picture");
     }
@@ -151,7 +154,8 @@ DeviceRoom whole_room(const DraftSource& source, const DeviceAsk& ask, const Dev
     const effects::DeviceSettings& shipped = source.shipped;
     const double larger =
         static_cast<double>(asked_pixels(ask)) / static_cast<double>(std::uint64_t{shipped.width_px} * shipped.height_px);
-    const double slots = std::min<double>(kMaxSlots, shipped.max_chunk_slots * std::max(1.0, larger));
+    const std::uint32_t limit = needs.shades_traced ? draw::kMaxGeometrySlots : kMaxSlots;
+    const double slots = std::min<double>(limit, shipped.max_chunk_slots * std::max(1.0, larger));
     DeviceRoom room;
     room.slots = std::max(static_cast<std::uint32_t>(slots), fewest_slots(needs));
     const bool has_maps = draw::PageAtlas::bytes_needed(needs.maps, needs.has_coast, 1) > 0;

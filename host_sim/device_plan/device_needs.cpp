@@ -6,6 +6,8 @@
 #include "host_sim/replay/load_design.hpp"
 #include "host_sim/scene_builder/open_scene.hpp"
 #include "host_sim/terrain_builder/verify_database.hpp"
+#include "render_core/draw/drawers/traced_words.hpp"
+#include "render_core/draw/drawn_design.hpp"
 #include "render_core/draw/traced_ground.hpp"
 
 namespace tedavis::host_sim {
@@ -16,6 +18,8 @@ void add_design_needs(const design::DesignSettings& design, DeviceNeeds& needs) 
     needs.has_drape = needs.has_drape || needs_map(design.terrain.style, design::BakedMap::drape);
     needs.has_shadows = needs.has_shadows || design.effects.shadows.is_any();
     needs.is_traced = needs.is_traced || design.terrain.renderer == design::TerrainRenderer::trace;
+    for (const bool has_focus : {false, true})
+        needs.shades_traced = needs.shades_traced || draw::drawn_as(design, {true, true, true}, has_focus).is_deferred;
     needs.measures_clutter =
         needs.measures_clutter || design.priority.held_clutter() < 1 || design.effects.clutter != design::ClutterView::none;
 }
@@ -40,8 +44,9 @@ bool finds_coast(const OpenDatabase& open) {
 void add_terrain_needs(const std::string& path, DeviceNeeds& needs) {
     const OpenDatabase open(path);
     const terrain::TerrainDatabase& database = open.database();
-    needs.terrain = {database.table_bytes(), database.header().page_count, database.root_count(),
-                     draw::TracedGround::bytes_needed(database.lattice())};
+    needs.terrain = {
+        database.table_bytes(), database.header().page_count, database.root_count(),
+        draw::TracedGround::bytes_needed(database.lattice()) + draw::TracedWords::bytes_needed(database.lattice(), 0, 0)};
     needs.has_coast = finds_coast(open);
     needs.has_drape = needs.has_drape && database.header().drape_posts != 0;
 }

@@ -16,7 +16,7 @@ struct TerrainNeeds {
     std::uint64_t table_bytes = 0;   ///< of the page table and the undulation grid
     std::uint32_t pages = 0;         ///< of the directory
     std::uint32_t roots = 0;         ///< chunks that are always resident
-    std::uint64_t traced_bytes = 0;  ///< of its posts, where it is traced
+    std::uint64_t traced_bytes = 0;  ///< of its posts and chunks, where it is traced
 };
 
 struct DeviceNeeds {
@@ -24,6 +24,7 @@ struct DeviceNeeds {
     design::MapSet maps;    ///< of all phases' designs
     bool has_coast = true;  ///< then the light's map is needed as well; so it is where the terrain is not known
     bool has_drape = false, has_shadows = false, is_traced = false, measures_clutter = false;
+    bool shades_traced = false;  ///< traced terrain of a style that codes cannot tell
     std::optional<TerrainNeeds> terrain;
     std::optional<std::uint64_t> scene_file_bytes;
 };

@@ -52,7 +52,7 @@ base::Error Display::start_all(const TerrainInput& terrain, base::ByteSource* sc
     base::FixedVector<draw::DrawnDesign, 2 * kMaxDrawn> designs;
     for (const bool has_focus : {false, true})
         for (const design::DesignSettings* const design : weighted.all) {
-            const draw::DrawnDesign drawn = draw::drawn_as(*design, settings.device.capability.depth24_targets, has_focus);
+            const draw::DrawnDesign drawn = draw::drawn_as(*design, draw::ability_of(settings.device), has_focus);
             if (drawn.has_focus == has_focus) static_cast<void>(designs.try_push_back(drawn));
         }
     planner_.start_memory(designs, *memory_);

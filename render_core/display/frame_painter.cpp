@@ -83,7 +83,7 @@ PainterAbilities FramePainter::abilities() const {
 }
 
 draw::DrawnDesign FramePainter::drawn_design(const design::DesignSettings& design, bool has_focus) const {
-    return draw::drawn_as(design, device_->capability.depth24_targets, has_focus);
+    return draw::drawn_as(design, draw::ability_of(*device_), has_focus);
 }
 
 bool FramePainter::can_show(const design::DesignSettings& possible) const {

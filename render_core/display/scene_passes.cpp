@@ -70,6 +70,7 @@ base::Error ScenePasses::start(gl::Gl& gl, effects::DeviceSettings& device, draw
         if (base::Error error = shadows_.start(gl, targets, device.capability.shadow_map_px)) return error;
     if (base::Error error = start_view_effects(gl, device, designs)) return error;
     goes_off_screen_ = draw::goes_off_screen(designs[0]);
+    is_deferred_ = designs[0].is_deferred;
     return goes_off_screen ? picture_.start(gl, device.budget, width_px, height_px, designs) : base::Error{};
 }
 
@@ -98,6 +99,7 @@ bool ScenePasses::shows(const draw::DrawnDesign& design) const {
 
 void ScenePasses::set_design(const draw::DrawnDesign& design) {
     goes_off_screen_ = draw::goes_off_screen(design);
+    is_deferred_ = design.is_deferred;
     if (goes_off_screen_) picture_.set_design(design);
 }
 
@@ -212,7 +214,10 @@ void ScenePasses::draw_scene(gl::Gl& gl, const gl::DrawPlace& place, const PassI
 
 void ScenePasses::draw_off_screen(gl::Gl& gl, const PassInput& input) {
     off_screen_ = {};
-    if (input.seen.is_traced) {
+    if (input.seen.is_traced && is_deferred_) {
+        picture_.begin(gl);
+        input.terrain.draw_shaded(gl, input.seen, make_terrain_input(input.frame));
+    } else if (input.seen.is_traced) {
         gl->Clear(GL_DEPTH_BUFFER_BIT);
         input.terrain.draw_traced(gl, input.seen, make_terrain_input(input.frame), picture_.scene());
     } else {
@@ -237,13 +242,14 @@ void ScenePasses::draw_ranges(gl::Gl& gl, const PassInput& input, draw::TerrainD
     }
 }
 
-/// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more.
+/// Over a picture that was made off-screen, which has no depths: the terrain leaves its depths once more. Near triangles leave
+/// none in the far range, so that the picture is painted again over what they hide; traced ground leaves them in both.
 void ScenePasses::draw_elements_over_picture(gl::Gl& gl, const PassInput& input) {
     const draw::DepthPlan& depth = input.seen.depth;
     for (std::size_t n = 0; n < depth.count; ++n) {
         gl->Clear(GL_DEPTH_BUFFER_BIT);
         draw_terrain_depths(gl, input, depth.ranges[n]);
-        if (n > 0) picture_.repaint(gl, input.frame.design, picture_input(input));
+        if (n > 0 && !input.seen.is_traced) picture_.repaint(gl, input.frame.design, picture_input(input));
         input.elements.draw(gl, input.data, data_frame(input), depth, n);
         gl->Disable(GL_DEPTH_TEST);
     }

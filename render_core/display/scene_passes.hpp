@@ -65,6 +65,7 @@ private:
 
     draw::PicturePass picture_;
     bool goes_off_screen_ = false;        ///< the design's terrain, for picture_
+    bool is_deferred_ = false;            ///< the shading of its traced terrain
     draw::TerrainDrawResult off_screen_;  ///< of the terrain in picture_
     draw::SkyDrawer sky_;
     draw::AirTable air_;

@@ -15,10 +15,14 @@ draw::TerrainDrawInput no_farther(const SeenTerrain& seen, draw::TerrainDrawInpu
 base::Error TerrainPainter::start(gl::Gl& gl, TerrainPlanner& planner, draw::DrawnDesigns designs,
                                   effects::DeviceSettings& device, base::Arena& staging, const draw::TracePlace& traced) {
     if (base::Error error = drawer_.start(gl, planner.store(), planner.chunk_indices(), designs, device, staging)) return error;
+    draw::TracePlace place = traced;
+    for (const draw::DrawnDesign& drawn : designs) place.writes_words = place.writes_words || drawn.is_deferred;
+    writes_words_ = place.writes_words;
     for (const draw::DrawnDesign& drawn : designs)
         if (draw::trace_state_of(drawn) == draw::TraceState::traced && tracer() == draw::TraceState::not_asked_for)
-            if (base::Error error = traced_.start(gl, planner.database(), planner.heights(), device, traced)) return error;
+            if (base::Error error = traced_.start(gl, planner.database(), planner.heights(), device, place)) return error;
     design_ = *designs[0].design;
+    is_deferred_ = designs[0].is_deferred;
     is_started_ = true;
     return {};
 }
@@ -27,17 +31,20 @@ bool TerrainPainter::shows(const draw::DrawnDesign& design) const {
     if (!is_started_) return true;
     const bool is_new_to_rays =
         draw::trace_state_of(design) == draw::TraceState::traced && tracer() == draw::TraceState::not_asked_for;
-    return drawer_.shows(design) && !is_new_to_rays;
+    const bool needs_words = design.is_deferred && !writes_words_;
+    return drawer_.shows(design) && !is_new_to_rays && !needs_words;
 }
 
 void TerrainPainter::set_design(gl::Gl& gl, const draw::DrawnDesign& design) {
     if (!is_started_) return;
     drawer_.set_design(gl, design);
-    if (tracer() == draw::TraceState::traced) design_ = *design.design;
+    if (tracer() != draw::TraceState::traced) return;
+    design_ = *design.design;
+    is_deferred_ = design.is_deferred;
 }
 
 bool TerrainPainter::prepare(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input) {
-    return seen.is_traced || drawer_.prepare(gl, seen.chunks, input);
+    return (seen.is_traced && !is_deferred_) || drawer_.prepare(gl, seen.chunks, input);
 }
 
 void TerrainPainter::draw(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
@@ -48,6 +55,10 @@ void TerrainPainter::draw(gl::Gl& gl, const SeenTerrain& seen, const draw::Terra
 void TerrainPainter::draw_traced(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input,
                                  const gl::Texture& picture) {
     traced_.draw(gl, design_, no_farther(seen, input), picture);
+}
+
+void TerrainPainter::draw_shaded(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input) {
+    drawer_.shade(gl, seen.chunks, input, traced_.draw_words(gl, seen.chunks, no_farther(seen, input)));
 }
 
 void TerrainPainter::draw_depths(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input,

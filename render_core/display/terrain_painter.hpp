@@ -38,7 +38,10 @@ public:
               draw::TerrainDrawResult& result);
     /// Traces the terrain, and draws its codes into a picture.
     void draw_traced(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input, const gl::Texture& picture);
-    /// Draws the depths of the terrain; the colours have no meaning.
+    /// Traces the terrain for a design with deferred shading, and shades it into the picture that is bound, which holds the sky
+    /// and has a depth.
+    void draw_shaded(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input);
+    /// Draws the depths of the terrain; the colours have no meaning. Traced ground that is nearer than the range hides all of it.
     void draw_depths(gl::Gl& gl, const SeenTerrain& seen, const draw::TerrainDrawInput& input, const draw::DepthRange& range,
                      draw::TerrainDrawResult& result);
     void destroy(gl::Gl& gl);
@@ -47,6 +50,8 @@ private:
     draw::TerrainDrawer drawer_;
     draw::TracedTerrain traced_;
     design::DesignSettings design_;  ///< the design that is drawn
+    bool is_deferred_ = false;       ///< whether its shading is deferred
+    bool writes_words_ = false;      ///< whether the shading of any design of start() is deferred
     bool is_started_ = false;
 };
 

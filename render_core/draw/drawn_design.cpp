@@ -33,9 +33,25 @@ TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_de
     return needs_distance ? TerrainOutput::color_and_distance : TerrainOutput::color;
 }
 
-DrawnDesign drawn_as(const design::DesignSettings& design, bool off_screen_depth, bool has_focus) noexcept {
+DrawAbility ability_of(const effects::DeviceSettings& device) noexcept {
+    const effects::DeviceCapability& capability = device.capability;
+    DrawAbility ability{capability.depth24_targets, capability.lane == effects::Lane::es3, false};
+    const base::BudgetLine* const pictures = device.budget.find(effects::kTracedPictures);
+    const std::uint64_t pixels = std::uint64_t{device.width_px} * device.height_px;
+    const bool has_room = pictures != nullptr && pictures->bytes >= kShadedTexelBytes * pixels;
+    ability.shades_rays = ability.is_es3 && ability.off_screen_depth && has_room && capability.off_screen_pictures > 0 &&
+                          device.max_chunk_slots <= kMaxGeometrySlots && capability.gl.max_texture_units > kGeometryUnit;
+    return ability;
+}
+
+DrawnDesign drawn_as(const design::DesignSettings& design, const DrawAbility& ability, bool has_focus) noexcept {
     const GroundFocusKind focus = has_focus ? ground_focus_kind(design.foci) : GroundFocusKind();
-    return {&design, output_of(design, off_screen_depth, focus), focus.foci > 0};
+    DrawnDesign drawn{&design, output_of(design, ability.off_screen_depth, focus), focus.foci > 0, false, ability.is_es3};
+    const bool is_shaded = design.terrain.renderer == design::TerrainRenderer::trace && ability.shades_rays &&
+                           design.view.reference != design::Reference::flat && !design::magnifies(design);
+    if (is_shaded && drawn.output == TerrainOutput::color) drawn.output = TerrainOutput::color_and_distance;
+    drawn.is_deferred = is_shaded && drawn.output == TerrainOutput::color_and_distance && goes_off_screen(drawn);
+    return drawn;
 }
 
 }  // namespace tedavis::draw

@@ -8,10 +8,10 @@ namespace tedavis::draw {
 std::string_view reason_of(TraceState state) {
     constexpr std::string_view kReasons[] = {"",
                                              "",
-                                             "the tracer draws no such style",
+                                             "light shafts alone, blur round a focus or magnified foci",
                                              "the ground is drawn flat",
                                              "the device's lane is es2",
-                                             "the device has no memory for it",
+                                             "the device has no room for it",
                                              "the database is larger than the device's memory for it",
                                              "the database goes round the Earth or over a pole",
                                              "the database is damaged",
@@ -22,7 +22,10 @@ std::string_view reason_of(TraceState state) {
 TraceState trace_state_of(const DrawnDesign& design) {
     if (design.design->terrain.renderer != design::TerrainRenderer::trace) return TraceState::not_asked_for;
     if (design.design->view.reference == design::Reference::flat) return TraceState::not_flat;
-    return design.output == TerrainOutput::code ? TraceState::traced : TraceState::not_by_style;
+    if (design.output == TerrainOutput::code || design.is_deferred) return TraceState::traced;
+    const bool is_by_style = has_shafts_only(*design.design) || blurs_context(design) || design::magnifies(*design.design);
+    if (is_by_style) return TraceState::not_by_style;
+    return design.on_es3 ? TraceState::not_on_device : TraceState::not_on_lane;
 }
 
 bool can_trace(const terrain::TerrainDatabase& database, const terrain::View& view) {

@@ -14,9 +14,9 @@ namespace tedavis::draw {
 enum class TraceState : std::uint8_t {
     not_asked_for,
     traced,
-    not_by_style,   ///< other than codes (terrain_program.hpp)
+    not_by_style,   ///< its picture needs no pass of its own, or shows ground elsewhere than it is (drawn_design.hpp)
     not_flat,       ///< the design shows a plane
-    not_on_lane,    ///< a shader of ES 2 cannot leave depths
+    not_on_lane,    ///< a shader of ES 2 can neither leave depths nor read words
     not_on_device,  ///< which has no memory for it
     database_too_large,
     database_round,

@@ -28,6 +28,7 @@ const char* size_refusal(const CallState& state, GLsizei width, GLsizei height) 
 /// Bytes of a texel of the formats that the rules let through.
 std::uint64_t texel_bytes(GLenum format, GLenum type) {
     if (type == GL_HALF_FLOAT) return 8;
+    if (type == GL_UNSIGNED_INT) return 16;
     switch (format) {
         case GL_RGBA: return 4;
         case GL_RGB: return 3;
@@ -39,6 +40,7 @@ std::uint64_t texel_bytes(GLenum format, GLenum type) {
 
 const char* upload_format_refusal(const CallState& state, GLenum format, GLenum type) {
     if (type == GL_HALF_FLOAT) return state.es3() && format == GL_RGBA ? nullptr : kFormat;
+    if (type == GL_UNSIGNED_INT) return state.es3() && format == GL_RGBA_INTEGER ? nullptr : kFormat;
     if (type != GL_UNSIGNED_BYTE) return kFormat;
     if (one_of(format, {GL_RGBA, GL_RGB})) return nullptr;
     if (state.rules.calls == effects::CallClass::es2)
@@ -249,9 +251,9 @@ const char* CallRule<&CallTable::TexParameteri>::refusal(CallState& state, GLenu
 const char* CallRule<&CallTable::TexStorage2D>::refusal(CallState& state, GLenum target, GLsizei levels, GLenum format,
                                                         GLsizei width, GLsizei height) {
     if (target != GL_TEXTURE_2D) return kTarget;
-    // Those that OpenGL SC 2.0 has, too, but for the first.
-    const bool is_half = state.es3() && format == GL_RGBA16F;
-    if (!is_half && !one_of(format, {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8, GL_RGBA4, GL_RGB5_A1, GL_RGB565})) return kFormat;
+    // Those that OpenGL SC 2.0 has, too, but for the first two.
+    const bool is_es3_only = state.es3() && one_of(format, {GL_RGBA16F, GL_RGBA32UI});
+    if (!is_es3_only && !one_of(format, {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8, GL_RGBA4, GL_RGB5_A1, GL_RGB565})) return kFormat;
     if (levels != 1 && !(power_of_two(width) && power_of_two(height))) return "levels need edges that are powers of two";
     return size_refusal(state, width, height);
 }

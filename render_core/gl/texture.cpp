@@ -10,17 +10,19 @@ namespace {
 
 GLenum transfer_format(const Gl& gl, TextureFormat format) {
     if (format == TextureFormat::rgb8) return GL_RGB;
+    if (format == TextureFormat::rgba32ui) return GL_RGBA_INTEGER;
     if (format != TextureFormat::r8) return GL_RGBA;
     return gl.has(CallId::TexStorage2D) ? GL_RED : GL_LUMINANCE;
 }
 
-GLenum texel_type(TextureFormat format) { return format == TextureFormat::rgba16f ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE; }
+GLenum texel_type(TextureFormat format) {
+    if (format == TextureFormat::rgba32ui) return GL_UNSIGNED_INT;
+    return format == TextureFormat::rgba16f ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE;
+}
 
 GLenum sized_format(TextureFormat format) {
-    return format == TextureFormat::rgba8     ? GL_RGBA8
-           : format == TextureFormat::rgb8    ? GL_RGB8
-           : format == TextureFormat::rgba16f ? GL_RGBA16F
-                                              : GL_R8;
+    constexpr GLenum kFormats[] = {GL_R8, GL_RGB8, GL_RGBA8, GL_RGBA16F, GL_RGBA32UI};
+    return kFormats[static_cast<std::size_t>(format)];
 }
 
 GLsizei to_size(std::uint32_t value) { return static_cast<GLsizei>(value); }
@@ -42,7 +44,8 @@ void store(Gl& gl, const TextureSettings& settings) {
 }
 
 std::uint64_t texel_bytes(TextureFormat format) {
-    return format == TextureFormat::rgba16f ? 8 : format == TextureFormat::r8 ? 1 : 4;
+    constexpr std::uint64_t kBytes[] = {1, 4, 4, 8, 16};
+    return kBytes[static_cast<std::size_t>(format)];
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 namespace tedavis::gl {
 
 /// `r8` is read in a shader as .r in every lane (ES 2.0 stores it as luminance; do not read the other components). `rgba16f`
-/// (half floats, filtered) exists on ES 3 only. `rgb8` is for copies of a surface, with or without alpha; it counts as four
-/// bytes per texel, as drivers store it.
-enum class TextureFormat : std::uint8_t { r8, rgb8, rgba8, rgba16f };
+/// (half floats, filtered) and `rgba32ui` (four words, not filtered) exist on ES 3 only. `rgb8` is for copies of a surface, with
+/// or without alpha; it counts as four bytes per texel, as drivers store it.
+enum class TextureFormat : std::uint8_t { r8, rgb8, rgba8, rgba16f, rgba32ui };
 enum class TextureFilter : std::uint8_t { nearest, linear };
 
 struct TextureSettings {

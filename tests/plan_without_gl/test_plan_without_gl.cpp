@@ -30,7 +30,7 @@ protected:
         settings.height_px = 240;
         ASSERT_FALSE(planner.take_designs(settings, memory));
         ASSERT_FALSE(planner.start_symbology(arena));
-        const draw::DrawnDesign only = draw::drawn_as(planner.design_at(0), true, false);
+        const draw::DrawnDesign only = draw::drawn_as(planner.design_at(0), {}, false);
         planner.start_memory({&only, 1}, memory);
         ASSERT_FALSE(planner.start_scene(nullptr, {scene, slices}, 0));
         planner.follow_painter({}, {&only, 1});

@@ -294,7 +294,7 @@ void FramePlanner::plan_terrain() {
         for (const draw::EyeSide side : draw::kEyeSides)
             terrain_.widen_error(camera_of(frame_->picture.camera, frame_->stereo_cameras, side, painter_.stereo_margin_px).view,
                                  look_, plan.lod);
-    if (terrain_.is_traced()) plan = as_traced(plan);
+    if (terrain_.is_traced()) plan = as_traced(plan, terrain_.shades_chunks());
     if (!plan.lod.within_budget) {
         give_up_terrain(policy::TerrainSource::over_budget);
         return;

@@ -130,7 +130,7 @@ void FramePlanner::follow_foci() {
     draws_foci_ = draws;
     if (terrain_look_key_ == look_key_) return;
     terrain_look_key_ = look_key_;
-    terrain_.set_design(draw::drawn_as(look_, settings_.device.capability.depth24_targets, draws));
+    terrain_.set_design(draw::drawn_as(look_, draw::ability_of(settings_.device), draws));
 }
 
 bool FramePlanner::has_warning() const {

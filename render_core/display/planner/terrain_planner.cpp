@@ -75,10 +75,10 @@ base::Error database_error(const terrain::TdbFailure& failure) {
 
 }  // namespace
 
-TerrainPlan as_traced(TerrainPlan plan) {
+TerrainPlan as_traced(TerrainPlan plan, bool shades_chunks) {
     plan.lod.reason = terrain::LodStop::met;
     plan.lod.triangles = 0;
-    plan.lod.within_budget = true;
+    plan.lod.within_budget = plan.lod.within_budget || !shades_chunks;
     plan.lod.worst_chunk = terrain::kNoChunk;
     plan.lod.worst_error_px = plan.lod.worst_coarse_px = plan.lod.worst_waiting_px = plan.lod.tau_reached_px = 0;
     return plan;
@@ -120,6 +120,7 @@ void TerrainPlanner::follow_painter(bool reads_pages, draw::TraceState tracer) {
 
 void TerrainPlanner::set_design(const draw::DrawnDesign& design) {
     if (!started_) return;
+    shades_chunks_ = design.is_deferred;
     goes_off_screen_ = design.output != draw::TerrainOutput::color;
     design_trace_ = draw::trace_state_of(design);
     if (design_trace_ == draw::TraceState::traced) design_trace_ = tracer_;

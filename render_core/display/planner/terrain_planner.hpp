@@ -53,8 +53,9 @@ struct TerrainPlan {
     bool is_unmagnified = false;  ///< it is planned without the view's magnifiers, which left no room for it
 };
 
-/// Returns the plan of traced terrain: the whole database is drawn, no matter which chunks have arrived.
-[[nodiscard]] TerrainPlan as_traced(TerrainPlan plan);
+/// Returns the plan of traced terrain: the whole database is drawn, no matter which chunks have arrived. `shades_chunks`: the
+/// ground is shaded chunk by chunk, so that the selection must have found room.
+[[nodiscard]] TerrainPlan as_traced(TerrainPlan plan, bool shades_chunks);
 
 /// Returns the part of a message of start() that concerns the database, to follow the file's name; empty for other messages.
 [[nodiscard]] std::string_view database_fault(std::string_view message);
@@ -89,6 +90,8 @@ public:
     /// Whether the planned frame is traced where its design requests it, or why not.
     [[nodiscard]] draw::TraceState trace_state() const { return trace_; }
     [[nodiscard]] bool is_traced() const { return trace_ == draw::TraceState::traced; }
+    /// Whether traced ground of the design is shaded chunk by chunk.
+    [[nodiscard]] bool shades_chunks() const { return shades_chunks_; }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }
     [[nodiscard]] terrain::HeightAnswer true_height(double latitude_rad, double longitude_rad);
     [[nodiscard]] terrain::HeightQuery& heights() { return heights_; }
@@ -156,6 +159,7 @@ private:
     base::Span<terrain::SelectedChunk> selected_;
     base::Span<terrain::WantedChunk> wanted_;
     DrapeState drape_ = DrapeState::not_asked_for;
+    bool shades_chunks_ = false;
     bool goes_off_screen_ = false;  ///< the design that is drawn: a pass reads the part of the screen
     terrain::DrapeDetail drape_detail_;
     std::uint32_t chunks_ = 0;

@@ -18,17 +18,8 @@ using terrain::ChunkVertex;
 using terrain::SelectedChunk;
 
 constexpr std::uint32_t kPaletteTexels = 1024;  // below the 8 bit steps of colour for any palette that is not a staircase
-constexpr std::uint32_t kFocusRow = 1;          // below the palette, where a design has foci
 constexpr std::uint64_t kSlotVertexBytes = std::uint64_t{terrain::kMaxChunkVertices} * sizeof(ChunkVertex);
 constexpr std::uint64_t kSlotIndices = terrain::ChunkIndices::kMaxIndices;
-
-/// After the palette and the baked maps; eight units are enough on the smallest device.
-constexpr std::uint32_t kGroundMapUnit = design::kBakedMaps + 1, kGroundColorUnit = design::kBakedMaps + 2;
-
-enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
-enum FocusVariant : std::size_t { kInFocus, kAcrossFoci };
-
-constexpr TerrainUniform kMapUniforms[design::kBakedMaps] = {kFormMap, kLightMap, kApertureMap, kHorizonMap, kDrapeMap};
 
 void point_attributes(gl::Gl& gl, terrain::SlotIndex slot) {
     const std::uint64_t start = slot * kSlotVertexBytes;
@@ -60,27 +51,34 @@ base::Error TerrainDrawer::start(gl::Gl& gl, const terrain::TerrainStore& store,
     if (base::Error error = start_pages(gl, designs, device, staging)) return error;
     if (base::Error error = start_drape(gl, device, staging)) return error;
     if (base::Error error = start_ground(gl, designs, device)) return error;
-    bool are_coded = true;
+    bool are_coded = true, are_deferred = false;
     for (const DrawnDesign& design : designs) {
         are_coded = are_coded && design.output == TerrainOutput::code;
+        are_deferred = are_deferred || design.is_deferred;
         if (base::Error error = add_style(gl, design, false)) return error;
         if (!design::magnifies(*design.design)) continue;
         if (base::Error error = add_style(gl, design, true)) return error;
     }
     magnified_style_ = style_of(designs[0], true);
+    if (are_deferred)
+        if (base::Error error = screen_.start(gl, device.budget)) return error;
     return are_coded ? base::Error{} : start_palette(gl, device, has_foci(designs));
 }
 
 base::Error TerrainDrawer::add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified) {
-    if (style_of(design, is_magnified) < styles_.size()) return {};
-    if (!styles_.try_push_back({design.design->terrain.style, variant_of(design, is_magnified), {}}))
+    const std::size_t known = style_of(design, is_magnified);
+    if (known < styles_.size() && has_shading(styles_[known], design)) return {};
+    if (known < styles_.size()) return build_programs(gl, styles_[known], true);
+    if (!styles_.try_push_back({design.design->terrain.style, variant_of(design, is_magnified), {}, {}}))
         return base::make_error("the design names more phases' designs than kMaxPhaseDesigns; remove some");
-    return build_programs(gl, styles_.back());
+    if (base::Error error = build_programs(gl, styles_.back(), false)) return error;
+    return design.is_deferred ? build_programs(gl, styles_.back(), true) : base::Error{};
 }
 
 bool TerrainDrawer::shows(const DrawnDesign& design) const {
     const bool has_parts = !design::magnifies(*design.design) || style_of(design, true) < styles_.size();
-    return has_parts && style_of(design, false) < styles_.size();
+    const std::size_t known = style_of(design, false);
+    return has_parts && known < styles_.size() && has_shading(styles_[known], design);
 }
 
 base::Error TerrainDrawer::start_memory(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging) {
@@ -147,8 +145,9 @@ std::size_t TerrainDrawer::style_of(const DrawnDesign& design, bool is_magnified
     return styles_.size();
 }
 
-base::Error TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
+base::Error TerrainDrawer::build_programs(gl::Gl& gl, Style& style, bool deferred) {
     TerrainVariant variant = style.variant;
+    variant.deferred = deferred;
     const bool is_coded = variant.output == TerrainOutput::code;
     for (std::size_t bands = 0; bands < (is_coded ? kCodeBandVariants : kBandVariants); ++bands)
         for (std::size_t n = 0; n < kPageVariants * (variant.focus.foci > 0 ? kFocusVariants : 1); ++n) {
@@ -163,16 +162,18 @@ base::Error TerrainDrawer::build_programs(gl::Gl& gl, Style& style) {
             variant.in_focus = focus == kInFocus;
             auto program = build_terrain_program(gl, style.style, variant);
             if (!program.ok()) return program.error();
-            style.programs[focus][bands][pages] = program.value();
+            (deferred ? style.shading : style.programs)[focus][bands][pages] = program.value();
         }
     return {};
 }
 
 void TerrainDrawer::destroy(gl::Gl& gl) {
     for (Style& style : styles_)
-        for (auto& of_focus : style.programs)
-            for (auto& of_bands : of_focus)
-                for (gl::Program& program : of_bands) program.destroy(gl);
+        for (ProgramTable* const programs : {&style.programs, &style.shading})
+            for (auto& of_focus : *programs)
+                for (auto& of_bands : of_focus)
+                    for (gl::Program& program : of_bands) program.destroy(gl);
+    screen_.destroy(gl);
     ground_.destroy(gl);
     drape_.destroy(gl);
     atlas_.destroy(gl);
@@ -238,108 +239,23 @@ bool TerrainDrawer::upload_chunk(gl::Gl& gl, const SelectedChunk& chunk) {
 
 void TerrainDrawer::draw(gl::Gl& gl, base::Span<const SelectedChunk> selected, const TerrainDrawInput& input,
                          const DepthRange& range, TerrainDrawResult& result) {
-    focus_.set(style().variant.focus.foci > 0 ? input.foci : nullptr, design_.foci, input.blurs_context);
-    set_uniforms_of_programs(gl, style(), input, range);
-    if (magnifies(input)) set_uniforms_of_programs(gl, styles_[magnified_style_], input, range);
-    if (focus_.is_any()) focus_.upload(gl, palette_, kFocusRow);
-    if (palette_.valid()) palette_.bind(gl, 0);
-    if (atlas_.is_started()) atlas_.bind(gl);
-    if (drape_.is_started()) drape_.bind(gl, static_cast<std::uint32_t>(BakedMap::drape) + 1);
-    if (has_ground_data()) ground_.bind(gl, kGroundMapUnit, kGroundColorUnit);
+    use_looks(gl, input, range, false);
     vertices_.bind(gl);
     indices_.bind(gl);
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->EnableVertexAttribArray(attribute);
     for (const SelectedChunk& chunk : selected) {
         const DepthRange depths = terrain::depth_span(*chunk.entry, input.view, double{greatest_lift_m(chunk.lift)});
-        if (overlap(depths, range)) draw_chunk(gl, chunk, input, result);
+        if (overlap(depths, range) && slots_[chunk.slot].indexed) draw_chunk(gl, chunk, input, result);
     }
     for (GLuint attribute = 0; attribute < kTerrainAttributes; ++attribute) gl->DisableVertexAttribArray(attribute);
 }
 
-void TerrainDrawer::set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input,
-                                             const DepthRange& range) const {
-    const bool has_warnings = input.warning_colors || input.alert.is_shown();
-    for (std::size_t bands = 0; bands < (has_warnings ? kBandVariants : 1); ++bands)
-        for (const auto& of_focus : style.programs)
-            for (const gl::Program& program : of_focus[bands])
-                if (program.valid()) set_frame_uniforms(gl, program, input, range);
-}
-
-void TerrainDrawer::set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input,
-                                       const DepthRange& range) const {
-    program.use(gl);
-    set_view_uniforms(gl, program, input.view, range);
-    set_color_uniforms(gl, program, design_, input.haze_per_m);
-    set_style_uniforms(gl, program, design_.terrain.style, input.view.focal_px);
-    if (program.uniform(kTerrainAir) >= 0) set_air_uniforms(gl, program, kTerrainAir, input.air);
-    gl->Uniform2f(program.uniform(kTerrainLeft), static_cast<float>(input.left.least), static_cast<float>(input.left.most));
-    if (program.uniform(kTerrainShadow) >= 0)
-        set_shadow_uniforms(gl, program, kTerrainShadow, input.shadow, glm::round(input.view.eye));
-    if (focus_.is_any() && program.uniform(kTerrainFocus) >= 0)
-        focus_.set_frame_uniforms(gl, program, kTerrainFocus, glm::round(input.view.eye));
-    if (program.uniform(kTerrainAlert) >= 0)
-        set_alert_uniforms(gl, program, kTerrainAlert, input.alert, glm::round(input.view.eye));
-    if (is_coded()) set_height_range(gl, program, input.heights);
-    gl->Uniform1i(program.uniform(kPalette), 0);
-    for (std::size_t map = 0; map < design::kBakedMaps; ++map)
-        gl->Uniform1i(program.uniform(kMapUniforms[map]), static_cast<GLint>(map + 1));
-    if (has_ground_data()) ground_.set_frame_uniforms(gl, program, kGroundMapUnit, kGroundColorUnit);
-}
-
-std::size_t TerrainDrawer::page_variant(const terrain::ChunkEntry& entry, bool baked) const {
-    if (baked && is_coast(entry)) return kWithCoast;
-    if (!is_coded()) return baked ? kWithPages : kWithoutPages;
-    return (entry.flags & (terrain::kChunkHasSea | terrain::kChunkHasVoid)) == 0 ? kWithPages : kWithoutPages;
-}
-
-const gl::Program& TerrainDrawer::use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry, std::size_t pages,
-                                              const TerrainDrawInput& input, bool in_focus) const {
-    TerrainBands bands;
-    if (input.warning_colors && !is_coded())
-        bands = bands_within(design_.warning_bands, input.aircraft_msl_m - input.bands_lowered_m, input.gear_down,
-                             entry.min_height_m, entry.max_height_m);
-    // Codes of an alert have fewer steps, in the whole picture.
-    const bool has_alert = is_coded() ? input.alert.is_shown() : input.alert.may_reach(double{entry.max_height_m});
-    const std::size_t n = band_variant(std::max(bands.count, std::size_t{has_alert ? 1u : 0u}));
-    const gl::Program& program = style.programs[in_focus ? kInFocus : kAcrossFoci][n][pages];
-    program.use(gl);
-    if (n > 0 && !is_coded()) {
-        const auto count = static_cast<GLsizei>(kBandsOfVariant[n]);
-        gl->Uniform4fv(program.uniform(kBandColor), count, bands.color);
-        gl->Uniform1fv(program.uniform(kBandLower), count, bands.lower_m);
-    }
-    return program;
-}
-
 void TerrainDrawer::draw_chunk(gl::Gl& gl, const SelectedChunk& chunk, const TerrainDrawInput& input, TerrainDrawResult& result) {
-    const GpuSlot& slot = slots_[chunk.slot];
-    if (!slot.indexed) return;
-    const PageChoice page = page_of(chunk.key);
-    const bool baked = page.slot != terrain::kNoSlot;
-    const std::size_t pages = page_variant(*chunk.entry, baked);
     const bool is_in_parts =
         magnifies(input) &&
         earth::is_magnified(input.view.magnifiers, terrain::extent_of(*chunk.entry, double{greatest_lift_m(chunk.lift)}));
-    const Style& shown = is_in_parts ? styles_[magnified_style_] : style();
-    const FocusOfChunk focus = focus_.of_chunk(*chunk.entry, input.view);
-    const gl::Program& program = use_program(gl, shown, *chunk.entry, pages, input, focus.is_in_focus);
-    if (!focus.is_in_focus) GroundFocus::set_chunk_uniforms(gl, program, kTerrainFocus, focus);
-    const terrain::Lattice& lattice = store_->lattice();
-    set_chunk_uniforms(gl, program, {chunk, lattice, input.view.eye, input.light_direction}, design_.terrain.style);
-    if (baked) set_page_uniforms(gl, program, lattice, chunk.key, page.owner, atlas_, page.slot);
-    // Between land and missing data a filtered class would pass for sea.
-    if (pages == kWithCoast) {
-        const bool has_void = (store_->attribute_pages().entry(page.slot).flags & terrain::kChunkHasVoid) != 0;
-        gl->Uniform1f(program.uniform(kCoastSharp), has_void ? 1.0f : 0.0f);
-    }
-    if (drape_.is_started()) {
-        const PageChoice image = drape_of(chunk, input.view);
-        if (image.slot != terrain::kNoSlot)
-            set_drape_uniforms(gl, program, lattice, chunk.key, image.owner, drape_, image.slot);
-        else
-            set_no_drape(gl, program, drape_);
-    }
-    if (has_ground_data()) ground_.set_chunk_uniforms(gl, program, lattice, chunk.key);
+    const ProgramTable& programs = is_in_parts ? styles_[magnified_style_].programs : style().programs;
+    const gl::Program& program = use_look(gl, programs, chunk, input);
     point_attributes(gl, chunk.slot);
     is_in_parts ? draw_parts(gl, program, chunk, input, result) : draw_mesh(gl, chunk, result);
 }

@@ -12,8 +12,10 @@
 #include "render_core/design/phase_designs.hpp"
 #include "render_core/draw/depth_plan.hpp"
 #include "render_core/draw/drawers/drape_atlas.hpp"
+#include "render_core/draw/drawers/geometry_picture.hpp"
 #include "render_core/draw/drawers/ground_map.hpp"
 #include "render_core/draw/drawers/page_atlas.hpp"
+#include "render_core/draw/drawers/screen_triangle.hpp"
 #include "render_core/draw/drawers/terrain_uniforms.hpp"
 #include "render_core/draw/drawers/view_effects_pass.hpp"
 #include "render_core/draw/terrain_bands.hpp"
@@ -78,16 +80,28 @@ public:
     /// and culling.
     void draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
               const DepthRange& range, TerrainDrawResult& result);
+    /// Draws ground that rays met instead, for a design whose shading is deferred: it shades each pixel of a geometry picture
+    /// once, by the look of its chunk. `selected` must be prepared; the bound framebuffer has the numbers of chunks in its depth
+    /// (GeometryPicture::leave_numbers()).
+    void shade(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
+               const gl::Texture& words);
     /// True where the style, or a coast in the database, needs attribute pages; valid after start().
     [[nodiscard]] bool reads_pages() const;
     void destroy(gl::Gl& gl);
 
 private:
+    enum PageVariant : std::size_t { kWithoutPages, kWithPages, kWithCoast };
+    enum FocusVariant : std::size_t { kInFocus, kAcrossFoci };
+    static constexpr std::uint32_t kFocusRow = 1;  ///< below the palette, where a design has foci
+
+    using ProgramTable = gl::Program[kFocusVariants][kBandVariants][kPageVariants];
+
     /// One kind of style: designs that differ only in palettes, lights, strengths and bands share it.
     struct Style {
         design::TerrainStyle style;  ///< of the first such design: what same_programs() reads of it
         TerrainVariant variant;      ///< without bands and pages
-        gl::Program programs[kFocusVariants][kBandVariants][kPageVariants];
+        ProgramTable programs;
+        ProgramTable shading;  ///< for shade(), where a design's shading is deferred
     };
     struct GpuSlot {
         std::uint32_t generation = 0;  ///< of the store's slot when it was uploaded
@@ -114,8 +128,13 @@ private:
     /// styles_.size() where there is none.
     [[nodiscard]] std::size_t style_of(const DrawnDesign& design, bool is_magnified) const;
     [[nodiscard]] base::Error add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified);
-    [[nodiscard]] base::Error build_programs(gl::Gl& gl, Style& style);
-    void set_uniforms_of_programs(gl::Gl& gl, const Style& style, const TerrainDrawInput& input, const DepthRange& range) const;
+    [[nodiscard]] base::Error build_programs(gl::Gl& gl, Style& style, bool deferred);
+    [[nodiscard]] static bool has_shading(const Style& style, const DrawnDesign& design) {
+        return !design.is_deferred || style.shading[kInFocus][0][kWithoutPages].valid();
+    }
+    void use_looks(gl::Gl& gl, const TerrainDrawInput& input, const DepthRange& range, bool deferred);
+    void set_uniforms_of_programs(gl::Gl& gl, const ProgramTable& programs, const TerrainDrawInput& input,
+                                  const DepthRange& range) const;
     [[nodiscard]] const Style& style() const { return styles_[style_]; }
     [[nodiscard]] bool magnifies(const TerrainDrawInput& input) const {
         return !input.view.magnifiers.empty() && magnified_style_ < styles_.size();
@@ -132,8 +151,10 @@ private:
     [[nodiscard]] bool upload_drape(gl::Gl& gl, const terrain::SelectedChunk& chunk, const terrain::View& view);
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, const TerrainDrawInput& input, const DepthRange& range) const;
     [[nodiscard]] std::size_t page_variant(const terrain::ChunkEntry& entry, bool baked) const;
-    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const Style& style, const terrain::ChunkEntry& entry,
+    [[nodiscard]] const gl::Program& use_program(gl::Gl& gl, const ProgramTable& programs, const terrain::ChunkEntry& entry,
                                                  std::size_t pages, const TerrainDrawInput& input, bool in_focus) const;
+    [[nodiscard]] const gl::Program& use_look(gl::Gl& gl, const ProgramTable& programs, const terrain::SelectedChunk& chunk,
+                                              const TerrainDrawInput& input) const;
     void draw_mesh(gl::Gl& gl, const terrain::SelectedChunk& chunk, TerrainDrawResult& result) const;
     void draw_parts(gl::Gl& gl, const gl::Program& program, const terrain::SelectedChunk& chunk, const TerrainDrawInput& input,
                     TerrainDrawResult& result) const;
@@ -146,7 +167,8 @@ private:
     std::size_t style_ = 0, magnified_style_ = 0;  ///< of design_
     bool needs_maps_ = false;
     gl::Buffer vertices_, indices_;
-    gl::Texture palette_;  ///< not where all write codes: who colours them has it
+    ScreenTriangle screen_;  ///< where shading is deferred
+    gl::Texture palette_;    ///< not where all write codes: who colours them has it
     PageAtlas atlas_;
     DrapeAtlas drape_;
     GroundMap ground_;

@@ -73,6 +73,9 @@ constexpr const char* kUniformNames[kTerrainUniforms] = {"chunk_offset",
                                                          "data_overlay",
                                                          "data_overlay_color",
                                                          "data_lowest",
+                                                         "geometry",
+                                                         "chunk_number",
+                                                         "ray_axes",
                                                          kAirUniformNames[0],
                                                          kAirUniformNames[1],
                                                          kAirUniformNames[2],
@@ -123,6 +126,7 @@ constexpr const char* kMapDefines[design::kBakedMaps] = {"#define MAP_FORM 1\n",
                                                          "#define MAP_DRAPE 1\n"};
 
 constexpr const char* kAlertZoneDefine = "#define ALERT_ZONE 1\n";
+constexpr const char* kLiftedDefine = "#define LIFTED 1\n";
 
 class DefineList {
 public:
@@ -186,7 +190,7 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
     DefineList defines;
     if (style.shade.technique != TerrainShade::none)
         defines.add_number("LIGHTS", style.shade.technique == TerrainShade::lights ? style.shade.light_count : std::size_t{1});
-    defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    defines.add_if(variant.lifted, kLiftedDefine);
     defines.add_if(variant.flat, "#define FLAT 1\n");
     const bool coast = variant.coast && variant.maps[static_cast<std::size_t>(BakedMap::light)];
     defines.add_if(coast, "#define COAST 1\n");
@@ -195,12 +199,63 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
     return defines.text();
 }
 
+using VertexText = base::FixedString<kMaxTerrainDefines + kMaxShaderText>;
+using FragmentText = base::FixedString<kMaxTerrainDefines + 3 * kMaxShaderText>;
+
+void append_code(const TerrainVariant& variant, VertexText& vertex, FragmentText& fragment) {
+    vertex.append(shader_text(k_terrain_place_vert));
+    vertex.append(shader_text(k_alert_place_vert));
+    vertex.append(shader_text(k_terrain_code_vert));
+    if (variant.bands > 0) fragment.append(shader_text(k_alert_zone_frag));
+    fragment.append(shader_text(k_terrain_code_frag));
+}
+
+/// What colours the ground, by its varyings.
+void append_look(const design::TerrainStyle& style, const TerrainVariant& variant, FragmentText& fragment) {
+    if (variant.ground_data) fragment.append(shader_text(k_ground_data_frag));
+    if (variant.ground_data && variant.overlay != design::UncertaintyOverlay::none)
+        fragment.append(shader_text(k_ground_overlay_frag));
+    if (variant.air) fragment.append(shader_text(k_air_frag));
+    if (variant.fine_distance) fragment.append(shader_text(k_fine_distance_frag));
+    if (variant.shadows) fragment.append(shader_text(k_shadow_frag));
+    fragment.append(shader_text(k_unknown_ground_frag));
+    fragment.append(shader_text(k_terrain_image_frag));
+    if (style.texture == TerrainTexture::material) fragment.append(shader_text(k_natural_ground_frag));
+    fragment.append(shader_text(k_surface_line_frag));
+    if (variant.focus.foci > 0) fragment.append(shader_text(k_focus_frag));
+    if (variant.bands > 0) fragment.append(shader_text(k_alert_zone_frag));
+    fragment.append(shader_text(k_terrain_frag));
+}
+
+void append_color(const design::TerrainStyle& style, const TerrainVariant& variant, VertexText& vertex, FragmentText& fragment) {
+    vertex.append(shader_text(k_terrain_place_vert));
+    vertex.append(shader_text(k_alert_place_vert));
+    vertex.append(shader_text(k_terrain_varyings_vert));
+    vertex.append(shader_text(k_terrain_vert));
+    append_look(style, variant, fragment);
+}
+
+void append_deferred(const design::TerrainStyle& style, const TerrainVariant& variant, VertexText& vertex,
+                     FragmentText& fragment) {
+    vertex = VertexText(shader_text(k_terrain_deferred_vert));
+    append_look(style, variant, fragment);
+    fragment.append(shader_text(k_alert_place_vert));
+    fragment.append(shader_text(k_terrain_varyings_vert));
+    fragment.append(shader_text(k_terrain_deferred_frag));
+}
+
+base::Result<gl::Program, base::Error> build(gl::Gl& gl, gl::ProgramSource source) {
+    source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
+    source.uniforms = base::Span<const char* const>(kUniformNames);
+    return gl::build_program(gl, source);
+}
+
 }  // namespace
 
 bool operator==(const TerrainVariant& a, const TerrainVariant& b) noexcept {
     const auto all = [](const TerrainVariant& v) {
-        return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.ground_data, v.uncertainty, v.overlay,
-                        v.air, v.fine_distance, v.shafts, v.shadows, v.in_focus, v.magnified);
+        return std::tie(v.bands, v.baked, v.coast, v.classes, v.lifted, v.flat, v.output, v.deferred, v.ground_data,
+                        v.uncertainty, v.overlay, v.air, v.fine_distance, v.shafts, v.shadows, v.in_focus, v.magnified);
     };
     return all(a) == all(b) && std::equal(std::begin(a.maps), std::end(a.maps), std::begin(b.maps));
 }
@@ -231,7 +286,7 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     defines.add_if(style.grid.is_shown(), "#define SURFACE_GRID 1\n");
     if (variant.bands > 0) defines.add_number("WARNING_BANDS", variant.bands);
     defines.add_if(variant.bands > 0, kAlertZoneDefine);
-    defines.add_if(variant.lifted, "#define LIFTED 1\n");
+    defines.add_if(variant.lifted, kLiftedDefine);
     defines.add_if(variant.flat, "#define FLAT 1\n");
     defines.add_if(variant.air, "#define AIR 1\n");
     defines.add_if(variant.fine_distance, "#define FINE_DISTANCE 1\n");
@@ -240,42 +295,26 @@ TerrainDefines terrain_defines(const design::TerrainStyle& style, const TerrainV
     add_focus(defines, variant.focus, variant.in_focus);
     defines.add_if(variant.output == TerrainOutput::color_and_distance, "#define DISTANCE_IN_ALPHA 1\n");
     defines.add_if(variant.magnified, kMagnifiedDefine);
+    defines.add_if(variant.deferred, "#define DEFERRED 1\n#undef VARYING\n#define VARYING\n");
     return defines.text();
 }
 
 base::Result<gl::Program, base::Error> build_terrain_program(gl::Gl& gl, const design::TerrainStyle& style,
                                                              const TerrainVariant& variant) {
     const TerrainDefines defines = terrain_defines(style, variant);
-    base::FixedString<kMaxTerrainDefines + kMaxShaderText> vertex(defines.view());
-    base::FixedString<kMaxTerrainDefines + 3 * kMaxShaderText> fragment(defines.view());
-    const bool code = variant.output == TerrainOutput::code;
+    VertexText vertex(defines.view());
+    FragmentText fragment(defines.view());
     if (variant.magnified) {
         vertex.append(shader_text(k_magnified_vert));
         fragment.append(shader_text(k_magnified_frag));
     }
-    vertex.append(shader_text(k_terrain_place_vert));
-    vertex.append(code ? shader_text(k_terrain_code_vert) : shader_text(k_terrain_vert));
-    if (variant.ground_data && !code) fragment.append(shader_text(k_ground_data_frag));
-    if (variant.ground_data && variant.overlay != design::UncertaintyOverlay::none && !code)
-        fragment.append(shader_text(k_ground_overlay_frag));
-    if (variant.air && !code) fragment.append(shader_text(k_air_frag));
-    if (variant.fine_distance && !code) fragment.append(shader_text(k_fine_distance_frag));
-    if (variant.shadows && !code) fragment.append(shader_text(k_shadow_frag));
-    if (!code) fragment.append(shader_text(k_unknown_ground_frag));
-    if (!code) fragment.append(shader_text(k_terrain_image_frag));
-    if (style.texture == TerrainTexture::material && !code) fragment.append(shader_text(k_natural_ground_frag));
-    if (!code) fragment.append(shader_text(k_surface_line_frag));
-    if (variant.focus.foci > 0 && !code) fragment.append(shader_text(k_focus_frag));
-    if (variant.bands > 0) fragment.append(shader_text(k_alert_zone_frag));
-    fragment.append(code ? shader_text(k_terrain_code_frag) : shader_text(k_terrain_frag));
-    gl::ProgramSource source;
-    source.name = "terrain";
-    source.vertex = vertex.view();
-    source.fragment = fragment.view();
-    source.attributes = base::Span<const gl::AttributeBinding>(kAttributes);
-    source.uniforms = base::Span<const char* const>(kUniformNames);
-    source.some_unused = true;
-    return gl::build_program(gl, source);
+    if (variant.output == TerrainOutput::code)
+        append_code(variant, vertex, fragment);
+    else if (variant.deferred)
+        append_deferred(style, variant, vertex, fragment);
+    else
+        append_color(style, variant, vertex, fragment);
+    return build(gl, {"terrain", vertex.view(), fragment.view(), {}, {}, true});
 }
 
 }  // namespace tedavis::draw

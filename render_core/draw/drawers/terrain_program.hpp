@@ -81,6 +81,9 @@ enum TerrainUniform : std::size_t {
     kDataOverlay,
     kDataOverlayColor,
     kDataLowest,
+    kGeometry,
+    kChunkNumber,
+    kRayAxes,
     kTerrainAir,                                  ///< the first of kAirUniformNames
     kTerrainShadow = kTerrainAir + kAirUniforms,  ///< the first of kShadowUniformNames
     kTerrainLeft = kTerrainShadow + kShadowUniforms,
@@ -100,6 +103,7 @@ struct TerrainVariant {
     bool lifted = false;  ///< vertices are raised so that the surface is never below the true terrain
     bool flat = false;    ///< the surface is a plane at one height
     TerrainOutput output = TerrainOutput::color;
+    bool deferred = false;     ///< it shades the pixels of a chunk from a geometry picture, instead of the chunk's triangles
     bool ground_data = false;  ///< a field of the scene colours the ground
     design::IntrinsicUncertainty uncertainty =
         design::IntrinsicUncertainty::none;                                 ///< how the field's uncertainty changes its colour

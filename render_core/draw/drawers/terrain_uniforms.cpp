@@ -76,8 +76,6 @@ void set_lift(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of) {
     const float by_place[9] = {lift.corner_m[0], lift.edge_m[0],   lift.corner_m[1], lift.edge_m[3],  lift.own_m,
                                lift.edge_m[1],   lift.corner_m[2], lift.edge_m[2],   lift.corner_m[3]};
     gl->Uniform1fv(program.uniform(kLift), 9, by_place);
-    const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
-    gl->Uniform2f(program.uniform(kPlaceEnd), static_cast<float>(posts.i1 - posts.i0), static_cast<float>(posts.j1 - posts.j0));
 }
 
 struct PostStep {
@@ -129,6 +127,20 @@ void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Vi
     if (program.uniform(kFlatHeight) >= 0) gl->Uniform1f(program.uniform(kFlatHeight), static_cast<float>(view.flat_msl_m));
 }
 
+void set_ray_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view) {
+    const double pixel = 1 / view.focal_px;
+    const glm::dvec3 axes[4] = {
+        view.eye - glm::round(view.eye),
+        view.forward - view.half_width_tangent() * view.right + view.half_height_tangent() * view.down,
+        pixel * view.right,
+        -pixel * view.down,
+    };
+    float values[12];
+    for (int n = 0; n < 4; ++n)
+        for (int a = 0; a < 3; ++a) values[3 * n + a] = static_cast<float>(axes[n][a]);
+    gl->Uniform3fv(program.uniform(kRayAxes), 4, values);
+}
+
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m) {
     set_color(gl, program.uniform(kPlainColor), design.terrain.style.plain);
     set_color(gl, program.uniform(kSeaColor), design.terrain.sea);
@@ -178,6 +190,8 @@ void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUnifo
     const glm::dvec3 local[3] = {axis_of(entry, 1), axis_of(entry, 0), -axis_of(entry, 2)};
     set_to_local(gl, program.uniform(kToLocal), local[0], local[1], local[2]);
     if (program.uniform(kLights) >= 0) set_lights(gl, program.uniform(kLights), of, style.shade, local);
+    const terrain::PostRange posts = of.lattice.posts_of(of.chunk.key);
+    gl->Uniform2f(program.uniform(kPlaceEnd), static_cast<float>(posts.i1 - posts.i0), static_cast<float>(posts.j1 - posts.j0));
     if (program.uniform(kLift) >= 0) set_lift(gl, program, of);
     if (program.uniform(kStrokeWindow) >= 0) set_strokes(gl, program, of);
     if (program.uniform(kGridWindow) >= 0) set_grid(gl, program, of, style.grid);

@@ -17,6 +17,8 @@
 namespace tedavis::draw {
 
 void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range);
+/// The rays of a view's pixels, for deferred shading.
+void set_ray_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view);
 /// `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m);
 void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);

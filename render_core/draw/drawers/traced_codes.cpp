@@ -5,12 +5,12 @@
 #include <cstring>
 
 #include "render_core/draw/drawers/terrain_program.hpp"
+#include "render_core/draw/drawers/traced_surface.hpp"
 
 namespace tedavis::draw {
 namespace {
 
 using raytrace::HitSide;
-using terrain::PostClass;
 
 constexpr std::uint32_t kRowsOfTask = 8;
 constexpr float kHeightSteps = 254.0f, kHighestShare = 1.0f - 1.0f / 65536.0f;  // step 254 is the sea
@@ -48,22 +48,9 @@ private:
     std::uint8_t codes_[kEntries];
 };
 
-using Floats = float __attribute__((vector_size(16)));
-using Words = std::int32_t __attribute__((vector_size(16)));
-
-float sum_of(const Floats& of) { return of[0] + of[1] + of[2]; }
-
-/// A word of a post's look: normals in the lower three bytes, the class in the highest.
-std::int32_t word_of(const PostLook& look) {
-    static_assert(sizeof look == sizeof(std::int32_t));
-    std::int32_t word = 0;
-    std::memcpy(&word, &look, sizeof word);
-    return word;
-}
-
 /// What does not change over a picture, in floats; a triangle's three corners side by side.
 struct Coder {
-    explicit Coder(const CodeInput& given) : input(given), grid(given.ground.heights()), looks(given.ground.looks().data()) {
+    explicit Coder(const CodeInput& given) : input(given), surface(given.ground, given.hits) {
         lowest_m = static_cast<float>(given.heights.lowest_m);
         const double reach_m = given.heights.highest_m - given.heights.lowest_m;
         per_m = reach_m > 0 ? static_cast<float>(1 / reach_m) : 1.0f;
@@ -74,14 +61,12 @@ struct Coder {
     }
 
     /// Light at the corners.
-    [[nodiscard]] Floats light_of(const Words& corners) const {
-        const Floats x = __builtin_convertvector((corners << 24) >> 24, Floats),
-                     y = __builtin_convertvector((corners << 16) >> 24, Floats),
-                     z = __builtin_convertvector((corners << 8) >> 24, Floats);
-        Floats direct{};
+    [[nodiscard]] CornerFloats light_of(const TracedPoint& point) const {
+        const CornerFloats x = point.normals_x(), y = point.normals_y(), z = point.normals_z();
+        CornerFloats direct{};
         for (std::size_t n = 0; n < input.light.count; ++n) {
-            const Floats facing = x * lights[n][0] + y * lights[n][1] + z * lights[n][2];
-            direct += facing > 0 ? facing : Floats{};
+            const CornerFloats facing = x * lights[n][0] + y * lights[n][1] + z * lights[n][2];
+            direct += facing > 0 ? facing : CornerFloats{};
         }
         return ambient + (1 - ambient) * direct;
     }
@@ -92,49 +77,22 @@ struct Coder {
     void code_alert(const glm::dvec3& place, float height_m, std::uint8_t* to) const;
 
     const CodeInput& input;
-    const raytrace::HeightGrid<float>& grid;
-    const PostLook* looks;
+    const TracedSurface surface;
     float lowest_m, per_m, ambient;
     float lights[design::kMaxLights][3]{};
     DistanceCodes distances;
 };
 
-/// More than half of a cell's posts near a place, weighed as a texture's filter does.
-bool is_sea_at(const PostLook* north, const PostLook* south, float u, float v) {
-    const auto sea = [](const PostLook& look) { return look.post_class == PostClass::sea ? 1.0f : 0.0f; };
-    return (1 - v) * ((1 - u) * sea(north[0]) + u * sea(north[1])) + v * ((1 - u) * sea(south[0]) + u * sea(south[1])) > 0.5f;
-}
-
 float Coder::code(std::size_t pixel, float distance_m, std::uint8_t* to) const {
-    const auto cell = static_cast<std::uint32_t>(input.hits.cell[pixel]);
-    const std::uint32_t row = cell / (grid.columns - 1), column = cell - row * (grid.columns - 1);
-    const std::size_t north = std::size_t{row} * grid.stride + column, south = north + grid.stride;
-    const float u = input.hits.u[pixel], v = input.hits.v[pixel];
-    const bool is_upper = u + v <= 1;  // else the corner across, and shares from there
-    const std::size_t first = is_upper ? north : south + 1;
-    const float of_east = is_upper ? u : 1 - v, of_south = is_upper ? v : 1 - u;
-    const Floats shares{1 - of_east - of_south, of_east, of_south, 0};
-    const Floats heights{grid.posts[first], grid.posts[north + 1], grid.posts[south], 0};
-    const Words corners{word_of(looks[first]), word_of(looks[north + 1]), word_of(looks[south]), 0};
-    const float lit = input.light.count > 0 ? sum_of(shares * light_of(corners)) : 1.0f;
-    const float height_m = sum_of(shares * heights);
-    const float steps = std::clamp((height_m - lowest_m) * per_m, 0.0f, kHighestShare) * kHeightSteps;
+    const TracedPoint point = surface.at(pixel);
+    const float lit = input.light.count > 0 ? sum_of(point.shares * light_of(point)) : 1.0f;
+    const float steps = std::clamp((point.height_m - lowest_m) * per_m, 0.0f, kHighestShare) * kHeightSteps;
     const auto whole = static_cast<std::uint8_t>(steps);
-    to[0] = whole;
-    to[1] = byte_of(steps - static_cast<float>(whole));
-    to[2] = byte_of(std::clamp(lit, 1.0f / 255.0f, 1.0f));
+    to[0] = point.is_sea ? kSeaStep : whole;
+    to[1] = point.is_sea ? std::uint8_t{0} : byte_of(steps - static_cast<float>(whole));
+    to[2] = point.is_unknown ? std::uint8_t{0} : byte_of(std::clamp(lit, 1.0f / 255.0f, 1.0f));
     to[3] = distances.of(distance_m);
-    if (((corners[0] | corners[1] | corners[2]) >> 24) == 0) return height_m;  // all land
-    const auto has = [&](PostClass what) {
-        const auto code = static_cast<std::int32_t>(what);
-        return corners[0] >> 24 == code || corners[1] >> 24 == code || corners[2] >> 24 == code;
-    };
-    if (has(PostClass::sea) && is_sea_at(looks + north, looks + south, u, v)) {
-        to[0] = kSeaStep;
-        to[1] = 0;
-    }
-    if (has(PostClass::void_)) to[2] = 0;
-    return height_m;
+    return point.height_m;
 }
 
 /// As shaders/terrain_code.frag.

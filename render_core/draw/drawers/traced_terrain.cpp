@@ -36,9 +36,13 @@ TraceState TracedTerrain::start_memory(terrain::HeightQuery& heights, const effe
     if (device.capability.lane != effects::Lane::es3) return TraceState::not_on_lane;
     const std::uint64_t pixels = std::uint64_t{place.width_px} * place.height_px;
     const base::BudgetLine* pictures = device.budget.find(effects::kTracedPictures);
-    if (place.memory == nullptr || pictures == nullptr || pictures->bytes < 4 * pixels) return TraceState::not_on_device;
+    const std::uint64_t texel_bytes = 4 + (place.writes_words ? sizeof(GeometryWords) : 0);
+    if (place.memory == nullptr || pictures == nullptr || pictures->bytes < texel_bytes * pixels)
+        return TraceState::not_on_device;
     codes_ = place.memory->allocate_array<std::uint8_t>(4 * pixels);
     if (codes_.empty() || !view_.start(place.width_px, place.height_px, *place.memory)) return TraceState::not_on_device;
+    if (place.writes_words && !words_.start(database_->lattice(), place.width_px, place.height_px, *place.memory))
+        return TraceState::not_on_device;
     return traced_state_of(ground_.start(heights, workers(), *place.memory));
 }
 
@@ -47,6 +51,8 @@ base::Error TracedTerrain::start_pictures(gl::Gl& gl, base::BudgetTable& budget)
     auto depths = gl::make_texture(gl, *budget.find(effects::kTracedPictures), texels);
     if (!depths.ok()) return depths.error();
     depths_ = static_cast<gl::Texture&&>(depths.value());
+    if (place_.writes_words)
+        if (base::Error error = geometry_.start(gl, budget, place_.width_px, place_.height_px)) return error;
     if (base::Error error = screen_.start(gl, budget)) return error;
     auto program = gl::build_program(
         gl, {"traced depths", shader_text(k_saliency_vert), shader_text(k_traced_depth_frag),
@@ -70,15 +76,27 @@ void TracedTerrain::see(const terrain::View& view) {
 void TracedTerrain::draw(gl::Gl& gl, const design::DesignSettings& design, const TerrainDrawInput& input,
                          const gl::Texture& picture) {
     see(input.view);
+    has_words_ = false;
     write_codes({ground_, view_.hits(), input.view, input.heights, coded_light(design.terrain.style.shade, input.light_direction),
                  &input.alert},
                 workers(), codes_);
     TEDAVIS_CHECK(picture.upload(gl, {0, 0, place_.width_px, place_.height_px}, codes_.data()));
 }
 
+const gl::Texture& TracedTerrain::draw_words(gl::Gl& gl, base::Span<const terrain::SelectedChunk> chunks,
+                                             const TerrainDrawInput& input) {
+    see(input.view);
+    has_words_ = true;
+    words_.write({ground_, view_.hits(), input.view, chunks}, workers());
+    geometry_.upload(gl, words_.words());
+    geometry_.leave_numbers(gl);
+    return geometry_.words();
+}
+
 /// The shader puts the bytes of floats together as they lie here: least significant first.
 void TracedTerrain::draw_depths(gl::Gl& gl, const TerrainDrawInput& input, const DepthRange& range) {
     see(input.view);
+    if (has_words_) return geometry_.leave_depths(gl, range);
     if (!has_depths_) TEDAVIS_CHECK(depths_.upload(gl, {0, 0, place_.width_px, place_.height_px}, view_.hits().t.data()));
     has_depths_ = true;
     depths_.bind(gl, 0);
@@ -92,6 +110,7 @@ void TracedTerrain::destroy(gl::Gl& gl) {
     program_.destroy(gl);
     screen_.destroy(gl);
     depths_.destroy(gl);
+    geometry_.destroy(gl);
 }
 
 }  // namespace tedavis::draw

@@ -1,5 +1,6 @@
-/// Draws the terrain with the heightfield ray tracer instead of the rasterizer: the same codes into the same picture, and the
-/// same depths for objects drawn over it. The database's surface is drawn without simplification.
+/// Draws the terrain with the heightfield ray tracer instead of the rasterizer: the same codes into the same picture, or, for
+/// styles that codes cannot tell, a geometry picture that is then shaded; and the same depths for objects drawn over it. The
+/// database's surface is drawn without simplification.
 ///
 /// A picture is traced again only where it differs from the last one.
 ///
@@ -13,6 +14,7 @@
 #include "render_core/draw/drawers/screen_triangle.hpp"
 #include "render_core/draw/drawers/terrain_drawer.hpp"
 #include "render_core/draw/drawers/traced_codes.hpp"
+#include "render_core/draw/drawers/traced_words.hpp"
 #include "render_core/draw/trace_state.hpp"
 #include "render_core/draw/traced_view.hpp"
 #include "render_core/effects/device.hpp"
@@ -24,6 +26,7 @@ struct TracePlace {
     base::Workers* workers = nullptr;  ///< null: the caller's thread
     base::Arena* memory = nullptr;
     std::uint32_t width_px = 0, height_px = 0;
+    bool writes_words = false;  ///< for designs with deferred shading; else codes alone
 };
 
 class TracedTerrain {
@@ -37,7 +40,11 @@ public:
     /// Codes, into a whole picture of the size at start. No terrain lies beyond the view's far plane: the nearer it is, the less
     /// there is to trace. Where it cannot see there is nothing.
     void draw(gl::Gl& gl, const design::DesignSettings& design, const TerrainDrawInput& input, const gl::Texture& picture);
-    /// Depths in the range, over the whole of what is bound with its depth test on; colours are nothing.
+    /// The same as a geometry picture, whose words are returned; only where words are written. The depth of what is bound, which
+    /// has the size of the picture, then has the numbers of the chunks.
+    const gl::Texture& draw_words(gl::Gl& gl, base::Span<const terrain::SelectedChunk> chunks, const TerrainDrawInput& input);
+    /// Depths in the range, over the whole of what is bound with its depth test on, as GeometryPicture::leave_depths(); colours
+    /// are nothing.
     void draw_depths(gl::Gl& gl, const TerrainDrawInput& input, const DepthRange& range);
     void destroy(gl::Gl& gl);
 
@@ -59,9 +66,12 @@ private:
     terrain::View seen_;       ///< by view_
     bool has_seen_ = false;    ///< anything
     bool has_depths_ = false;  ///< of seen_, in their texture
+    bool has_words_ = false;   ///< the picture was drawn as words
     ScreenTriangle screen_;
     gl::Program program_;
     gl::Texture depths_;
+    TracedWords words_;
+    GeometryPicture geometry_;
 };
 
 }  // namespace tedavis::draw

@@ -1,5 +1,6 @@
 // Terrain: texture, then shade, then sketch, then haze. The defines at the top name the techniques of the style; what no
-// technique asks for is not there. BAKED: the chunk's attribute pages are bound, else the vertex normal must do.
+// technique asks for is not there. BAKED: the chunk's attribute pages are bound, else the vertex normal must do. DEFERRED: its
+// varyings are variables that terrain_deferred.frag fills in.
 #ifdef MAP_FORM
 uniform sampler2D form_map;      // normal east, normal north, sky view, curvature
 #endif
@@ -101,7 +102,11 @@ vec3 palette_color(float value) {
 }
 #endif
 
+#ifdef DEFERRED
+void shade_ground() {
+#else
 void main() {
+#endif
 #ifdef MAGNIFIED
     vec3 scale_edge = leave_other_parts();
 #endif

@@ -1,5 +1,6 @@
 // Terrain as codes that picture.frag turns into colours, once a pixel instead of once a triangle and pixel: small triangles
-// cost a rasterizer many fragments that are never seen. Follows terrain_place.vert.
+// cost a rasterizer many fragments that are never seen. Follows terrain_place.vert and
+// alert_place.vert.
 uniform vec2 height_range;     // lowest height, 1 / (highest - lowest)
 #ifdef LIGHTS
 uniform vec4 lights[LIGHTS];   // towards each: east, north, up; its weight
@@ -42,7 +43,7 @@ void main() {
     v_class = class_of_vertex();
 #endif
 #ifdef ALERT_ZONE
-    v_alert = alert_place();
+    v_alert = alert_place(position + chunk_offset);
     v_height = height;
 #endif
 }

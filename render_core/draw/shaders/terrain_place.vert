@@ -38,17 +38,6 @@ vec3 eye_relative_place() {
     return eye_relative;
 }
 
-#ifdef ALERT_ZONE
-uniform vec4 alert_axes[2];    // metres ahead of the own ship, to its right = dot(xyz, place) + w
-VARYING vec2 v_alert;
-
-// Of the ground as it is, neither raised nor flattened.
-vec2 alert_place() {
-    vec4 ground = vec4(position + chunk_offset, 1.0);
-    return vec2(dot(alert_axes[0], ground), dot(alert_axes[1], ground));
-}
-#endif
-
 // Sea, void.
 vec2 class_of_vertex() {
     float post_class = mod(kind, 4.0);

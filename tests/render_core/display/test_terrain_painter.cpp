@@ -14,9 +14,9 @@ TEST(TerrainPainter, DesignsOfOtherProgramsAreRefused) {
     const test_support::TerrainOnSurface terrain("es3-mid", 64, 48, bytes, plain);
     design::DesignSettings other = plain;
     other.terrain.tau_px = 3;
-    EXPECT_TRUE(terrain.painter().shows(draw::drawn_as(other, true, false)));
+    EXPECT_TRUE(terrain.painter().shows(draw::drawn_as(other, {}, false)));
     other.terrain.style.shade.technique = design::TerrainShade::phong;
-    EXPECT_FALSE(terrain.painter().shows(draw::drawn_as(other, true, false)));
+    EXPECT_FALSE(terrain.painter().shows(draw::drawn_as(other, {}, false)));
 }
 
 TEST(TerrainPainter, BeforeItIsStartedItRefusesNothing) {

@@ -129,6 +129,63 @@ TEST(TracedPictures, ShowWhatTrianglesShow) {
     }
 }
 
+/// A style that codes cannot tell, and what it is called in failures.
+struct Style {
+    const char* name;
+    void (*change)(design::DesignSettings&);
+    double most_apart;  ///< share of pixels that differ by more than 3 steps
+};
+
+const Style kStyles[] = {
+    {"as shipped", [](design::DesignSettings&) {}, 0.02},
+    {"slope, no silhouettes",
+     [](design::DesignSettings& d) {
+         d.terrain.style.texture = design::TerrainTexture::slope;
+         d.terrain.style.sketch.silhouettes = 0;
+     },
+     0.02},
+    {"hatching and form lines",
+     [](design::DesignSettings& d) {
+         d.terrain.style.sketch.hatching = 1;
+         d.terrain.style.sketch.ridges = d.terrain.style.sketch.valleys = 1;
+     },
+     0.03},
+    {"contours", [](design::DesignSettings& d) { d.terrain.style.sketch.contours = 1; }, 0.03},
+    {"air", [](design::DesignSettings& d) { d.sky.air.is_shown = true; }, 0.02},
+    {"openness and light of the map",
+     [](design::DesignSettings& d) {
+         d.terrain.style.texture = design::TerrainTexture::openness;
+         d.terrain.style.shade.technique = design::TerrainShade::light_map;
+     },
+     0.02},
+};
+
+design::DesignSettings styled(const Style& style, TerrainRenderer renderer, double tau_px = 0.1) {
+    design::DesignSettings design = test_support::shipped_design("default");
+    design.terrain.renderer = renderer;
+    design.terrain.tau_px = tau_px;
+    style.change(design);
+    return design;
+}
+
+/// Places have 16 bits in their chunks, normals 10 and 10; attribute pages are those of the chunks that triangles would be drawn
+/// of.
+TEST(TracedPictures, StylesThatCodesCannotTellAreThoseOfTriangles) {
+    for (const Style& style : kStyles)
+        for (const host_sim::AircraftPose& pose : kPoses) {
+            const Shown traced = shown(styled(style, TerrainRenderer::trace), pose),
+                        drawn = shown(styled(style, TerrainRenderer::raster), pose);
+            EXPECT_EQ(traced.terrain.renderer.view(), "trace") << style.name;
+            EXPECT_EQ(traced.terrain.triangles, 0u) << style.name;
+            EXPECT_EQ(traced.terrain.worst_error_px, 0) << style.name;
+            EXPECT_FALSE(traced.is_flagged) << style.name;
+            EXPECT_LT(share_apart(traced.rgba, drawn.rgba, 3), style.most_apart) << style.name << " heading " << pose.heading_deg;
+        }
+    const Shown other = shown(styled(kStyles[1], TerrainRenderer::trace), kPoses[0]),
+                shipped = shown(styled(kStyles[0], TerrainRenderer::raster), kPoses[0]);
+    EXPECT_GT(share_apart(other.rgba, shipped.rgba, 3), 0.2) << "a control: another style";
+}
+
 TEST(TracedPictures, DataStandOnItAndAreHiddenByItAsOnTriangles) {
     test_support::FlakyBytes scene = way();
     const Stage with_scene{"es3-mid", 1, &scene};
@@ -139,6 +196,10 @@ TEST(TracedPictures, DataStandOnItAndAreHiddenByItAsOnTriangles) {
         EXPECT_EQ(traced.terrain.renderer.view(), "trace");
         EXPECT_LT(share_apart(traced.rgba, drawn.rgba, 3), 0.002);
         EXPECT_GT(share_apart(bare.rgba, drawn.rgba, 3), 0.004) << "a control: the way is in view";
+        const Shown shaded = shown(with_way(styled(kStyles[0], TerrainRenderer::trace)), pose, with_scene),
+                    as_triangles = shown(with_way(styled(kStyles[0], TerrainRenderer::raster)), pose, with_scene);
+        EXPECT_EQ(shaded.terrain.renderer.view(), "trace");
+        EXPECT_LT(share_apart(shaded.rgba, as_triangles.rgba, 3), kStyles[0].most_apart);
     }
 }
 
@@ -179,6 +240,26 @@ TEST(TracedPictures, DesignsWithAndWithoutRaysFollowOneAnother) {
     EXPECT_FALSE(headless.display().set_design(rays));
 }
 
+/// A device file of before, which has room for codes: they are traced, and other styles are drawn by triangles as ever.
+TEST(TracedPictures, WithoutRoomForAGeometryPictureCodesAreStillTraced) {
+    const auto show = [](const design::DesignSettings& design) {
+        effects::DeviceSettings device = test_support::shipped_device("es3-mid");
+        device.budget.find(effects::kTracedPictures)->bytes = 4u * 1024 * 768;
+        test_support::MemoryBytes bytes(coast().image);
+        test_support::HeadlessDisplay headless("egl", device, kWidth, kHeight, &bytes, design);
+        Shown result;
+        result.rgba =
+            test_support::settled_pixels(headless, host_sim::posed_aircraft(kPoses[0], headless.display()), host_sim::kPosedTime);
+        result.terrain = headless.display().record().terrain;
+        return result;
+    };
+    EXPECT_EQ(show(design_by(TerrainRenderer::trace)).terrain.renderer.view(), "trace");
+    const Shown drawn = show(styled(kStyles[1], TerrainRenderer::trace));
+    EXPECT_EQ(drawn.terrain.renderer.view(), "raster");
+    EXPECT_EQ(drawn.terrain.renderer_reason.view(), "the device has no room for it");
+    EXPECT_EQ(drawn.rgba, show(styled(kStyles[1], TerrainRenderer::raster)).rgba);
+}
+
 TEST(TracedPictures, WhoDoesNotAskPaysNothing) {
     const Shown drawn = shown(design_by(TerrainRenderer::raster), kPoses[0]),
                 traced = shown(design_by(TerrainRenderer::trace), kPoses[0]);
@@ -186,20 +267,22 @@ TEST(TracedPictures, WhoDoesNotAskPaysNothing) {
     EXPECT_EQ(drawn.picture_bytes, 0u);
     EXPECT_GT(traced.traced_bytes, 161u * 161 * 8);
     EXPECT_EQ(traced.picture_bytes, kWidth * kHeight * 4u);
+    EXPECT_EQ(shown(styled(kStyles[0], TerrainRenderer::trace), kPoses[0]).picture_bytes, kWidth * kHeight * 20u);
 }
 
 /// Where rays cannot be, the picture is that of triangles, and the record says why.
 TEST(TracedPictures, WhatCannotBeTracedIsDrawnAndSaidToBe) {
     struct Row {
         const char* device;
-        design::TerrainTexture texture;
+        double shadows_in_air;
         const char* reason;
     };
-    const Row rows[] = {{"es2-small", design::TerrainTexture::hypsometric, "the device's lane is es2"},
-                        {"es3-mid", design::TerrainTexture::material, "the tracer draws no such style"}};
+    const Row rows[] = {{"es2-small", 0, "the device's lane is es2"},
+                        {"es3-mid", 0.5, "light shafts alone, blur round a focus or magnified foci"}};
     for (const Row& row : rows) {
         design::DesignSettings asked = design_by(TerrainRenderer::trace), plain = design_by(TerrainRenderer::raster);
-        asked.terrain.style.texture = plain.terrain.style.texture = row.texture;
+        if (row.shadows_in_air > 0) asked.terrain.style.sketch.silhouettes = plain.terrain.style.sketch.silhouettes = 0;
+        asked.effects.shadows.in_air = plain.effects.shadows.in_air = row.shadows_in_air;
         const Shown drawn = shown(asked, kPoses[0], {row.device});
         EXPECT_EQ(drawn.terrain.renderer.view(), "raster") << row.device;
         EXPECT_EQ(drawn.terrain.renderer_reason.view(), row.reason);

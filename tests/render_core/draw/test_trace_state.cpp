@@ -14,7 +14,13 @@ TEST(TraceStateOfDesigns, TracesDesignsThatCodesCanShow) {
     const auto state = [&] { return trace_state_of({&design, output_of(design, true)}); };
     EXPECT_EQ(state(), TraceState::traced);
     design.terrain.style.texture = design::TerrainTexture::slope;
-    EXPECT_EQ(state(), TraceState::not_by_style);
+    constexpr DrawAbility kShades{true, true, true}, kEs2{true, false, false}, kSmall{true, true, false};
+    EXPECT_EQ(trace_state_of(drawn_as(design, kShades, false)), TraceState::traced) << "shaded from a geometry picture";
+    EXPECT_EQ(trace_state_of(drawn_as(design, kEs2, false)), TraceState::not_on_lane);
+    EXPECT_EQ(trace_state_of(drawn_as(design, kSmall, false)), TraceState::not_on_device);
+    design.effects.shadows.in_air = 0.5;
+    design.terrain.style.sketch.silhouettes = 0;
+    EXPECT_EQ(trace_state_of(drawn_as(design, kShades, false)), TraceState::not_by_style);
     design.view.reference = design::Reference::flat;
     EXPECT_EQ(state(), TraceState::not_flat);
     design.terrain.renderer = design::TerrainRenderer::raster;

@@ -152,6 +152,9 @@ TEST_F(CallRules, TextureFormatsAndSizes) {
     EXPECT_TRUE(storage(7, GL_RGBA8, 64));
     EXPECT_FALSE(storage(1, GL_RGBA16F, 64));
     EXPECT_FALSE(storage(1, GL_DEPTH_COMPONENT24, 64));
+    EXPECT_FALSE(storage(1, GL_RGBA32UI, 64));
+    EXPECT_TRUE((allowed<&CallTable::TexStorage2D>(es3, GLenum{GL_TEXTURE_2D}, 1, GLenum{GL_RGBA32UI}, 64, 64)));
+    EXPECT_FALSE(image(es2, GL_RGBA_INTEGER, 64, GL_RGBA_INTEGER, GL_UNSIGNED_INT));
 }
 
 TEST_F(CallRules, UploadsAreCountedInBytes) {
@@ -167,6 +170,14 @@ TEST_F(CallRules, UploadsAreCountedInBytes) {
     EXPECT_EQ(es2.frame.uploaded_bytes, 80u);
     EXPECT_FALSE(upload(es2, GL_RED));
     EXPECT_EQ(es2.frame.uploaded_bytes, 80u) << "a refused upload moves nothing";
+    const auto words = [&](CallState& state, GLenum format) {
+        return allowed<&CallTable::TexSubImage2D>(state, GLenum{GL_TEXTURE_2D}, 0, 0, 0, 2, 2, format, GLenum{GL_UNSIGNED_INT},
+                                                  pixels);
+    };
+    EXPECT_FALSE(words(es2, GL_RGBA_INTEGER));
+    EXPECT_FALSE(words(es3, GL_RGBA));
+    EXPECT_TRUE(words(es3, GL_RGBA_INTEGER));
+    EXPECT_EQ(es3.frame.uploaded_bytes, 64u);
     EXPECT_TRUE((allowed<&CallTable::BufferSubData>(es2, GLenum{GL_ARRAY_BUFFER}, GLintptr{0}, GLsizeiptr{20}, pixels)));
     EXPECT_EQ(es2.frame.uploaded_bytes, 100u);
 }

@@ -100,6 +100,20 @@ TEST_P(TextureTest, HalfFloatsAreOfES3Only) {
     texture.value().destroy(at_.gl);
 }
 
+/// That they arrive as they are is seen by their readers (draw/drawers/geometry_picture).
+TEST_P(TextureTest, WordsAreOfES3Only) {
+    const bool is_es3 = at_.device.capability.gl.calls == effects::CallClass::es3;
+    auto texture = make_texture(at_.gl, line_, {TextureFormat::rgba32ui, TextureFilter::nearest, 2, 3});
+    ASSERT_EQ(texture.ok(), is_es3);
+    if (!is_es3) return;
+    EXPECT_EQ(line_.use.in_use, 96u);
+    const std::uint32_t texels[24] = {};
+    ASSERT_TRUE(texture.value().upload(at_.gl, {0, 0, 2, 3}, texels));
+    EXPECT_EQ(at_.gl.take_error(), GLenum{GL_NO_ERROR});
+    EXPECT_EQ(at_.gl.denied().total, 0u);
+    texture.value().destroy(at_.gl);
+}
+
 TEST_P(TextureTest, LargerThanTheDeviceIsRefusedAndTakesNothing) {
     line_.bytes = 1u << 30;
     const auto texture =

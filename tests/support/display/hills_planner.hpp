@@ -27,7 +27,7 @@ public:
         base::Arena reservation = reservation_->arena();
         must(planner_.take_designs(settings, memory));
         must(arenas_.cut(planner_.settings().device.budget, reservation));
-        const draw::DrawnDesign only = draw::drawn_as(planner_.design_at(0), true, false);
+        const draw::DrawnDesign only = draw::drawn_as(planner_.design_at(0), {}, false);
         must(planner_.start_symbology(arenas_.symbology()));
         must(planner_.start_intervals(arenas_.frames(), arenas_.memories()));
         must(planner_.start_terrain({&bytes_, &reader_, terrain::ArrivalMode::exact}, {&only, 1}, arenas_.terrain()));

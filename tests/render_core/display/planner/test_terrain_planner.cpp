@@ -141,7 +141,7 @@ TEST(TerrainPlanner, TracedTerrainHasNoErrorWhateverHasArrived) {
     Stage stage(plain_design());
     const TerrainPlan plan = stage.scene.plan(camera_at(96, 96, 2600, 40, -15), plain_design());
     EXPECT_GT(plan.lod.worst_error_px, 0);
-    const TerrainPlan traced = as_traced(plan);
+    const TerrainPlan traced = as_traced(plan, false);
     EXPECT_EQ(traced.lod.worst_error_px, 0);
     EXPECT_EQ(traced.lod.worst_waiting_px, 0);
     EXPECT_EQ(traced.lod.worst_coarse_px, 0);
@@ -157,7 +157,7 @@ TEST(TerrainPlanner, RaysThatCannotBeLeaveTriangles) {
     design.terrain.renderer = design::TerrainRenderer::trace;
     Stage stage(design);
     ASSERT_EQ(stage.error.message.view(), "");
-    EXPECT_EQ(stage.scene.trace_state(), draw::TraceState::not_by_style) << "the stage's programs write colours";
+    EXPECT_EQ(stage.scene.trace_state(), draw::TraceState::not_on_device) << "the stage shades no rays";
     EXPECT_TRUE(stage.shows(plain_design()));
 }
 

@@ -88,13 +88,42 @@ TEST(TerrainProgram, EveryTechniqueCompilesInBothLanes) {
             }
         // A misspelt name would never be found.
         for (std::size_t n = 0; n < kTerrainUniforms; ++n)
-            if (n != kHeightRange &&
+            if (n != kHeightRange && (n < kGeometry || n > kRayAxes) &&
                 (n < kTerrainAir || n >= kTerrainFocus || session.device.capability.gl.calls == effects::CallClass::es3)) {
                 EXPECT_GT(seen[n], 0) << "uniform " << n << " on " << device;
             }
         session.gl.seal();
         session.gl.retire();
     }
+}
+
+/// Varyings are variables there, and the function that fills them is the vertex shader's.
+TEST(TerrainProgram, DeferredShadingOfEveryTechniqueCompiles) {
+    GlSession session("egl", "es3-mid");
+    std::vector<int> seen(kTerrainUniforms, 0);
+    for (const TerrainStyle& style : styles())
+        for (const int pages : {0, 1, 2}) {
+            TerrainVariant variant = full_variant();
+            const auto texture = static_cast<std::size_t>(style.texture);
+            variant.deferred = true;
+            variant.flat = variant.magnified = false;
+            variant.ground_data = variant.baked = pages > 0;
+            variant.uncertainty = static_cast<design::IntrinsicUncertainty>(texture % design::kIntrinsicUncertainties);
+            variant.overlay = static_cast<design::UncertaintyOverlay>((texture + 1) % design::kUncertaintyOverlays);
+            variant.coast = pages > 1;
+            variant.shadows = pages != 1;
+            variant.fine_distance = pages == 2;
+            if (pages > 0) variant.focus = any_focus(texture + static_cast<std::size_t>(pages));
+            auto program = build_terrain_program(session.gl, style, variant);
+            ASSERT_TRUE(program.ok()) << program.error().message.view();
+            for (std::size_t n = 0; n < kTerrainUniforms; ++n) seen[n] += program.value().uniform(n) >= 0 ? 1 : 0;
+            program.value().destroy(session.gl);
+        }
+    for (const std::size_t n : {kGeometry, kChunkNumber, kRayAxes, kPlaceEnd, kToLocal, kDataWindow, kStrokeWindow, kGridWindow})
+        EXPECT_GT(seen[n], 0) << "uniform " << n;
+    EXPECT_EQ(seen[kViewProjection], 0);
+    session.gl.seal();
+    session.gl.retire();
 }
 
 TEST(TerrainProgram, WhatTheStyleDoesNotAskForIsNotCompiled) {

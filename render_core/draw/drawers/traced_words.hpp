@@ -1,0 +1,52 @@
+/// Converts the hits of a traced picture to the words of a geometry picture (geometry_picture.hpp), from which styles that codes
+/// cannot tell are shaded.
+///
+/// Each pixel belongs to the selected chunk that its cell lies in: by that chunk's number it is shaded with the chunk's attribute
+/// pages and uniforms, as its triangles would be. The surface is the database's own, whatever the level of the chunk.
+///
+/// Memory    an arena at start(). Thread  uses the workers; the words do not depend on their number.
+#pragma once
+
+#include "render_core/draw/drawers/geometry_picture.hpp"
+#include "render_core/draw/traced_ground.hpp"
+#include "render_core/raytrace/view_kernels.hpp"
+#include "render_core/terrain/lattice.hpp"
+#include "render_core/terrain/lod_selection.hpp"
+#include "render_core/terrain/view.hpp"
+
+namespace tedavis::draw {
+
+struct WordsInput {
+    const TracedGround& ground;
+    const raytrace::HitPicture& hits;  ///< of the view; with places in cells
+    const terrain::View& view;
+    base::Span<const terrain::SelectedChunk> chunks;  ///< they cover all that is seen, in slots below kMaxGeometrySlots
+};
+
+class TracedWords {
+public:
+    [[nodiscard]] static std::uint64_t bytes_needed(const terrain::Lattice& lattice, std::uint32_t width, std::uint32_t height);
+    /// Allocates memory; returns false where the arena is too small.
+    [[nodiscard]] bool start(const terrain::Lattice& lattice, std::uint32_t width, std::uint32_t height, base::Arena& arena);
+    /// The view has the size at start.
+    void write(const WordsInput& input, base::Workers& workers);
+    /// Rows from the bottom, as pictures of GL lie.
+    [[nodiscard]] base::Span<const GeometryWords> words() const { return {words_.data(), words_.size()}; }
+
+    /// The part of the lattice that a chunk covers.
+    struct Part {
+        std::uint32_t i0 = 0, j0 = 0;
+        float per_column = 0, per_row = 0;  ///< 1 / cells across, 1 / cells down
+    };
+
+private:
+    void assign(base::Span<const terrain::SelectedChunk> chunks);
+
+    terrain::Lattice lattice_;
+    std::uint32_t across_ = 0, down_ = 0;  ///< chunks of the finest level
+    base::Span<std::uint16_t> numbers_;    ///< of the selected chunk that covers each of them; 0: none
+    base::Span<Part> parts_;               ///< by number
+    base::Span<GeometryWords> words_;
+};
+
+}  // namespace tedavis::draw
