@@ -23,7 +23,11 @@ std::uint32_t bits_of(float value) {
     return bits;
 }
 
-std::uint32_t rounded(float steps) { return static_cast<std::uint32_t>(steps + 0.5f); }
+/// Without lround(), which would be a call for each pixel.
+std::uint32_t rounded(float steps) {
+    const float above = steps + 0.5f;
+    return static_cast<std::uint32_t>(above);
+}
 
 /// Octahedral form (Meyer et al. 2010) of a vector of any length but 0.
 std::uint32_t normal_code(float x, float y, float z) {

@@ -88,7 +88,7 @@ double share_apart(const std::vector<std::uint8_t>& a, const std::vector<std::ui
         for (std::size_t c = n; c < n + 3; ++c) differs = differs || std::abs(int{a[c]} - int{b[c]}) > steps;
         apart += differs ? 1 : 0;
     }
-    return static_cast<double>(apart) / static_cast<double>(a.size() / 4);
+    return static_cast<double>(apart) / (0.25 * static_cast<double>(a.size()));
 }
 
 /// A way at a height that some hills reach.

@@ -102,9 +102,11 @@ TEST(TracedWords, SayWhereTheGroundWasMetInTheChunkThatCoversIt) {
             ASSERT_TRUE(cell % cells >= posts.i0 && cell % cells < posts.i1) << "its cell lies in the chunk";
             ASSERT_TRUE(cell / cells >= posts.j0 && cell / cells < posts.j1);
             coarse += owner->key.level == 1 ? 1 : 0;
+            const std::uint32_t whole_row = cell / cells;
+            const double column = cell - whole_row * cells, row = whole_row;
             const double across = posts.i1 - posts.i0, down = posts.j1 - posts.j0;
-            EXPECT_NEAR(posts.i0 + (words[0] & 65535u) / 65535.0 * across, cell % cells + double{hits.u[at]}, across / 65535);
-            EXPECT_NEAR(posts.j0 + (words[0] >> 16u) / 65535.0 * down, cell / cells + double{hits.v[at]}, down / 65535);
+            EXPECT_NEAR(posts.i0 + (words[0] & 65535u) / 65535.0 * across, column + double{hits.u[at]}, across / 65535);
+            EXPECT_NEAR(posts.j0 + (words[0] >> 16u) / 65535.0 * down, row + double{hits.v[at]}, down / 65535);
             EXPECT_EQ(float_of(words[3]), hits.t[at]);
         }
     EXPECT_GT(met, 1000u);
