@@ -36,7 +36,7 @@ TraceState TracedTerrain::start_memory(terrain::HeightQuery& heights, const effe
     if (device.capability.lane != effects::Lane::es3) return TraceState::not_on_lane;
     const std::uint64_t pixels = std::uint64_t{place.width_px} * place.height_px;
     const base::BudgetLine* pictures = device.budget.find(effects::kTracedPictures);
-    const std::uint64_t texel_bytes = 4 + (place.writes_words ? sizeof(GeometryWords) : 0);
+    const std::uint64_t texel_bytes = place.writes_words ? kShadedTexelBytes : sizeof(float);
     if (place.memory == nullptr || pictures == nullptr || pictures->bytes < texel_bytes * pixels)
         return TraceState::not_on_device;
     codes_ = place.memory->allocate_array<std::uint8_t>(4 * pixels);

@@ -1,6 +1,5 @@
 // Terrain as codes that picture.frag turns into colours, once a pixel instead of once a triangle and pixel: small triangles
-// cost a rasterizer many fragments that are never seen. Follows terrain_place.vert and
-// alert_place.vert.
+// cost a rasterizer many fragments that are never seen. Follows terrain_place.vert and alert_place.vert.
 uniform vec2 height_range;     // lowest height, 1 / (highest - lowest)
 #ifdef LIGHTS
 uniform vec4 lights[LIGHTS];   // towards each: east, north, up; its weight

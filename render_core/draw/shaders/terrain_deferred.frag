@@ -1,4 +1,5 @@
-// Shades the ground of one chunk from a geometry picture (geometry_picture.hpp), once a pixel. Follows terrain.frag and terrain_varyings.vert; the depth test lets only pixels with the chunk's number pass.
+// Shades the ground of one chunk from a geometry picture (geometry_picture.hpp), once a pixel; the depth test lets only pixels
+// with the chunk's number pass. Follows terrain.frag, alert_place.vert and terrain_varyings.vert.
 precision highp int;           // else the upper bits may be lost
 
 uniform highp usampler2D geometry;

@@ -150,7 +150,7 @@ TEST(Device, MayHaveRoomForTracedTerrain) {
     EXPECT_NE(refusal(with("traced_pictures", "cpu")).find("'traced_pictures' of kind \"gpu\""), std::string::npos);
     for (const char* name : {"es3-mid", "desktop"}) {
         const DeviceSettings device = shipped_device(name);
-        EXPECT_GE(device.budget.find(kTracedPictures)->bytes, std::uint64_t{4} * device.width_px * device.height_px) << name;
+        EXPECT_GE(device.budget.find(kTracedPictures)->bytes, std::uint64_t{20} * device.width_px * device.height_px) << name;
     }
     EXPECT_EQ(shipped_device("es2-small").budget.find(kTracedTerrain), nullptr);
 }
