@@ -143,6 +143,7 @@ class Machine:
     sent_can  CAN frames that the guest has sent, once count_sent_can() was called
     panel_folder   of the guest's lines in /sys, after make_panel()
     work      this machine's folder that is /work in the guest
+    can_cards   CAN controllers (Kvaser PCIcanX with an SJA1000 each) on one bus, which are can0, can1, ... of the guest; x86_64
     disk      a disk of tests/board/make_image; its system is booted, and what it changes is forgotten at the end
     keeps_disk   the disk is only there (/dev/vda), and keeps what is written
     instruction_ns   the guest's clocks count this for each instruction (a power of two), and leap where the guest has nothing to do;
@@ -151,8 +152,8 @@ class Machine:
     """
 
     def __init__(self, arch, shares=None, modules=(), size=(640, 480), memory_mib=1024, disk=None, keeps_disk=False,
-                 instruction_ns=None):
-        self.instruction_ns = instruction_ns
+                 instruction_ns=None, can_cards=0):
+        self.instruction_ns, self.can_cards = instruction_ns, can_cards
         self.arch, self.modules, self.size, self.memory_mib = arch, tuple(modules), size, memory_mib
         self.disk, self.keeps_disk = disk, keeps_disk
         self.work = TOP / "build" / "board" / arch
@@ -367,6 +368,8 @@ class Machine:
     def _command(self):
         guest = TOP / "build" / "guests" / self.arch
         modules = self.modules if self.disk is None else (*self.modules, *DISK_MODULES)
+        if self.can_cards > 0:
+            modules = (*modules, "kvaser_pci")
         tags = ",".join(f"{name}:rw" if folder.endswith(":rw") else name for name, folder in self.shares.items())
         line = f"{KERNEL_LINES[self.arch]} shares={tags} modules={','.join(modules)}"
         if self.disk is not None and not self.keeps_disk:
@@ -385,6 +388,8 @@ class Machine:
             command += ["-chardev", f"socket,id={name},path={self._sockets}/{name},server=on,wait=off"]
             command += ["-device", f"virtconsole,chardev={name}"]
         command += ["-device", f"virtio-gpu-pci,xres={self.size[0]},yres={self.size[1]}"]
+        if self.can_cards > 0:
+            command += ["-object", "can-bus,id=bus"] + ["-device", "kvaser_pci,canbus=bus"] * self.can_cards
         if self.disk is not None:
             path = os.path.realpath(self.disk).replace(",", ",,")
             changes = "off" if self.keeps_disk else "on"
