@@ -1,6 +1,6 @@
-/// What somebody types at a terminal, for a question that Ctrl-C and SIGTERM end.
+/// Reads the user's answer at a terminal to a question that Ctrl-C and SIGTERM end.
 ///
-/// std::cin does not do: its reads begin anew after a signal, so that an interrupted question would wait for a line.
+/// std::cin is not suitable: its reads are restarted after a signal, so that an interrupted question would wait for a line.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 /// file.
 class AnswerInput : public std::streambuf {
 public:
-    /// `file`: a descriptor that is open for reading and stays so; it is not closed.
+    /// `file` is a descriptor that must be open for reading while this object exists; it is not closed.
     explicit AnswerInput(int file) : file_(file) {}
 
 protected:

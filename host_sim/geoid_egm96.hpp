@@ -15,7 +15,8 @@ class GeoidEgm96 {
 public:
     /// Throws UserError when the file is missing, truncated or not a global grid.
     explicit GeoidEgm96(const std::string& path);
-    /// The installed grid: $PROJ_DATA, $PROJ_LIB, /usr/share/proj, /usr/local/share/proj.
+    /// Reads egm96_15.gtx from the first of these folders that has it: $PROJ_DATA, $PROJ_LIB, /usr/share/proj,
+    /// /usr/local/share/proj. Throws UserError where none has.
     [[nodiscard]] static GeoidEgm96 installed();
 
     [[nodiscard]] earth::GeoidUndulation undulation(double latitude_rad, double longitude_rad) const;

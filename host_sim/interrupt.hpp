@@ -3,9 +3,8 @@
 /// While a guard exists, the first signal sets the flag; the second one ends the program at once. A guard within another one is
 /// the same guard: a signal that came before it is requested there, too. Guards are made and destroyed by one thread.
 ///
-/// The command line makes one for each command that takes long (add_long_command()), which counts from the command's start on. A
-/// function has one of its own only to ask it in a loop. Where it is called without a command line, as by a test, that guard is
-/// the only one.
+/// The command line makes one for each long command (add_long_command()) at the command's start. A function makes one of its own
+/// only to query it in a loop; if it is called without a command line, as by a test, that guard is the only one.
 #pragma once
 
 #include <string>
@@ -22,8 +21,8 @@ public:
     [[nodiscard]] bool requested() const;
 };
 
-/// To be called before a command writes anything to `output`: throws Interrupted, which says so, where a guard exists and was
-/// requested.
+/// To be called before a command writes anything to `output`: throws Interrupted, whose message says that nothing was written,
+/// where a guard exists and was requested.
 void require_uninterrupted(const std::string& output);
 
 }  // namespace tedavis::host_sim

@@ -1,7 +1,7 @@
 /// Layer masks: the part of the display to which each pixel of a picture belongs.
 ///
-/// Beside a picture `P.png` stands `P.layers.png`: eight bits of grey per pixel, which count from 0 through the names that the
-/// picture's record has under `layers` (the frame's line of `frames.jsonl`, `P.json` of a `shot`, `sheet.json` of a sheet).
+/// The mask of a picture `P.png` is `P.layers.png` beside it: eight bits of grey per pixel, which are indices in the names that
+/// the picture's record has under `layers` (the frame's line of `frames.jsonl`, `P.json` of a `shot`, `sheet.json` of a sheet).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace tedavis::host_sim {
 struct LayerMask {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> layers;  ///< of each pixel, rows from the top
-    std::vector<std::string> names;    ///< of values; larger values belong to no layer
+    std::vector<std::string> names;    ///< names by value; larger values are no layer
 };
 
 /// Writes a mask, complete or not at all; throws UserError.

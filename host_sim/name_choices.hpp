@@ -1,4 +1,4 @@
-/// The names among which a user can choose, in a sentence.
+/// Lists the names among which a user can choose, for a message.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// More names than these are counted, so that a sentence stays one that can be read.
+/// Names beyond this number are only counted, so that the message stays readable.
 inline constexpr std::size_t kMaxChoicesNamed = 12;
 
 /// "a, b, c and 5 more"; "none" of none. `names` is any container of texts, in the order in which they are stated.
@@ -22,7 +22,7 @@ template <class Names>
     return list.empty() ? "none" : list;
 }
 
-/// What shows all of them: the end of a sentence about a name that a source of a scene does not have.
+/// The end of a message about a name that a source of a scene does not have: the command that shows all names.
 [[nodiscard]] inline std::string look_hint(const std::string& file) { return "; tedavis scene look " + file + " shows them"; }
 
 }  // namespace tedavis::host_sim

@@ -8,7 +8,7 @@ namespace tedavis::host_sim {
 
 class NewFolder {
 public:
-    /// The folder may be there already. Throws UserError where it cannot be made.
+    /// Makes the folder unless it exists. Throws UserError where it cannot be made.
     explicit NewFolder(const std::string& path);
     /// Unless kept, removes the folders that it made, as far as they are empty.
     ~NewFolder();

@@ -32,7 +32,7 @@ struct RgbaView {
     return {picture.pixels.data(), picture.width, picture.height, false};
 }
 
-/// A number a pixel, top row first, without copying them.
+/// One number per pixel, top row first, without copying them.
 struct GreyView {
     const std::uint8_t* pixels = nullptr;
     std::uint32_t width = 0, height = 0;
@@ -46,20 +46,20 @@ using PaletteColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
 struct PalettePicture {
     std::uint32_t width = 0, height = 0;
     std::vector<PaletteColor> colors;
-    std::vector<std::uint8_t> pixels;  ///< width * height places in `colors`, top row first
+    std::vector<std::uint8_t> pixels;  ///< width * height indices in `colors`, top row first
 };
 
 /// The file's bytes.
 [[nodiscard]] std::string encode_png(const RgbaView& view);
 [[nodiscard]] std::string encode_grey_png(const GreyView& view);
-/// The same without alpha, in as few bytes as it takes: for pages that hold their pictures. A picture of greys alone has one
-/// channel.
+/// The same without alpha and compressed as far as possible, for pages that embed their pictures. A picture of greys alone has
+/// one channel.
 [[nodiscard]] std::string encode_small_png(const RgbaView& view);
-/// In as few bytes as it takes.
+/// Compressed as far as possible.
 [[nodiscard]] std::string encode_palette_png(const PalettePicture& picture);
-/// Appears whole or not at all; throws UserError.
+/// Writes a file, complete or not at all. Throws UserError.
 void write_png(const std::string& path, const RgbaView& view);
-/// Any PNG, as RGBA8. Throws UserError when it is missing, damaged or no PNG.
+/// Reads any PNG as RGBA8. Throws UserError where it is missing, damaged or no PNG.
 [[nodiscard]] RgbaPicture read_png(const std::string& path);
 
 /// The picture at 1/n of its size, each pixel the mean of its n x n block (cut at the border); n such that the result

@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Of what is longer than kMaxPrinted bytes, the rest is left out.
+/// Longest text, bytes; longer ones are truncated.
 inline constexpr int kMaxPrinted = 511;
 
 template <class... Values>

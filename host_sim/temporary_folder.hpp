@@ -7,7 +7,7 @@ namespace tedavis::host_sim {
 
 class TemporaryFolder {
 public:
-    /// Throws UserError where the system's folder for temporary files takes none.
+    /// Throws UserError where the folder cannot be made in the system's folder for temporary files.
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;

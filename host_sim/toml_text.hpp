@@ -6,7 +6,8 @@
 
 namespace tedavis::host_sim {
 
-/// Numbers have the digits that bring them back bit for bit. Lists hold objects alone or none; null stands nowhere, as in TOML.
+/// Numbers are written with as many digits as give the same double when they are read. A list must contain objects alone or none;
+/// null is not allowed, as in TOML.
 [[nodiscard]] std::string toml_text(const nlohmann::ordered_json& table);
 
 /// A basic string of TOML in its quotes; the text may hold any byte but 0.

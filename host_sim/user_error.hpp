@@ -1,4 +1,4 @@
-/// What ends a command early, as exceptions: one sentence that says what, where and what to do.
+/// Exceptions that end a command early, with one sentence that states what is wrong, where, and what to do.
 #pragma once
 
 #include <stdexcept>
@@ -6,18 +6,18 @@
 
 namespace tedavis::host_sim {
 
-/// A fault in what the user gave. Exit code kFaultyInputExitCode.
+/// A fault in the user's input. Exit code kFaultyInputExitCode.
 class UserError : public std::runtime_error {
 public:
     explicit UserError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Of a command whose input turned out to be faulty; also where it left a valid partial result.
+/// Exit code of a command with faulty input; also if it left a valid partial result.
 inline constexpr int kFaultyInputExitCode = 2;
-/// The run is whole, but a check of it did not hold.
+/// Exit code of a command that is complete, but of which a check failed.
 inline constexpr int kCheckFailedExitCode = 1;
 
-/// Of a command that Ctrl-C or SIGTERM ended early, as shells have it.
+/// Exit code of a command that Ctrl-C or SIGTERM ended early, as usual for shells.
 inline constexpr int kInterruptedExitCode = 130;
 
 /// The user stopped the command before it had a result worth keeping. Exit code kInterruptedExitCode.

@@ -1,4 +1,4 @@
-/// Several faults of one file, which are said at once: a sentence each, printed as a line each.
+/// Several faults of one file, which are reported together: one sentence each, printed as one line each.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace tedavis::host_sim {
 
 class UserErrors : public UserError {
 public:
-    /// There is one sentence at least. what() has a line for each.
+    /// `sentences` has at least one entry. what() has a line for each.
     explicit UserErrors(std::vector<std::string> sentences) : UserError(lines_of(sentences)), sentences_(std::move(sentences)) {}
 
     [[nodiscard]] const std::vector<std::string>& sentences() const { return sentences_; }

@@ -1,4 +1,4 @@
-/// Which program this is.
+/// Version and commit of the program.
 #pragma once
 
 namespace tedavis::host_sim {
@@ -6,8 +6,8 @@ namespace tedavis::host_sim {
 /// "major.minor.patch"
 [[nodiscard]] const char* version();
 
-/// Of the checkout that it was built from: twelve digits, and "+" where files differed from the commit; "unknown" where it was
-/// built outside of a git checkout.
+/// The commit of the checkout from which it was built: twelve digits, and "+" where files differed from the commit; "unknown"
+/// where it was built outside of a git checkout.
 [[nodiscard]] const char* commit();
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Files that a command has written, and that go again where it fails before they are a result.
+/// Files that a command has written, which are removed again if it fails before they are complete.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ public:
     WrittenFiles(const WrittenFiles&) = delete;
     WrittenFiles& operator=(const WrittenFiles&) = delete;
 
-    /// Before it is written.
+    /// To be called before the file is written.
     void add(const std::string& path) { paths_.push_back(path); }
-    /// The same; a file that is there already, of an earlier command, is set aside (`X.earlier`) until keep(), and comes back
-    /// without it.
+    /// The same; an existing file of an earlier command is renamed (`X.earlier`) until keep() removes it, and restored without
+    /// keep().
     void add_new(const std::string& path);
     void keep();
 

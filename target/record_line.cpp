@@ -54,7 +54,10 @@ void add_terrain(const display::TerrainRecord& terrain, JsonLine& line) {
     line.open_object("terrain").number("tau_px", terrain.tau_px).number("tau_reached_px", terrain.tau_reached_px);
     line.text("limit", terrain.limit.view()).number("worst_error_px", terrain.worst_error_px);
     line.number("triangles", std::uint64_t{terrain.triangles}).number("pending", std::uint64_t{terrain.pending});
-    line.text("renderer", terrain.renderer.view()).close_object();
+    line.text("renderer", terrain.renderer.view()).text("renderer_reason", terrain.renderer_reason.view());
+    if (terrain.rays_ms > 0)
+        line.open_object("renderer_ms").number("raster", terrain.triangles_ms).number("trace", terrain.rays_ms).close_object();
+    line.close_object();
 }
 
 void add_alerts(const display::AlertRecord& alerts, JsonLine& line) {

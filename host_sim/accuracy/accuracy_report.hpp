@@ -1,4 +1,4 @@
-/// All that a run of `tedavis accuracy` has measured, and under which conditions.
+/// The results of a run of `tedavis accuracy` and the conditions of its measurements.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace tedavis::host_sim {
 
-/// What is measured: names as the user gave them, and identity numbers, which differ where the contents differ.
+/// The inputs of the measurements: names as the user gave them, and identity numbers, which differ if the contents differ.
 struct MeasuredInputs {
     std::string terrain;
     std::uint64_t terrain_identity = 0;         ///< terrain_identity()
-    std::string flight = "the shipped flight";  ///< along which knobs are measured
+    std::string flight = "the shipped flight";  ///< the flight along which knobs are measured
     std::uint64_t flight_identity = 0;          ///< RecordedPoses::identity; 0: the shipped flight
-    std::string size, device, design;           ///< of the displays that draw the flight
-    std::uint64_t display_identity = 0;         ///< of these three, by the texts of the files
+    std::string size, device, design;           ///< of the displays that draw the flight; size as "640 x 360"
+    std::uint64_t display_identity = 0;         ///< of size, device and design, by the texts of the files
     bool is_quick = false;
 };
 
@@ -30,8 +30,8 @@ struct MeasuringConditions : MeasuredInputs {
     std::string version, commit, compiler, command, date;  ///< date: when the first knob was measured, UTC
     std::string processor, renderer;                       ///< renderer: the name that the GL driver states
     unsigned processors = 0;
-    double load = 0;            ///< of the machine when the run began, mean of a minute; 0: unknown
-    std::uint64_t program = 0;  ///< of the file that ran (replay/index_key.hpp)
+    double load = 0;            ///< load average of the last minute at the start of the run; 0: unknown
+    std::uint64_t program = 0;  ///< program_identity() (replay/index_key.hpp)
 };
 
 /// A level of this report beside the same level of an earlier one.
@@ -45,7 +45,7 @@ struct ComparedLevel {
 /// An earlier report that this one is compared with (compare_accuracy.hpp).
 struct ComparedReport {
     std::string file, processor, date, version;  ///< of the earlier report
-    bool is_same_machine = false;                ///< only then are times judged
+    bool is_same_machine = false;                ///< true: times are judged
     std::vector<ComparedLevel> levels;
     std::vector<std::string> gone;  ///< "knob: level" that only the earlier report has, of knobs that both measured
     RankAgreement ranks;            ///< whether both rank levels by time alike
@@ -55,8 +55,8 @@ struct AccuracyReport {
     MeasuringConditions conditions;
     bool interrupted = false;
     std::vector<MeasuredKnob> knobs;        ///< in the registry's order
-    std::optional<double> budget_ms;        ///< that the last run was asked for; the answers follow from it
-    std::vector<std::string> not_measured;  ///< names of knobs that were asked for and not measured
+    std::optional<double> budget_ms;        ///< time budget of the last run, on which the answers depend; nothing: none was given
+    std::vector<std::string> not_measured;  ///< names of knobs that were requested and not measured
     std::vector<FlightErrors> flights;
     std::optional<UncalledEffects> uncalled;
     std::optional<GovernorChoice> governor;
@@ -72,7 +72,8 @@ struct AccuracyReport {
 /// may have changed between two versions.
 [[nodiscard]] bool have_same_inputs(const MeasuredInputs& a, const MeasuredInputs& b);
 
-/// Returns whether figures of both may stand in one report: they have the same program, machine, files of displays, and inputs.
+/// Returns whether figures of both may be in one report, that is, whether program, machine, files of displays, and inputs are the
+/// same.
 [[nodiscard]] bool are_of_one_kind(const MeasuringConditions& a, const MeasuringConditions& b);
 
 }  // namespace tedavis::host_sim

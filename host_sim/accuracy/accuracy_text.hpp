@@ -1,4 +1,4 @@
-/// A report for people, as plain text: a table a knob, its laws, and what its next level costs.
+/// Returns the report as plain text: for each knob a table, its power laws, and the cost of its next level.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 namespace tedavis::host_sim {
 
 [[nodiscard]] std::string accuracy_text(const AccuracyReport& report);
-/// "the most accurate within 12 ms: 16 steps (3.1 ms, at most 0.2 cells); ...", a line a knob, with the margin. Throws UserError
-/// where no level of any knob keeps to it.
+/// Returns one line per knob with its most accurate level within a time budget and the margin: "the most accurate within 12 ms:
+/// 16 steps (3.1 ms, at most 0.2 cells); ...". Throws UserError where no level of any knob is within the budget.
 [[nodiscard]] std::string budget_text(const AccuracyReport& report, double budget_ms);
-/// Of the knobs with this unit; throws UserError, which begins with `option`, where no knob has it.
+/// Returns the quickest levels within a target error, for the knobs whose errors have this unit. Throws UserError, whose message
+/// begins with `option`, where no knob has it.
 [[nodiscard]] std::string target_text(const AccuracyReport& report, double target_error, const std::string& unit,
                                       const std::string& option);
 

@@ -1,4 +1,4 @@
-/// The chapter of the report on effects that the scene did not call for, and the same as lines of text.
+/// The chapter of the report on effects that were left out because they would be invisible, and the same as lines of text.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace tedavis::host_sim {
 
-/// HTML: a sentence that sums up, and a table with a row for each effect.
+/// Returns HTML: a summary in one sentence, and a table with a row for each effect.
 [[nodiscard]] std::string effects_chapter(const UncalledEffects& measured);
 
-/// A line for each effect that at least one picture went without.
+/// Returns a line for each effect that was left out of at least one picture.
 [[nodiscard]] std::string uncalled_text(const UncalledEffects& measured);
 
 }  // namespace tedavis::host_sim

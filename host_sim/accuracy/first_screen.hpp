@@ -1,7 +1,8 @@
-/// The first screen of the report: the best that a frame's time buys, what the next level costs, and what is lost.
+/// The first screen of the report: the most accurate settings within a frame's time, the cost of the next level, and the error
+/// that remains.
 ///
-/// It answers from the knob whose levels are combinations of a picture's settings (frame_settings); without that knob in the
-/// report it says that it was not measured.
+/// Its answers come from the knob whose levels are combinations of a picture's settings (frame_settings). If the report lacks
+/// this knob, the screen states that it was not measured.
 #pragma once
 
 #include <string>

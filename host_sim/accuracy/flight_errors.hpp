@@ -1,8 +1,7 @@
-/// The error of the drawn terrain along a flight, in pixels: the tolerance that was asked for, the bound that the display proved,
-/// and the error that was measured, for each frame and for each of several tolerances.
+/// The error of the drawn terrain along a flight, in pixels: the requested tolerance, the bound that the display proved, and the
+/// measured error, for each frame and for each of several tolerances.
 ///
-/// The proven bound (FrameRecord's worst_error_px) must never be below the measured error. How far above it lies says how tight
-/// it is.
+/// The proven bound (FrameRecord's worst_error_px) must never be below the measured error. The closer it is, the tighter it is.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@ struct MeasuredMoment {
     std::string phase = {};     ///< its option of `tedavis shot`, " --phase P"; empty: no phase
 };
 
-/// What was found with one tolerance, over all frames.
+/// The result of one tolerance, over all frames.
 struct ToleranceLine {
     double asked_px = 0;
     double proven_px = 0, measured_px = 0;  ///< the largest of all frames
@@ -45,7 +44,7 @@ struct FlightErrors {
     std::uint64_t terrain_identity = 0;       ///< of the heights (replay/index_key.hpp)
     std::string drawn = {};                   ///< options of `tedavis shot` besides pose, phase and tolerance
     double asked_px = 0;                      ///< tolerance of the moments: the design's
-    double known_to_px = kSeenErrorBound_px;  ///< what a measured error may be wrong by
+    double known_to_px = kSeenErrorBound_px;  ///< upper bound of the error of a measured error
     std::vector<MeasuredMoment> moments;
     std::vector<ToleranceLine> lines;  ///< the largest tolerance first
 

@@ -1,4 +1,4 @@
-/// The chapter of the report on the terrain's error: what was asked for, proven and measured, by tolerance and along the flight.
+/// The chapter of the report on the terrain's error: requested, proven and measured, by tolerance and along the flight.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace tedavis::host_sim {
 /// There is at least one flight.
 [[nodiscard]] std::string flight_errors_chapter(const std::vector<FlightErrors>& flights);
 
-/// SVG, both axes logarithmic: over the tolerance what was asked for, and two lines for each flight, told apart by dashes as well
-/// as by colours; flights are told apart by marks. Below it stands how tight the bound of each is.
+/// Returns an SVG with logarithmic axes: over the tolerance, the requested error and two lines for each flight, which differ by
+/// dashes as well as by colours; flights differ by marks. The tightness of each flight's bound is stated below.
 [[nodiscard]] std::string tolerance_chart_svg(const std::vector<FlightErrors>& flights);
 
 /// A line for each tolerance of each flight.

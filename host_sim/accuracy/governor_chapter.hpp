@@ -1,4 +1,4 @@
-/// The chapter of the report on what the governor may choose, and the same as lines of text.
+/// The chapter of the report on the quality levels that the governor may choose, and the same as lines of text.
 #pragma once
 
 #include <string>

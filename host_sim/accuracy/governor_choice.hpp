@@ -1,5 +1,5 @@
-/// What the governor may choose by a calibration file, and what it chose along a flight: the measured quality levels with the
-/// frames that each of them had. Frames are planned in the order of the flight, as in a replay, and are not drawn.
+/// The quality levels of a calibration file, and how often the governor chose each of them along a flight. Frames are planned in
+/// the order of the flight, as in a replay, and are not drawn.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace tedavis::host_sim {
 
 struct GovernorChoice {
-    std::string costs, device, renderer;  ///< the file as it was named, and whose costs it holds
+    std::string costs, device, renderer;  ///< the calibration file as it was named, and its device and renderer
     std::string flight;
     effects::QualityLevels levels;
     double deadline_ms = 0;
@@ -30,11 +30,11 @@ struct GovernorChoicePlan {
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
-/// Reads a calibration file. Throws UserError where it is none.
+/// Reads a calibration file. Throws UserError where it is not valid.
 [[nodiscard]] effects::Calibration read_costs(const std::string& path);
 
 /// `costs` is the path of a calibration file; terrain and scene are those of `picture`, device and size those of the file. Throws
-/// UserError where the file is none, or was measured with another renderer.
+/// UserError where the file is not valid, or was measured with another renderer.
 [[nodiscard]] GovernorChoice governor_choice(const std::string& costs, const PictureOptions& picture, const KnobFlight& flight,
                                              const GovernorChoicePlan& plan);
 

@@ -1,7 +1,7 @@
 /// The measured error of the ground that a display shows, over the whole of a frame.
 ///
-/// Rays through a coarse grid of the picture meet the true surface (knobs/seen_ground.hpp). The error at such a place is the
-/// distance on the screen between where the frame draws it and where it truly lies, as knobs/terrain_tau_knob.hpp measures it.
+/// Rays through a coarse grid of the picture are intersected with the true surface (knobs/seen_ground.hpp). The error at a hit is
+/// the distance on the screen between its drawn and its true place (knobs/terrain_tau_knob.hpp).
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ enum class ErrorMapStyle : std::uint8_t {
 /// knob_pictures.hpp).
 void draw_ground_errors(RgbaPicture& picture, const GroundErrors& errors, double full_px, ErrorMapStyle style);
 
-/// The color of an error.
+/// The color of an error: dark blue at 0, yellow at `full_px` and above.
 [[nodiscard]] std::array<std::uint8_t, 3> error_color(double px, double full_px);
 
 }  // namespace tedavis::host_sim

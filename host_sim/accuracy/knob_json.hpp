@@ -1,4 +1,5 @@
-/// What was measured of a knob as JSON, and read again; README.md lists the keys. Reading throws nlohmann::json exceptions.
+/// Writes the measurements of a knob as JSON and reads them again; README.md lists the keys. Reading throws nlohmann::json
+/// exceptions.
 #pragma once
 
 #include <nlohmann/json.hpp>

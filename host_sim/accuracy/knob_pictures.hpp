@@ -1,8 +1,8 @@
-/// The pictures of a knob's cheapest level and of its most accurate one, side by side with maps of what differs.
+/// The pictures of a knob's cheapest and of its most accurate level, with maps of their differences.
 ///
 /// Colour is compared by CIEDE2000 (render_core/design/color_difference.hpp), perceived differences are FLIP
-/// (measure/perceptual_difference.hpp). The maps are dark blue where the pictures agree and yellow at the greatest difference: a
-/// scale that is read without colour vision as well, since it rises in lightness.
+/// (measure/perceptual_difference.hpp). The maps are dark blue where the pictures agree and yellow at the greatest difference.
+/// Lightness increases along this scale, so it can be read without colour vision.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct PictureErrors {
 
 /// Where the cheap level's error is greatest.
 struct PicturePlace {
-    std::string pose;            ///< in words
-    std::string command;         ///< draws the cheap picture again
+    std::string pose;            ///< description of the pose
+    std::string command;         ///< command that draws the cheap picture again
     std::uint32_t x = 0, y = 0;  ///< pixel, from the left and from the top
 };
 
@@ -40,12 +40,12 @@ struct KnobPictures {
     PicturePlace place;
     PictureErrors errors;
     std::string metric;     ///< with its unit
-    double metric_max = 0;  ///< yellow in metric_map
+    double metric_max = 0;  ///< error that is yellow in metric_map
     ReportPicture cheap, exact, color_map, perceived_map, metric_map;
     ReportPicture cheap_crop, exact_crop;  ///< around the place, enlarged
 };
 
-/// The pictures by what they show, for a KnobPictures that is constant or not.
+/// The pictures with their names, for a constant or a mutable KnobPictures.
 template <class Pictures>
 [[nodiscard]] auto named_pictures(Pictures& pictures) {
     using Picture = std::remove_reference_t<decltype((pictures.cheap))>;

@@ -1,4 +1,4 @@
-/// What was measured of a knob: times with their spread, errors with their distribution, what follows from both.
+/// The measurements of a knob: times with their spread, errors with their distribution, and the laws derived from them.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,30 @@ namespace tedavis::host_sim {
 struct MeasuredLevel {
     std::string name;
     double amount = 0;
-    TimeSpread ms;                 ///< of all samples, once
+    TimeSpread ms;                 ///< of one run over all samples
     TimeSpread sample_ms;          ///< of one sample, over all samples and rounds
-    double kept_ms = 0;            ///< what 95 of 100 runs of its slowest sample keep to; see `kept_times`
-    double kept_99_ms = 0;         ///< what 99 of 100 runs keep to
-    std::string options;           ///< of `tedavis replay`, which give the level; may be empty
+    double kept_ms = 0;            ///< time that 95 of 100 runs of its slowest sample do not exceed; see kept_times()
+    double kept_99_ms = 0;         ///< time that 99 of 100 runs do not exceed
+    std::string options;           ///< options of `tedavis replay` that give the level; may be empty
     ErrorDistribution error;       ///< in the metric's unit
     std::optional<double> proven;  ///< the greatest error that the product states for its frames, in the same unit
     std::uint64_t bytes = 0;
-    std::optional<std::uint64_t> uploaded_bytes;  ///< to the GPU, of a frame
+    std::optional<std::uint64_t> uploaded_bytes;  ///< per frame, to the GPU
     double build_ms = 0;
     std::string worst_place;    ///< where the greatest error is
-    std::string worst_command;  ///< that gives it again
+    std::string worst_command;  ///< command that reproduces it
     std::size_t worst_sample = 0;
     std::optional<KnobPixel> worst_pixel;  ///< of knobs that draw pictures
     bool is_dominated = false;             ///< another level is more accurate and no slower, or as accurate and quicker
     bool is_near_reference = false;        ///< its greatest error is less than ten times the reference's own bound
-    bool is_offered = true;                ///< by the product; false: an alternative to its only level
+    bool is_offered = true;                ///< the product offers the level; false: an alternative to its only level
 
-    /// What the level may be trusted to keep to: the proven error where there is one, else the greatest that was measured.
+    /// The error that the level is trusted not to exceed: the larger of the greatest measured error and, if there is one, the
+    /// proven error.
     [[nodiscard]] double trusted_error() const { return proven && *proven > error.max ? *proven : error.max; }
 };
 
-/// What the levels work through.
+/// The number of things that the levels process (KnobFacts::work).
 struct MeasuredWork {
     std::string thing;
     std::vector<double> counts;  ///< by level, mean of a sample
@@ -52,29 +53,29 @@ struct MeasuredKnob {
     std::string reference, reference_reason, second_oracle, never_trades;
     double reference_bound = 0;
     std::size_t rounds = 0, samples = 0;
-    /// The greatest ratio of two medians of the same level, from the odd rounds and the even ones, less 1.
+    /// The greatest ratio, less 1, between the medians of the odd and of the even rounds of a level.
     double noise = 0;
-    std::size_t moments = 0;  ///< that were timed beside the samples
-    /// How much longer the dearest moment takes than the slowest sample, medians of one level; 1 or more.
+    std::size_t moments = 0;  ///< number of moments that were timed beside the samples
+    /// Ratio of the slowest moment's time to that of the slowest sample, medians at one level; 1 or more.
     double dearest = 1;
-    std::vector<MeasuredLevel> levels;  ///< as the knob has them
-    std::string only_level;             ///< why the product offers one level, the first; empty: it offers all
+    std::vector<MeasuredLevel> levels;  ///< in the order of the knob
+    std::string only_level;             ///< why the product offers only the first level; empty: it offers all
     FittedLaw error_law, time_law;      ///< over the amount: mean error, median time
     std::string law_expected;           ///< in words; empty: none is known
-    bool law_agrees = false;            ///< with what is expected
+    bool law_agrees = false;            ///< the law agrees with the expected one
     std::optional<MeasuredWork> work;
     std::optional<KnobPictures> pictures;
 
     [[nodiscard]] bool has_one_level() const { return !only_level.empty(); }
 };
 
-/// True where the noise does not hide which of both is quicker.
+/// True if level `a` is quicker than `b` by more than the noise.
 [[nodiscard]] bool is_quicker(const MeasuredKnob& knob, const MeasuredLevel& a, const MeasuredLevel& b);
 
-/// Fills in what follows from times and errors: dominated levels and laws. A knob with one level has neither.
+/// Computes dominated levels and laws from times and errors. A knob with one level has neither.
 void judge(const KnobFacts& facts, MeasuredKnob& knob);
 
-/// The quickest level on offer whose trusted error keeps to the target; null where none does.
+/// The quickest offered level whose trusted error is at most the target; null where there is none.
 [[nodiscard]] const MeasuredLevel* cheapest_for(const MeasuredKnob& knob, double target_error);
 
 }  // namespace tedavis::host_sim

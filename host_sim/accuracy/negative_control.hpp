@@ -9,7 +9,7 @@
 namespace tedavis::host_sim {
 
 struct NegativeControl {
-    /// The wrong level's mean error must be so many times that of the right level, and of the reference's own bound.
+    /// Least ratio of the wrong level's mean error to that of the right level, and to the reference's own bound.
     static constexpr double kMinRatio = 10;
 
     std::string title, unit, wrong_name, right_name, worst_place;

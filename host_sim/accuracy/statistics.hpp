@@ -25,18 +25,19 @@ struct TimeSpread {
 
 // Runs of samples in rounds: `by_round` has all samples of the first round, then of the second.
 
-/// The greatest median of a sample; 0 without a whole round.
+/// The greatest median time of a sample; 0 without a whole round.
 [[nodiscard]] double slowest_median(const std::vector<double>& by_round, std::size_t samples);
-/// Each run over the median of its own sample; none without a whole round.
+/// Each run's time divided by the median of its own sample; empty without a whole round.
 [[nodiscard]] std::vector<double> run_ratios(const std::vector<double>& by_round, std::size_t samples);
 
-/// What 95 and 99 of 100 runs of the slowest sample keep to.
+/// Times that 95 and 99 of 100 runs of the slowest sample do not exceed.
 struct KeptTimes {
     double of_95 = 0, of_99 = 0;
 };
-/// The median of the slowest sample, times what so many runs are at most of their own sample's median. Runs of one sample alone
-/// are too few for such a share, so those of all samples count. The greater of two shares is taken: of these runs, and of
-/// `ratios_beside`, which others had in the same rounds: a level that was disturbed less than its neighbours was lucky.
+/// The median of the slowest sample times a quantile of the runs' ratios to the medians of their own samples. The runs of all
+/// samples count, since those of one sample are too few for such a quantile. The greater of two quantiles is taken, that of these
+/// runs and that of `ratios_beside`, the ratios of other levels in the same rounds, since a level may have been disturbed less
+/// than the others by chance.
 [[nodiscard]] KeptTimes kept_times(const std::vector<double>& by_round, std::size_t samples, std::vector<double> ratios_beside);
 
 struct LawPoint {
@@ -48,7 +49,7 @@ struct FittedLaw {
     static constexpr double kMinR2 = 0.9;
     static constexpr std::size_t kMinPoints = 4;
 
-    bool holds = false;  ///< enough points follow it; the rest is 0 where there are too few
+    bool holds = false;  ///< enough points follow the law; the other figures are 0 where there are too few points
     double exponent = 0, factor = 0, r2 = 0;
     double worst_residual = 0;  ///< the greatest ratio of a point to the law, or of the law to a point; 1 or more
     std::string reason;         ///< why it does not hold; empty where it does

@@ -1,9 +1,9 @@
-/// What the scene did not call for: for each effect, how often a flight's pictures went without it, what that saved, and whether
-/// it can be seen.
+/// Measures effects that are left out because they would be invisible: for each effect, in how many of a flight's pictures that
+/// is, the time saved, and whether a difference can be seen.
 ///
-/// Each effect is asked for by itself, in addition to those of the design, over the same poses twice: as the product draws it,
-/// where an effect that cannot be seen is left out, and with every effect forced (`replay --force-effects`). Frames of both are
-/// drawn in turn, so that a load on the machine slows both.
+/// Each effect is requested alone, in addition to those of the design, over the same poses twice: as the product draws it, which
+/// leaves out invisible effects, and with every effect forced (`replay --force-effects`). Frames of both are drawn alternately,
+/// so that a load on the machine slows both.
 #pragma once
 
 #include <cstdint>
@@ -22,19 +22,20 @@ namespace tedavis::host_sim {
 struct EffectUse : EffectCount {
     std::string contribution;              ///< "content", "color" or "geometry"
     effects::PairedCost saved;             ///< of a frame without it; 0 where the noise is greater
-    std::uint32_t largest_difference = 0;  ///< of a colour channel, of 255, over the frames that skipped it
-    std::string worst_pose;                ///< where it is, as `--pose` of `tedavis shot` takes it, and its phase; empty: nowhere
+    std::uint32_t largest_difference = 0;  ///< of a colour channel, 0..255, over the frames without the effect
+    /// Pose of this difference, as `--pose` of `tedavis shot` takes it, and its phase; empty: no difference.
+    std::string worst_pose;
 
-    /// The picture keeps to what the product promises: no work, and a colour's effect changes no channel by more than one step.
+    /// Whether leaving the effect out did no work for it and, for an effect on colour, changed no channel by more than one step.
     [[nodiscard]] bool keeps_promise() const;
 };
 
 struct UncalledEffects {
     std::string design, device;
     std::uint64_t frames = 0;     ///< poses for each effect
-    std::vector<EffectUse> uses;  ///< of the effects that can be asked for, in the order of effects::Effect
+    std::vector<EffectUse> uses;  ///< of the effects that can be requested, in the order of effects::Effect
 
-    [[nodiscard]] bool keep_promise() const;  ///< all of them
+    [[nodiscard]] bool keep_promise() const;  ///< for all effects
 };
 
 struct UncalledPlan {
@@ -44,7 +45,7 @@ struct UncalledPlan {
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
-/// `options` says terrain, scene, size and device of the pictures.
+/// Measures along `flight`. `options` state terrain, scene, size and device of the pictures. Throws UserError.
 [[nodiscard]] UncalledEffects measure_uncalled(const KnobFlight& flight, const PictureOptions& options, const UncalledPlan& plan);
 
 }  // namespace tedavis::host_sim

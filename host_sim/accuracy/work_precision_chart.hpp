@@ -8,7 +8,7 @@
 namespace tedavis::host_sim {
 
 /// Mean errors over medians of times, with a bar from the 5th to the 95th percentile of the times and a line up to the greatest
-/// error. Marks differ by shape, not by colour alone: a disc for a level that is worth its time, a cross for a dominated one, a
+/// error. Marks differ by shape, not by colour alone: a disc for a level that is not dominated, a cross for a dominated one, a
 /// ring for an alternative that the product does not offer, a square on the lower border for one without an error. A line joins
 /// the discs.
 [[nodiscard]] std::string work_precision_svg(const MeasuredKnob& knob);

@@ -1,8 +1,8 @@
-/// How far an aircraft is from the ground of a terrain database, and how sure that is.
+/// The distances of an aircraft from the ground of a terrain database, and their uncertainty.
 ///
-/// Distances are from the own ship's place to the true surface. Uncertainties are half widths of intervals of 95 %: figures of
-/// merit of the position as the aircraft states them, and the database's LE90, widened to 95 % as if errors were normal
-/// (1.960 / 1.645). They hold for heights of GNSS only; a pressure height states none.
+/// Distances are from the own ship's position to the true surface. Uncertainties are half widths of 95 % intervals: figures of
+/// merit of the position as the aircraft states them, and the database's LE90, scaled to 95 % for a normal distribution (1.960 /
+/// 1.645). Only GNSS heights have one; a pressure height has none.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace tedavis::host_sim {
 
-/// Where the own ship is, in both heights.
+/// The own ship's position, with heights above the ellipsoid and above MSL.
 struct OwnShipPlace {
     earth::Geodetic place;
     double height_msl_m = 0;
@@ -30,11 +30,11 @@ struct ClearanceUncertainty {
     [[nodiscard]] std::optional<double> height_above_terrain_m() const;
 };
 
-/// The nearest ground that is no lower than the own ship, by 90 degree sectors about its track; nothing where none lies within
-/// kLevelReach_m.
+/// The nearest ground that is no lower than the own ship, in sectors of 90 degrees about its track; nothing where there is none
+/// within kLevelReach_m.
 struct LevelClearance {
     std::optional<GroundPlace> ahead, left, right;
-    bool is_whole = false;  ///< false: other ground within that distance may be unknown
+    bool is_whole = false;  ///< false: the ground within kLevelReach_m is not known completely
 };
 
 struct Clearance {
@@ -55,14 +55,14 @@ public:
 
     /// Nothing where the position is not valid.
     [[nodiscard]] std::optional<OwnShipPlace> place_of(const flight::OwnShipEstimate& own_ship) const;
-    /// Of the own ship over the true surface below; NaN where that is not known.
+    /// Height of the own ship above the true surface below; NaN where that is not known.
     [[nodiscard]] double height_above_terrain_m(const OwnShipPlace& own);
     /// The nearest ground in any direction, where the ground below is known.
     [[nodiscard]] std::optional<GroundPlace> nearest(const OwnShipPlace& own);
     [[nodiscard]] ClearanceUncertainty uncertainty_of(const flight::AircraftState& state, base::Time now) const;
 
-    /// All of it; nothing where the position is not valid or the ground below is not known. Left and right are of the track, and
-    /// of the heading where the aircraft hardly moves.
+    /// Measures all; nothing where the position is not valid or the ground below is not known. Sectors are relative to the track,
+    /// or to the heading where the aircraft hardly moves.
     [[nodiscard]] std::optional<Clearance> measure(const flight::AircraftState& state, base::Time now, double heading_rad);
 
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }

@@ -1,4 +1,4 @@
-/// An exact chunk of the true surface in memory, with boxes of its cells, in which nearest places are searched.
+/// An exact chunk of the true surface in memory, with bounding boxes of its cells, for the search of nearest points.
 ///
 /// Places are in the chunk's own frame: metres north, east and down of its centre. They are those of the database's vertices,
 /// some centimetres from the surface at most (tdb_format.hpp); cells are flat triangles between them.
@@ -20,9 +20,9 @@ struct GroundBox {
 
     void include(const glm::dvec3& place);
     [[nodiscard]] double distance_m(const glm::dvec3& from) const;
-    /// Of the distance its part across the vertical.
+    /// Horizontal part of the distance.
     [[nodiscard]] double level_distance_m(const glm::dvec3& from) const;
-    /// False only where no part of it lies in the region.
+    /// False only if no part of the box lies in the region.
     [[nodiscard]] bool may_reach(const Region& region) const;
 };
 
@@ -38,10 +38,11 @@ public:
     [[nodiscard]] const glm::dmat3& axes() const { return axes_; }
     [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
 
-    /// Makes `nearest` (relative to the eye) the nearest place of the region where that is nearer; returns whether it is. The eye
-    /// and the region are in the chunk's frame, the region relative to the eye. Cells with a void corner have no surface.
+    /// Sets `nearest` (relative to the eye) and `distance_m` if the chunk has a nearer point in the region than `distance_m`;
+    /// returns whether it has. The eye and the region are in the chunk's frame, the region relative to the eye. Cells with a void
+    /// corner have no surface.
     [[nodiscard]] bool find_nearer(const glm::dvec3& eye, const Region& region, double& distance_m, glm::dvec3& nearest) const;
-    /// Whether cells with a void corner may lie within a distance across the vertical.
+    /// Whether cells with a void corner may lie within a horizontal distance.
     [[nodiscard]] bool has_void_within(const glm::dvec3& eye, double distance_m) const;
 
 private:

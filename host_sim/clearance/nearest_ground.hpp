@@ -1,7 +1,7 @@
 /// The ground of a terrain database that is nearest to a place, in three dimensions: its true surface, at full resolution.
 ///
-/// Chunks are searched in the order of the distances of their boxes until none can be nearer, so that no summit beside the place
-/// is missed. Distances are straight lines through the Earth's space (WGS84), in double.
+/// Chunks are searched in the order of the distances of their bounding boxes until none can be nearer, so that no summit beside
+/// the place is missed. Distances are Euclidean in ECEF (WGS84), in double.
 /// Memory  chunks and directory pages that were read, up to about 40 MB. Thread  one.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace tedavis::host_sim {
 
-/// A place of the ground, as it is seen from another one.
+/// A place of the ground, with distance and direction from another place.
 struct GroundPlace {
     double distance_m = 0;
     double bearing_rad = 0;    ///< true, [0, 2 pi)
@@ -29,8 +29,8 @@ public:
     /// Returns the nearest known ground within a distance, m; nothing where there is none. The region is in metres north, east
     /// and down of the place.
     [[nodiscard]] std::optional<GroundPlace> find(const earth::Geodetic& from, double within_m, const Region& region = {});
-    /// Whether ground within a distance across the vertical may be unknown: void, or outside the database. True for every place
-    /// once a part of the database could not be read.
+    /// Whether ground within a horizontal distance may be unknown: void, or outside the database. True for every place after a
+    /// part of the database could not be read.
     [[nodiscard]] bool may_be_unknown(const earth::Geodetic& from, double within_m);
 
 private:

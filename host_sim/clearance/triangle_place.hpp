@@ -1,4 +1,4 @@
-/// The place of a flat triangle that is nearest to a point, also where only a part of the triangle counts.
+/// The point of a flat triangle that is nearest to the origin, also of a part of the triangle.
 ///
 /// Pure functions of double; any frame and unit.
 #pragma once
@@ -14,7 +14,7 @@ struct HalfSpace {
     glm::dvec3 normal{0, 0, 1};
     double offset = 0;
 };
-/// What lies in all of them; everything where there are none.
+/// The intersection of half-spaces; without any, all of space.
 using Region = std::vector<HalfSpace>;
 
 /// Returns the place of the triangle that is nearest to the origin. A triangle without an area is a line or a point.

@@ -1,4 +1,4 @@
-/// `tedavis accuracy`: what every knob's accuracy costs in time on this machine.
+/// `tedavis accuracy`: measures errors and times of all levels of the knobs on this machine.
 #pragma once
 
 #include <optional>
@@ -19,16 +19,16 @@ struct AccuracyOptions {
     FlownDisplay display;
     bool is_quick = false;             ///< fewer samples and rounds
     std::vector<std::string> knobs;    ///< empty: all
-    std::string costs;                 ///< a calibration file: adds what the governor may choose by it; empty: nothing
-    std::optional<double> budget_ms;   ///< asks for the most accurate levels within it
+    std::string costs;                 ///< a calibration file, whose quality levels are added to the report; empty: none
+    std::optional<double> budget_ms;   ///< time for which the most accurate levels are printed; nothing: none
     bool is_control_only = false;      ///< measures the negative control alone
     std::vector<std::string> compare;  ///< accuracy.json of earlier runs
     double slower_percent = 25, less_accurate_percent = 10;  ///< beyond these a comparison fails
-    std::string target_error;  ///< such as "0.5 px": asks for the quickest levels that keep to it; empty: nothing
+    std::string target_error;  ///< error such as "0.5 px", for which the quickest levels are printed; empty: none
 };
 
-/// Leaves accuracy.json, accuracy.csv, report.html with its pictures, and the shipped terrain's database in the folder, after
-/// each knob, so that a run that was stopped goes on where it was. Returns the exit code; throws UserError and Interrupted.
+/// Writes accuracy.json, accuracy.csv, report.html with its pictures, and the shipped terrain's database to the folder after each
+/// knob, so that an interrupted run continues where it stopped. Returns the exit code; throws UserError and Interrupted.
 [[nodiscard]] int run_accuracy(const AccuracyOptions& options, Console& console);
 
 struct TargetError {

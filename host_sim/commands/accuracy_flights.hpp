@@ -1,4 +1,4 @@
-/// What `tedavis accuracy` measures over: for each --flight its heights and poses.
+/// The inputs of `tedavis accuracy`: for each --flight its heights and poses.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,8 @@ struct MeasuredFlight {
 /// Throws UserError where --terrain, --flight and --switches do not belong together.
 void require_pairs(const AccuracyOptions& options);
 
-/// With the heights of each terrain once in memory. The first is the one that knobs fly. Throws UserError, Interrupted.
+/// Reads the flights, and the heights of each terrain once into memory. Knobs fly the first flight. Throws UserError and
+/// Interrupted.
 [[nodiscard]] std::vector<MeasuredFlight> read_flights(const AccuracyOptions& options, base::Workers& workers, Console& console);
 
 }  // namespace tedavis::host_sim

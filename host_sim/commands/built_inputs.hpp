@@ -1,4 +1,4 @@
-/// What flight tests name and a replay needs as files: terrain, scenes and scenarios that are built, each once.
+/// Builds the terrains, scenes and scenarios that flight tests name, each once, since a replay needs them as files.
 #pragma once
 
 #include <map>
@@ -11,13 +11,13 @@ namespace tedavis::host_sim {
 
 class BuiltInputs {
 public:
-    /// They lie in the folder, which must outlive their use. The console must outlive this object.
+    /// The files are written to the folder, which must exist while they are used. The console must outlive this object.
     BuiltInputs(std::string folder, Console& console) : folder_(std::move(folder)), console_(console) {}
 
     /// Replaces names in the test by the paths of what was built, and its scenario by a log. Throws UserError for an unknown
     /// name, and Interrupted.
     void resolve(FlightTest& test);
-    /// The same, of a test that is then flown: what is interrupted speaks of the test, and not of the files that were built.
+    /// The same for a test that is flown next: the message of an interruption is about the test, not about the files.
     void resolve_to_fly(FlightTest& test);
 
 private:

@@ -16,8 +16,8 @@ struct BusEncodeOptions {
     unsigned code = 0;  ///< 0..255: message code of the first frame of each identifier; its next frames count on from it
 };
 
-/// Prints the frames in the order of the values. All values that cannot be sent are said, each in a sentence, and nothing is
-/// printed then: kFaultyInputExitCode. Throws UserError where the bus file cannot be used.
+/// Prints the frames in the order of the values. If some values cannot be sent, prints no frames but a message for each of these
+/// values, and returns kFaultyInputExitCode. Throws UserError where the bus file cannot be used.
 [[nodiscard]] int run_bus_encode(const BusEncodeOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

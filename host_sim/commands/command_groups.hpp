@@ -81,14 +81,14 @@ struct CommandLine {
 [[nodiscard]] CLI::App* add_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
                                     std::function<int(Console&)> run);
 
-/// The same of a command that an InterruptGuard lets end early: from its start on, also while its files are being loaded. All
-/// that takes long in it, and what it writes, asks that guard.
+/// The same for a command that Ctrl-C ends early (InterruptGuard), also while it loads its files. All long work of the command,
+/// and its output, must query the guard.
 [[nodiscard]] CLI::App* add_long_command(CLI::App& parent, CommandLine& line, const std::string& name, const std::string& purpose,
                                          std::function<int(Console&)> run);
 
 /// --strict: warnings end the command with kCheckFailedExitCode.
 void add_strict(CLI::App* command, bool& strict);
-/// --class; `otherwise`: what counts without it.
+/// --class; `otherwise` is the help's text on the default.
 void add_class(CLI::App* command, std::optional<flight::AircraftClass>& aircraft, const std::string& otherwise);
 
 template <class T>
@@ -106,21 +106,21 @@ Choice choice_from(const std::string& option, const std::string& word, const std
     throw UserError(option + " " + word + ": unknown; choose one of " + names);
 }
 
-/// convert, scenario, scene, terrain, pack: commands that make what the display reads.
+/// convert, scenario, scene, terrain, pack: commands that make files for the display.
 void add_builders(CLI::App& app, CommandLine& line);
 /// shot, trace, sheet, sweep, device, calibrate, accuracy, shaders, replay: commands that draw.
 void add_displays(CLI::App& app, CommandLine& line);
 /// Options of a raster that becomes a terrain database.
 void add_raster_options(CLI::App* command, TerrainBuildOptions& options);
-/// How a recording's aircraft is chosen and its altitudes are taken.
+/// Options that choose a recording's aircraft and the meaning of its altitudes.
 void add_flight_options(CLI::App* command, ConvertOptions& options);
-/// fly, which is made of commands of all groups.
+/// fly, which combines commands of all groups.
 void add_fly(CLI::App& app, CommandLine& line);
-/// verify, record and bus, by which integrators test.
+/// verify, record and bus: commands for the tests of integrators.
 void add_tests(CLI::App& app, CommandLine& line);
-/// accuracy, which add_displays() adds among its own.
+/// accuracy, which add_displays() adds.
 void add_accuracy(CLI::App& app, CommandLine& line);
-/// replay, likewise.
+/// replay, which add_displays() adds, too.
 void add_replay(CLI::App& app, CommandLine& line);
 
 }  // namespace tedavis::host_sim

@@ -16,7 +16,7 @@ struct CompareOptions {
 
 inline constexpr char kCompareJsonName[] = "compare.json";
 
-/// Returns 0; throws UserError for bad input, and leaves nothing half written then.
+/// Returns 0. Throws UserError for bad input; then no file is written in part.
 [[nodiscard]] int run_compare(const CompareOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -11,7 +11,7 @@ namespace tedavis::host_sim {
 
 struct ConvertOptions {
     std::string flight;             ///< IGC, GPX, ADS-B JSON or CSV, plain or gzip
-    std::string output;             ///< the log; `<output>.json` lists the values that were derived
+    std::string output;             ///< the log; `<output>.json` lists the derived values
     std::string aircraft;           ///< identity or callsign; empty: the only one
     std::optional<double> qnh_hpa;  ///< 870..1085
     bool assume_geometric = false;
@@ -20,7 +20,7 @@ struct ConvertOptions {
 /// Returns the exit code; throws UserError.
 int run_convert(const ConvertOptions& options, Console& console);
 
-/// The same, as a part of another command: what it has to say is also added to `said`.
+/// The same as a part of another command; its messages are also appended to `said`.
 int run_convert(const ConvertOptions& options, Console& console, std::vector<std::string>& said);
 
 }  // namespace tedavis::host_sim

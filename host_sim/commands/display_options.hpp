@@ -1,4 +1,4 @@
-/// Options that several of the commands that draw have. What they are given must stay until the command line was parsed.
+/// Options that several drawing commands have. The referenced objects must outlive the parsing of the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,15 +14,15 @@ namespace tedavis::host_sim {
 inline constexpr const char* kLayersText =
     "beside each picture X.layers.png: 0 terrain, 1 data, 2 uncertainty, 3 labels, 4 symbology, by which pixel is whose";
 
-/// What every command that draws has: terrain, scene, device, aircraft, size and --gl.
+/// Options of every drawing command: terrain, scene, device, aircraft, size and --gl.
 void add_surface_options(CLI::App* command, PictureOptions& picture);
-/// The same, and all that a picture looks like.
+/// The same and all options of a picture's appearance.
 void add_picture_options(CLI::App* command, PictureOptions& picture);
 /// --legend.
 void add_legend(CLI::App* command, PictureOptions& picture);
 /// --show-accuracy and --error-map.
 void add_accuracy_shown(CLI::App* command, AccuracyShown& shown);
-/// --time, of a command without a flight.
+/// --time, for a command without a flight.
 void add_time(CLI::App* command, std::optional<base::Time>& time);
 
 }  // namespace tedavis::host_sim

@@ -8,11 +8,11 @@ namespace tedavis::host_sim {
 
 inline constexpr const char* kDisplaySheetName = "display";
 
-/// The picture with its names, over the terrain of the options. Throws UserError and Interrupted.
+/// Returns the picture with the names of its parts, over the terrain of the options. Throws UserError and Interrupted.
 [[nodiscard]] RgbaPicture named_display(const PictureOptions& options);
 
-/// Leaves what run_sheet() does, with one picture. Of the options: size, device, aircraft, palette, light and the folder;
-/// terrain, scene, pose, time and layers are refused. Returns the exit code; throws UserError and Interrupted.
+/// Writes the files of run_sheet() with one picture. Uses the options size, device, aircraft, palette, light and the folder;
+/// refuses terrain, scene, pose, time and layers. Returns the exit code; throws UserError and Interrupted.
 [[nodiscard]] int run_display_sheet(const SheetOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

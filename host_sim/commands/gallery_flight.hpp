@@ -15,11 +15,11 @@
 
 namespace tedavis::host_sim {
 
-/// Its files, in a folder that goes with it. Throws UserError and Interrupted.
+/// Builds the files of the flight in a temporary folder, which the destructor removes. Throws UserError and Interrupted.
 class GalleryFiles {
 public:
     explicit GalleryFiles(Console& console);
-    /// `picture` over this terrain, with this scene and, where it names none, the demo's aircraft.
+    /// Returns `picture` with this terrain, this scene and, where it names no aircraft, the demo's.
     [[nodiscard]] PictureOptions over(PictureOptions picture) const;
     [[nodiscard]] PlayerFiles player(const PictureOptions& picture) const;
 
@@ -28,14 +28,14 @@ private:
     std::string terrain_, scene_;
 };
 
-/// One display, pictures of one size. `files` must outlive it.
+/// Draws moments of the flight with one display, in one size. `files` must outlive it.
 class GalleryFlight {
 public:
-    /// `picture`: its terrain and scene are those of `files`.
+    /// Terrain and scene of `picture` are replaced by those of `files`.
     GalleryFlight(const GalleryFiles& files, const PictureOptions& picture);
     /// Without layers. Throws UserError where the flight has no such moment.
     [[nodiscard]] DrawnSheet::Picture draw(const GalleryMoment& moment);
-    /// Holds what was drawn last.
+    /// The session, which holds the last picture.
     [[nodiscard]] DisplaySession& session() { return session_; }
 
 private:

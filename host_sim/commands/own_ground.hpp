@@ -1,5 +1,5 @@
-/// Default terrain and spatial data for commands without such options: built as by `terrain build`, `scenario build` and `scene
-/// build`, into a folder that must outlive their use.
+/// Builds default terrain and spatial data for commands without such options, as by `terrain build`, `scenario build` and `scene
+/// build`, into a folder that must exist while they are used.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace tedavis::host_sim {
 
-/// Below shipped_root().
+/// Path of the shipped raster below shipped_root().
 inline constexpr const char* kOwnRaster = "/configs/data/jacksboro_srtm3.tif";
 
 struct OwnTerrain {
     std::string raster;
-    bool generated_image = false;        ///< with a generated drape
+    bool generated_image = false;        ///< drapes a generated image
     std::optional<double> accuracy_m{};  ///< LE90 of the raster; nothing: unknown
 };
 

@@ -6,7 +6,7 @@
 namespace tedavis::host_sim {
 
 inline constexpr const char* kReadmeSheetName = "readme";
-/// Of README.md's pictures, from the root of the project.
+/// Folder of README.md's pictures, relative to the root of the project.
 inline constexpr const char* kReadmePictureFolder = "docs";
 inline constexpr PictureSize kReadmeLargeSize{1280, 720}, kReadmeRowSize{640, 360};
 

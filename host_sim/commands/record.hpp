@@ -6,8 +6,8 @@
 
 namespace tedavis::host_sim {
 
-/// Returns 0. Throws UserError, also where the script, or the log of a running display, is there already and `options.yes` does
-/// not say to replace it, and Interrupted; then nothing is written.
+/// Returns 0. Throws UserError, also where the script, or the log of a running display, exists and `options.yes` is false, and
+/// Interrupted; then nothing is written.
 [[nodiscard]] int run_record(const RecordOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -14,22 +14,22 @@
 
 namespace tedavis::host_sim {
 
-/// What stands in the first seconds still comes from what was sent before the recording.
+/// Time at the begin of a recording that is skipped, since the display then still shows what was sent before, s.
 inline constexpr double kBoardLeadIn_s = 5;
 
 /// "a/b.log" of "a/b.toml".
 [[nodiscard]] std::string log_beside(const std::string& script);
 
-/// The test that plays the log on a desk with the board's files. Throws UserError where options are missing, or do not go
-/// together.
+/// Returns the test that plays the log on a desk with the board's files. Throws UserError where options are missing or exclude
+/// each other.
 [[nodiscard]] FlightTest board_input(const RecordOptions& options, const BoardFile& board);
 
-/// Listens for options.for_s, and writes the bus to `log`. Returns the number of frames that the tracks took. Throws UserError,
-/// BoardLost and Interrupted.
+/// Records for options.for_s and writes the bus frames to `log`. Returns the number of display frames that `tracks` took. Throws
+/// UserError, BoardLost and Interrupted.
 [[nodiscard]] std::uint64_t record_board(BoardPort& port, const RecordOptions& options, std::ostream& log, FactTracks& tracks,
                                          Console& console);
 
-/// The same on this machine.
+/// The same with a display on this machine (live_board.hpp).
 [[nodiscard]] std::uint64_t record_live_board(const RecordOptions& options, const BoardFile& board, std::ostream& log,
                                               FactTracks& tracks, Console& console);
 

@@ -1,4 +1,4 @@
-/// `tedavis replay X.log`: a recorded bus through the core into frames, records and a report.
+/// `tedavis replay X.log`: plays a recorded bus through the core and writes frames, records and a report.
 #pragma once
 
 #include "host_sim/console.hpp"

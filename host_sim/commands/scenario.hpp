@@ -1,5 +1,5 @@
 /// `tedavis scenario build S.toml -o DIR`: a seeded flight as flight.log and flight.switches, the spatial data round it as
-/// scene.sdb, and scenario.json, which says what they are. Equal seeds give equal bytes: the database's revision is always 1.
+/// scene.sdb, and scenario.json, which describes them. Equal seeds give equal bytes: the database's revision is always 1.
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@ namespace tedavis::host_sim {
 struct SheetOptions {
     std::string sheet;   ///< shipped name of configs/sheets, or a path
     std::string output;  ///< folder
-    /// Its design is replaced by that of each picture. Without terrain, a database is built from the sheet's raster first, and
-    /// from the sheet's scene, unless terrain or scene are given.
+    /// Its design is replaced by that of each picture. If it names neither terrain nor scene, databases are first built from the
+    /// sheet's raster and scene.
     PictureOptions picture;
     bool layers = false;               ///< writes a layer mask beside every picture
     std::optional<AircraftPose> pose;  ///< nothing: the sheet's

@@ -17,9 +17,9 @@ struct ShotOptions {
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;
     AccuracyShown accuracy;
-    bool strict = false;  ///< findings end it with kCheckFailedExitCode
-    bool layers = false;  ///< also X.layers.png: which layer each pixel is of
-    std::string output;   ///< X.png; the record goes beside it as X.json; without an extension the same
+    bool strict = false;  ///< the command returns kCheckFailedExitCode where there are findings
+    bool layers = false;  ///< also writes X.layers.png, the layer of each pixel
+    std::string output;   ///< X.png or X; the record is written beside it as X.json
 };
 
 /// Returns the exit code, 2 also for a picture whose terrain failed, 1 where it is strict and there are findings; throws

@@ -14,16 +14,16 @@ namespace tedavis::host_sim {
 
 class StartTrial {
 public:
-    /// A device file with a design (a shipped one may have its short name), each sound by itself. Throws UserError: the sentence
-    /// of the start, behind the device's file and the design.
+    /// Starts a display with a device file and a design (a file or a short name), each valid by itself. Throws UserError with the
+    /// device's file, the design and the message of the start.
     void require(const std::string& device, const std::string& design);
 
     struct Outcome {
-        std::optional<base::BudgetShortage> shortage;  ///< the budget line that was too small; nothing: it has started
-        base::BudgetTable used;                        ///< after a start what was taken of each line
+        std::optional<base::BudgetShortage> shortage;  ///< the budget line that was too small; nothing: the display was started
+        base::BudgetTable used;                        ///< after a start, the used part of each line
     };
-    /// A display as the options say, over their terrain or else the generated one. Throws UserError with the sentence of a start
-    /// that fails for another reason.
+    /// Starts a display with the options, over their terrain or else the generated one. Throws UserError with the message of a
+    /// start that fails for another reason than a budget line.
     [[nodiscard]] Outcome start(PictureOptions options);
 
 private:

@@ -14,7 +14,7 @@ struct SweepOptions {
     std::optional<SweptPlace> place;  ///< nothing: the middle of the terrain
     double radius_m = 250;
     SweepRings rings;
-    std::optional<base::Time> time;  ///< by which data have an age; nothing: they stand at their own
+    std::optional<base::Time> time;  ///< time for the age of data; nothing: data are shown at their own time
     std::string phase;               ///< "takeoff.first_climb", as if a switch stated it; empty: none is stated
     PictureOptions picture;          ///< without terrain: the shipped one, and the data of the shipped scenario
     bool layers = false;

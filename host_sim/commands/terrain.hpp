@@ -18,7 +18,7 @@ struct TerrainBuildOptions {
     std::string vertical_datum;  ///< "egm96" or "ellipsoid"; empty: the files' own, else egm96
     std::string encoding;        ///< "terrain-rgb" or "terrarium", of colour pictures; empty: none
     std::optional<double> void_value;
-    std::optional<double> accuracy_m;  ///< LE90 of the source; none or 0: unknown, in a check what the database states
+    std::optional<double> accuracy_m;  ///< LE90 of the source; none or 0: unknown, in a check: as the database states
     std::string drape;                 ///< image over the terrain; empty: none
     std::string drape_crs;             ///< empty: the image's own
     std::string drape_extent;          ///< "W,S,E,N" in units of drape_crs, of an image that has no place; empty: none
@@ -40,7 +40,8 @@ struct TerrainFractalOptions {
     std::string numbers = "float32";  ///< or "int16"
 };
 
-/// What a build depends on but the program: names, sizes and times of the files, and options. Equal text, equal database.
+/// Returns all that a build depends on besides the program, as a text: names, sizes and times of the files, and options. Equal
+/// texts give equal databases.
 [[nodiscard]] std::string terrain_build_identity(const TerrainBuildOptions& options);
 
 /// Each returns the exit code and throws UserError for bad input.

@@ -18,26 +18,28 @@ struct TraceTerrain {
 
 struct TraceOptions {
     TraceTerrain terrain;
-    std::string scene;                 ///< .sdb, of which a quantity colours the ground; empty: none
-    std::string data;                  ///< which: layer, or layer.attribute; empty: the first
+    std::string scene;                 ///< .sdb, scene database, a quantity of which colours the ground; empty: none
+    std::string data;                  ///< the quantity: layer, or layer.attribute; empty: the first
     std::optional<AircraftPose> pose;  ///< nothing: over the south of the terrain, northwards
     TracePreset preset = TracePreset::time;
     raytrace::SearchSettings search;   ///< of the preset's rays
-    std::optional<ChoicePlan> choice;  ///< in place of a preset: settings are chosen by region
-    std::optional<double> memory_mb;   ///< that heights and what is prepared from them may take; where it is less, they are paged
-    TracedShotPlan plan;               ///< but for its pose
-    std::uint32_t workers = 0;         ///< 0: as many as there are processors
-    std::string output;                ///< X.png; X.json beside it says what it took
+    std::optional<ChoicePlan> choice;  ///< instead of a preset: settings are chosen by region
+    /// Limit for heights and the data prepared from them, which are paged where they need more; nothing: no limit.
+    std::optional<double> memory_mb;
+    TracedShotPlan plan;        ///< without its pose
+    std::uint32_t workers = 0;  ///< 0: as many as there are processors
+    std::string output;         ///< X.png; X.json beside it has times and memory
 };
 
 /// Returns the exit code; throws UserError and Interrupted.
 [[nodiscard]] int run_trace(const TraceOptions& options, Console& console);
 
-/// The database's path; one that has to be built first is put into `folder`.
+/// Returns the database's path. One that has to be built first is written to `folder`.
 [[nodiscard]] std::string database_of(const TraceTerrain& terrain, const std::string& folder, Console& console);
-/// Over the southern third, above the highest summit's lower part, looking north and a little down.
+/// Returns the default pose: over the middle of the southern part of the terrain, above its highest post, looking north and 12
+/// degrees down.
 [[nodiscard]] AircraftPose usual_pose(const TracedGround& ground);
-/// Throws UserError where there cannot be so many.
+/// Returns `count` worker threads; 0: as many as there are processors. Throws UserError where so many cannot be started.
 [[nodiscard]] std::unique_ptr<base::Workers> trace_workers(std::uint32_t count);
 
 }  // namespace tedavis::host_sim

@@ -8,8 +8,8 @@ namespace tedavis::host_sim {
 
 inline constexpr const char* kTraceSheetName = "trace";
 
-/// Leaves what run_sheet() does. Of the options: terrain, size, pose, time and the folder; others that are given are refused.
-/// Returns the exit code; throws UserError and Interrupted.
+/// Writes the files of run_sheet(). Uses the options terrain, size, pose, time and the folder; refuses others. Returns the exit
+/// code; throws UserError and Interrupted.
 [[nodiscard]] int run_trace_sheet(const SheetOptions& options, Console& console);
 
 }  // namespace tedavis::host_sim

@@ -10,6 +10,8 @@
 #include "host_sim/commands/built_inputs.hpp"
 #include "host_sim/commands/verify_board.hpp"
 #include "host_sim/flight_test/flight_test_report.hpp"
+#include "host_sim/flight_test/input_logs.hpp"
+#include "host_sim/flight_test/nearest_names.hpp"
 #include "host_sim/flight_test/read_flight_test.hpp"
 #include "host_sim/interrupt.hpp"
 #include "host_sim/json_text.hpp"
@@ -118,11 +120,16 @@ std::vector<FlownTest> read_tests(const VerifyOptions& options, const std::vecto
     }
     if (const std::string lines = lines_of(unknown_parameters(tests, parameters)); !lines.empty())
         for (FlownTest& one : tests) one.fault += (one.fault.empty() ? "" : "\n") + lines;
+    for (FlownTest& one : tests) one.is_wrong = !one.fault.empty();
     return tests;
 }
 
 bool has_fault(const std::vector<FlownTest>& tests) {
     return std::any_of(tests.begin(), tests.end(), [](const FlownTest& one) { return !one.fault.empty(); });
+}
+
+bool is_interrupted(const std::vector<FlownTest>& tests) {
+    return std::any_of(tests.begin(), tests.end(), [](const FlownTest& one) { return one.fault == kTestInterrupted; });
 }
 
 /// A line each, with the place of the input unless they say a place.
@@ -131,7 +138,7 @@ std::string with_place(const FlightTest& test, const std::string& sentences) {
     return has_place ? sentences : test.path + ":" + std::to_string(test.input_line) + ": " + sentences;
 }
 
-/// A test whose input cannot be played has a fault, and the others are flown.
+/// A test whose input cannot be played has a fault, and the others are flown, unless Ctrl-C ends them: then they have that fault.
 void fly_tests(std::vector<FlownTest>& tests, bool draws_failures, const std::string& folder, const InterruptGuard& interrupt,
                Console& console) {
     BuiltInputs inputs(folder, console);
@@ -139,16 +146,22 @@ void fly_tests(std::vector<FlownTest>& tests, bool draws_failures, const std::st
     const FlyTestSettings settings{folder, draws_failures, [&] { return interrupt.requested(); }};
     std::size_t flown = 0;
     for (FlownTest& one : tests) {
+        if (is_interrupted(tests)) {
+            one.fault = kTestInterrupted;
+            continue;
+        }
         try {
             inputs.resolve_to_fly(one.test);
             one.result = fly_flight_test(one.test, display, settings);
         } catch (const UserError& error) {
             one.fault = with_place(one.test, error.what());
+            one.is_wrong = true;
+        } catch (const Interrupted&) {
+            one.fault = kTestInterrupted;
         }
         console.progress("flight tests", ++flown, tests.size());
     }
     console.progress_done();
-    tell_faults(tests, console);
 }
 
 std::vector<FlownTest> fly_all_on_board(std::vector<FlownTest>& read, const BoardTests& settings, Console& console) {
@@ -167,16 +180,30 @@ int refuse_tests(std::vector<FlownTest>& tests, const VerifyOptions& options, Co
     return kFaultyInputExitCode;
 }
 
-/// A test that was not flown to its end comes before one that does not hold: nobody knows what it would have shown. The same is
-/// so where nothing at all was judged.
+/// Ctrl-C comes first. A test that was not flown to its end comes before one that does not hold: nobody knows what it would have
+/// shown. The same is so where nothing at all was judged.
 int exit_code_of(const std::vector<FlownTest>& tests, bool is_strict) {
     bool holds = true;
+    if (is_interrupted(tests)) return kInterruptedExitCode;
     for (const FlownTest& one : tests) {
         if (!one.fault.empty()) return kFaultyInputExitCode;
         holds = holds && one.holds().value_or(true) && !(is_strict && (one.result.not_judged() > 0 || !one.left_out.empty()));
     }
     if (judged_tests(tests) == 0) return kFaultyInputExitCode;
     return holds ? 0 : kCheckFailedExitCode;
+}
+
+/// A file, or a shipped script by its name.
+std::string script_path(const std::string& name, const std::string& shipped_folder) {
+    try {
+        return resolve_config(name, kTestsFolder);
+    } catch (const UserError&) {
+        std::vector<std::string> shipped;
+        for (const std::string& path : scripts_of_folder(shipped_folder)) shipped.push_back(fs::path(path).stem().string());
+        throw UserError(name + ": there is no such file and no shipped script of this name; say " +
+                        nearest_names(fs::path(name).stem().string(), shipped) + ", or name a file; " + shipped_folder +
+                        " has all shipped ones");
+    }
 }
 
 }  // namespace
@@ -192,11 +219,11 @@ std::vector<std::string> scripts_of_folder(const std::string& folder) {
 
 std::vector<std::string> script_paths(const std::vector<std::string>& named) {
     std::vector<std::string> paths;
-    const std::vector<std::string> shipped = {shipped_root() + "/configs/" + kTestsFolder};
-    for (const std::string& name : named.empty() ? shipped : named) {
+    const std::string shipped = shipped_root() + "/configs/" + kTestsFolder;
+    for (const std::string& name : named.empty() ? std::vector<std::string>{shipped} : named) {
         std::error_code error;
         if (!fs::is_directory(name, error)) {
-            paths.push_back(resolve_config(name, kTestsFolder));
+            paths.push_back(script_path(name, shipped));
             continue;
         }
         const std::vector<std::string> inside = scripts_of_folder(name);
@@ -230,6 +257,7 @@ int run_verify(const VerifyOptions& options, Console& console) {
     if (junit) junit->stream() << flight_tests_junit(tests);
     if (junit) junit->commit();
     if (folder) folder->keep();
+    if (console.json() || is_interrupted(tests)) tell_faults(tests, console);
     console.result(flight_tests_text(tests), json_text(flight_tests_json(tests)));
     return exit_code_of(tests, options.strict);
 }

@@ -19,19 +19,21 @@ struct VerifyOptions {
     std::string board;                    ///< that display's board file
     std::string interface_name;           ///< of the display's bus; empty: the board file's
     std::string panel_lines;              ///< folder of gpio-sim lines; empty: no switch can be thrown
-    bool strict = false;                  ///< what cannot be judged has not passed
+    bool strict = false;                  ///< a test that was left out, or has a condition that cannot be judged, fails
 };
 
-/// Returns 0 where all expectations hold, kCheckFailedExitCode where one does not, and kFaultyInputExitCode, with a sentence for
-/// each fault, before anything is flown where a script is faulty; also where the input of one cannot be played, and where on a
-/// board none of the scripts can be judged. Faults are in the JSON and in the JUnit file, too. The JUnit file, the pictures and
-/// the records of an earlier run are removed first. Throws UserError and Interrupted.
+/// Returns 0 where all expectations hold and kCheckFailedExitCode where one does not. Returns kFaultyInputExitCode, with a
+/// message for each fault, where a script has faults (then no test is flown), where the input of one cannot be played, and where
+/// no script can be judged on a board. Faults are written to the JSON and to the JUnit file, too, and so is what Ctrl-C ended: it
+/// then returns kInterruptedExitCode. The JUnit file, the pictures and the records of an earlier run are removed first. Throws
+/// UserError.
 [[nodiscard]] int run_verify(const VerifyOptions& options, Console& console);
 
-/// The scripts that are named, folders as what lies in them, or the shipped ones. Throws UserError.
+/// Returns the paths of the named scripts and of those in named folders; without names, of the shipped ones. Throws UserError.
 [[nodiscard]] std::vector<std::string> script_paths(const std::vector<std::string>& named);
 
-/// Scripts of a folder, in the order of their names; those of its folders, which are there to be included, are left out.
+/// Returns the scripts of a folder in the order of their names, without those in its subfolders, which are to be included by
+/// others.
 [[nodiscard]] std::vector<std::string> scripts_of_folder(const std::string& folder);
 
 }  // namespace tedavis::host_sim

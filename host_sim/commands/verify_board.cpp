@@ -6,6 +6,7 @@
 #include "bus/socketcan/raw_can_socket.hpp"
 #include "host_sim/commands/built_inputs.hpp"
 #include "host_sim/flight_test/fly_on_board.hpp"
+#include "host_sim/flight_test/input_logs.hpp"
 #include "host_sim/flight_test/live_board.hpp"
 #include "host_sim/shipped_files.hpp"
 #include "host_sim/user_error.hpp"
@@ -53,6 +54,8 @@ std::vector<std::string> resolve_logs(std::vector<FlightTest>& tests, const std:
             inputs.resolve_to_fly(tests[n]);
         } catch (const UserError& error) {
             faults[n] = error.what();
+        } catch (const Interrupted& interrupted) {
+            faults[n] = interrupted.what();
         }
     }
     return faults;
@@ -84,9 +87,12 @@ public:
         } catch (const BoardLost& lost) {
             fault = lost.what();
             goes_on = false;
+        } catch (const Interrupted& interrupted) {
+            fault = interrupted.what();
         } catch (const UserError& error) {
             fault = error.what();
         }
+        goes_on = goes_on && fault != kTestInterrupted;
         console_.progress_done();
         say(test, result, fault);
         flown.push_back({std::move(test), std::move(result), "", "", "", std::move(fault)});
@@ -95,6 +101,7 @@ public:
 
 private:
     void say(const FlightTest& test, const FlightTestResult& result, const std::string& fault) {
+        if (fault == kTestInterrupted) return;  // said once, at the end
         if (!fault.empty()) return console_.note("tedavis: " + test.path + ": " + fault);
         console_.note(test.path + ": " + std::to_string(result.held()) + " of " + std::to_string(result.expectations.size()) +
                       " hold in " + std::to_string(result.frames) + " frames");
@@ -127,8 +134,14 @@ std::vector<FlownTest> fly_tests_on_board(std::vector<FlightTest>& tests, const 
     BoardSeries series(settings, console);
     for (std::size_t n = 0; n < kept.size(); ++n) {
         if (series.fly(kept[n], faults[n], flown)) continue;
+        const bool is_interrupted = flown.back().fault == kTestInterrupted;
         for (++n; n < kept.size(); ++n)
-            flown.push_back({std::move(kept[n]), {}, "", "", "", "not begun, as the display was gone before"});
+            flown.push_back({std::move(kept[n]),
+                             {},
+                             "",
+                             "",
+                             "",
+                             is_interrupted ? kTestInterrupted : "not begun, as the display was gone before"});
     }
     return flown;
 }

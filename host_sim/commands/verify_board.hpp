@@ -12,8 +12,8 @@
 
 namespace tedavis::host_sim {
 
-/// The board of `--target`; nothing on the desk. Throws UserError where --board is missing, or options belong to a board and
-/// there is none.
+/// Returns the board of `--target`; nothing on the desk. Throws UserError where --board is missing, or where options for a board
+/// (`others`) are given without one.
 [[nodiscard]] std::optional<BoardFile> stated_board(const std::string& target, const std::string& board,
                                                     const std::string& others);
 
@@ -24,8 +24,9 @@ struct BoardTests {
     std::function<bool()> is_interrupted;
 };
 
-/// One after the other. A test of another board is left out where a folder has it; one that was named itself is refused, before
-/// anything is flown. Throws UserError and Interrupted.
+/// Flies the tests one after the other. A test for another board is left out if it was found in a folder; if it was named itself,
+/// UserError is thrown before any test is flown. What Ctrl-C ended has the fault kTestInterrupted. Throws UserError, also where
+/// no test is for this board.
 [[nodiscard]] std::vector<FlownTest> fly_tests_on_board(std::vector<FlightTest>& tests, const BoardTests& settings,
                                                         Console& console);
 

@@ -1,4 +1,4 @@
-/// A scene file for grids of weather whose content is plain: what `fly --weather` shows without a scene file.
+/// Makes a scene file from grids of weather whose content can be recognized, for `fly --weather` without a scene file.
 ///
 ///   wind      eastward and northward wind: the layer `wind`, with its speed
 ///   radar     reflectivity: the layer `radar`
@@ -16,9 +16,9 @@
 
 namespace tedavis::host_sim {
 
-/// What of the grids is of use to a flight.
+/// The part of the grids that a flight needs.
 struct WeatherWindow {
-    std::optional<base::Time> begin, end;  ///< of the flight; steps of other times are left out where the file has some of these
+    std::optional<base::Time> begin, end;  ///< of the flight; time steps outside are left out if the file has some inside
     GeoExtent region;                      ///< empty: everywhere
 };
 
@@ -27,7 +27,7 @@ struct WeatherScene {
     std::vector<std::string> notes;  ///< sentences that the user should read
 };
 
-/// Throws UserError, which says what the file holds, for one that holds several variables of which none is known.
+/// Throws UserError with the content of the file where a file has several variables and none is known.
 [[nodiscard]] WeatherScene weather_scene(const std::vector<std::string>& files, const WeatherWindow& window);
 
 }  // namespace tedavis::host_sim

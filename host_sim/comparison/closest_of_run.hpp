@@ -16,19 +16,20 @@ struct RunClosest {
     double latitude_deg = std::numeric_limits<double>::quiet_NaN(),
            longitude_deg = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
     std::string phase;                                                ///< "approach.final"
-    /// The point of the summary, which is searched in the whole run, between its frames too; else of the run's frames the lowest
-    /// in flight.
+    /// True: the closest point of the summary, which was searched in the whole run, also between frames; false: the frame in
+    /// flight that is lowest above the terrain.
     bool is_of_summary = false;
-    /// Of take-off and landing, and without a position or known ground, where it is of the summary.
+    /// Times that were not searched, if it is of the summary: take-off and landing, and times without a position or known ground.
     double left_out_s = 0, unknown_s = 0;
 
     [[nodiscard]] bool has_place() const { return std::isfinite(latitude_deg) && std::isfinite(longitude_deg); }
 };
 
-/// On the runway everything is close to the ground, and without a known phase it is not known who is on it.
+/// True if the frame's phase is known and is neither ground, start of take-off nor landing: frames on the runway would all be
+/// closest points.
 [[nodiscard]] bool is_known_to_fly(const ComparedFrame& frame);
 
-/// Of the run's summary where that has it. Nothing where no frame in flight knows its height either.
+/// Returns the point of the run's summary, else of its frames; nothing where no frame in flight has a height above the terrain.
 [[nodiscard]] std::optional<RunClosest> closest_of_run(const ComparedRun& run);
 
 /// What was searched: "its whole run, between its frames too, without 30 s of take-off and landing".

@@ -1,4 +1,5 @@
-/// What a comparison needs of a run: per frame its time, place, phase, alerts, effects and numbers, and the names in its summary.
+/// Reads the data of a run for a comparison: time, position, phase, alerts, effects and numbers of each frame, and the names in
+/// its summary.
 #pragma once
 
 #include <array>
@@ -19,11 +20,10 @@ struct Quantity {
     const char* name;        ///< key of compare.json: "height_above_terrain"
     const char* title;       ///< "Height above terrain"
     const char* unit;        ///< "m"; empty for counts
-    const char* shown_unit;  ///< of the page, which has heights in feet as the display has
-    double per_unit;         ///< shown units in one
-    int digits;              ///< decimals in which it is shown
-    /// It belongs to the flight and varies steadily, so that it may be interpolated between two frames; else it belongs to a
-    /// picture.
+    const char* shown_unit;  ///< unit on the page, which has heights in feet like the display
+    double per_unit;         ///< shown units per unit
+    int digits;              ///< number of decimals on the page
+    /// True: a continuous quantity of the flight, which is interpolated between frames; false: a number of one picture.
     bool is_flown;
 };
 inline constexpr std::size_t kQuantityCount = 9;
@@ -56,10 +56,10 @@ struct ComparedFrame : RunFrame {
     std::optional<double> utc_s;
     std::string hash;  ///< of the picture; see knows_picture()
     bool has_place = false;
-    bool has_pressure_height = false;             ///< its height is known, but not above the ellipsoid: by pressure alone
+    bool has_pressure_height = false;             ///< its height is a pressure height alone
     double latitude_deg = 0, longitude_deg = 0;   ///< where it has a place
     int terrain_alert = 0, obstacle_alert = 0;    ///< 0 none, 1 caution, 2 warning
-    std::array<double, kQuantityCount> values{};  ///< NaN where the record does not have it
+    std::array<double, kQuantityCount> values{};  ///< NaN where the record has none
     std::vector<std::string> effects;             ///< that were drawn
 };
 

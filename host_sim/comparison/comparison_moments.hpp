@@ -11,12 +11,12 @@ namespace tedavis::host_sim {
 
 struct ComparisonMoment {
     std::size_t instant = 0;
-    std::vector<std::string> reasons;  ///< "A is closest to the ground"; empty of those that are evenly spread
+    std::vector<std::string> reasons;  ///< "A is closest to the ground"; empty for evenly spread ones
 };
 
-/// In the order of the instants, each at most once, those alone of which both runs have the picture: some that are evenly spread,
-/// the first and the last of those with a position among them, where each run is closest to the ground, where quantities differ
-/// most, and the first difference of alerts and of phases.
+/// Returns instants of which both runs have the picture, ascending and without duplicates: some that are evenly spread, among
+/// them the first and the last with a position; those at which each run is closest to the ground or a quantity differs most; and
+/// the first differences of alerts and of phases.
 [[nodiscard]] std::vector<ComparisonMoment> comparison_moments(const RunComparison& runs);
 
 }  // namespace tedavis::host_sim

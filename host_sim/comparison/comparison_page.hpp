@@ -1,4 +1,4 @@
-/// The page of a comparison: sentences, both tracks on a map, pictures side by side, curves, tables. It needs nothing but itself.
+/// The page of a comparison: sentences, both tracks on a map, pictures side by side, curves, tables. It is self-contained.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// How every page begins: by this a page is told from other files.
+/// The begin of every page, by which a page is distinguished from other files.
 inline constexpr char kComparisonPageBeginning[] = "<!DOCTYPE html>\n<html lang='en' id='tedavis-comparison'>";
 
 /// The terrain below the tracks.

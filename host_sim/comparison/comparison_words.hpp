@@ -1,4 +1,4 @@
-/// What is compared and what differs, in sentences.
+/// Describes the compared runs and their differences in sentences.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::vector<std::string> run_introductions(const RunComparison& runs);
 /// The main differences, one sentence each; a single sentence where nothing differs.
 [[nodiscard]] std::vector<std::string> difference_sentences(const RunComparison& runs);
-/// What makes numbers hard to compare: different sizes, missing pictures or terrain alerts. May be empty.
+/// Warnings about what makes numbers hard to compare: different sizes, missing pictures or terrain alerts. May be empty.
 [[nodiscard]] std::vector<std::string> comparison_warnings(const RunComparison& runs);
-/// When an instant is, in both runs: "12:46:05 UTC" or "A 12:46:05 UTC, B 14:02:11 UTC".
+/// The times of an instant in both runs: "12:46:05 UTC" or "A 12:46:05 UTC, B 14:02:11 UTC".
 [[nodiscard]] std::string instant_words(const RunComparison& runs, std::size_t instant);
 
 }  // namespace tedavis::host_sim

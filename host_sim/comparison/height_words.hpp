@@ -1,4 +1,4 @@
-/// What the heights of two runs rest on, and where the ground below them is known, in sentences.
+/// Describes in sentences how the heights of two runs were measured, and where the ground below is known.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::size_t frames_by_pressure(const ComparedRun& run);
 /// Frames that know their height above the terrain.
 [[nodiscard]] std::size_t frames_over_known_ground(const ComparedRun& run);
-/// Where heights are pressure altitudes, or taken for what they are not, and where only parts of a run are over known ground.
-/// Empty where all heights are geometric and the ground is known everywhere, or nowhere in both.
+/// States where heights are pressure altitudes, or such taken for heights above sea level, and where only parts of a run are over
+/// known ground. Empty where all heights are geometric and the ground is known everywhere, or nowhere in both runs.
 [[nodiscard]] std::vector<std::string> height_sentences(const RunComparison& runs);
 
 }  // namespace tedavis::host_sim

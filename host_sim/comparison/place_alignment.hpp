@@ -1,8 +1,9 @@
 /// Assigns places of one track to another one.
 ///
-/// The assignment does not go back along the other track, so that a holding pattern or a second pass does not make it jump to and
-/// fro. Of all such assignments it is the one with the least sum of squared distances, each counted as `within_m` at most; where
-/// several are equal, the one that is furthest back. It is found by dynamic programming over the segments of the other track.
+/// The assigned places never go back along the other track, so that they do not jump to and fro in a holding pattern or at a
+/// second pass. Of all such assignments the one with the least sum of squared distances is chosen, each limited to `within_m`; of
+/// several equal ones, the one that is earliest on the other track. It is found by dynamic programming over the segments of the
+/// other track.
 #pragma once
 
 #include <optional>
@@ -17,8 +18,8 @@ struct TrackPlace {
 };
 
 struct PlacePair {
-    double along = 0;       ///< on the other track: 3.25 is a quarter of the way from its place 3 to its place 4
-    double distance_m = 0;  ///< to there, along the ground
+    double along = 0;       ///< fractional index on the other track: 3.25 is a quarter of the way from its place 3 to its place 4
+    double distance_m = 0;  ///< distance to that place, along the ground
 };
 
 /// For each place of `track` its counterpart on `other`; nothing where that is more than `within_m` away. Memory and time grow

@@ -14,19 +14,19 @@
 
 namespace tedavis::host_sim {
 
-/// Of the instants in which both runs know the quantity, of which there is at least one.
+/// The difference of a quantity over the instants in which both runs have it; at least one.
 struct QuantityDifference {
     std::size_t quantity = 0;  ///< index into kQuantities
-    std::size_t count = 0;     ///< of such instants
-    /// What means and medians are of: of what is flown, the instants; else the frames of each run, each once, though it may be
-    /// the nearest one to several instants.
+    std::size_t count = 0;     ///< number of these instants
+    /// Number of values in means and medians: for flown quantities that of the instants, else that of the distinct nearest frames
+    /// of each run.
     std::size_t values_a = 0, values_b = 0;
     double mean_a = 0, mean_b = 0, median_a = 0, median_b = 0;
-    /// The smallest values, and their instants; of heights and distances in flight alone, by a known phase. NaN where there is
+    /// The smallest values and their instants; for heights and distances, in flight alone, with a known phase. NaN where there is
     /// none.
     double least_a = std::numeric_limits<double>::quiet_NaN(), least_b = std::numeric_limits<double>::quiet_NaN();
     std::size_t least_a_at = 0, least_b_at = 0;
-    double greatest = 0;          ///< B - A where that is largest without its sign
+    double greatest = 0;          ///< B - A where its magnitude is largest
     std::size_t greatest_at = 0;  ///< its instant
 
     [[nodiscard]] double sum_a() const { return mean_a * static_cast<double>(values_a); }
@@ -47,17 +47,17 @@ struct RunComparison {
     ComparedRun a, b;
     AlignedRuns aligned;
     std::vector<std::size_t> compared_a, compared_b;  ///< indices of the frames that are compared, each once
-    std::optional<RunClosest> closest_a, closest_b;   ///< of each whole run, whatever is aligned
+    std::optional<RunClosest> closest_a, closest_b;   ///< of each whole run, independent of the alignment
     std::vector<QuantityDifference> quantities;       ///< in the order of kQuantities
-    /// Instants in which one run alone knows the quantity, by the index into kQuantities.
+    /// Number of instants in which only one run has the quantity, by the index into kQuantities.
     std::array<std::size_t, kQuantityCount> known_by_one{};
-    std::vector<EffectDifference> effects;  ///< that either run drew; those whose shares differ most first
+    std::vector<EffectDifference> effects;  ///< effects that either run drew, those with the greatest difference of shares first
     AlertLevels terrain_a{}, terrain_b{}, obstacles_a{}, obstacles_b{};
     std::size_t other_phase = 0;                   ///< instants of different flight phases
     std::optional<std::size_t> first_other_phase;  ///< the first of them
     std::size_t known_pictures = 0;                ///< instants in which both records have the hash of their picture
     std::size_t equal_pictures = 0;                ///< of these, instants whose pictures have equal pixels, by their hashes
-    /// What the runs differ in by their summaries: {"design", "default", "cruise"}.
+    /// Differences of the summaries: {"design", "default", "cruise"}.
     struct Setting {
         std::string name, a, b;
     };

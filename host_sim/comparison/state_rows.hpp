@@ -9,11 +9,11 @@
 namespace tedavis::host_sim {
 
 struct StateRow {
-    std::string name;              ///< stands to the left of it
+    std::string name;              ///< label to the left of the row
     std::vector<ChartSpan> spans;  ///< in the units of the axis
 };
 
-/// Scales with its container. `low` to `high`: the axis, not empty.
+/// Returns an SVG that scales with its container. The axis is from `low` to `high`, with `low` < `high`.
 [[nodiscard]] std::string state_rows_svg(const std::string& title, const std::vector<StateRow>& rows, double low, double high,
                                          const std::string& unit);
 

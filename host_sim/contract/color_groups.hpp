@@ -7,9 +7,10 @@
 ///   a role        such as obstacle: of the elements of this role that have one plain colour
 ///
 /// Every colour of one group is compared with every colour of the other, a band over a ground only with what lies over the same
-/// one. Warnings alone are compared with each other, but only where their hue differs: two densities of one hue say more or less
-/// of the same. Differences are CIEDE2000 (design/color_difference.hpp), in normal vision and without each of the three kinds of
-/// cones (measure/color_vision.hpp). What is lit less is compared so: encoded values times light, as the terrain is drawn.
+/// one. If `warnings` is the only group, its colours are compared with each other where their hues differ; two densities of one
+/// hue mean more or less of the same. Differences are CIEDE2000 (design/color_difference.hpp), in normal vision and without each
+/// of the three kinds of cones (measure/color_vision.hpp). With `light` below 1, the encoded values are multiplied by it, as when
+/// the terrain is drawn.
 #pragma once
 
 #include <optional>

@@ -1,15 +1,15 @@
 /// The perceptual contract of a display: conditions that the pictures of a run must meet.
 ///
 ///     title = "Approach under the default design"
-///     [canny]                            by which edges clutter is measured; absent: 1, 70, 170
+///     [canny]                            edge detector for clutter; absent: 1, 70, 170
 ///     sigma = 1
 ///     low = 70
 ///     high = 170
 ///
 ///     [[condition]]
-///     name = "instruments stay readable" how reports call it; absent: what it measures
+///     name = "instruments stay readable" name in reports; absent: a description of the measure
 ///     phases = ["approach"]              "approach" has its sub-phases; absent: all
-///     for_s = 2                          so long a time beyond the limit breaks it; absent: a single picture does
+///     for_s = 2                          time beyond the limit that breaks it; absent: a single picture does
 ///     optional = true                    a flight without its phases, or its obstacles, may pass; absent: it may not
 ///     measure = "clutter"                and the keys of the measure; the limit is `most` or `least`
 ///

@@ -16,16 +16,17 @@
 
 namespace tedavis::host_sim {
 
-/// What each design says of each condition on colours, measured once: by the design's name, then by the condition's place.
+/// The colour gaps of each design for each condition on colours, measured once; by the design's name, then by the condition's
+/// index.
 using DesignGaps = std::map<std::string, std::vector<std::optional<ColorGap>>>;
 
-/// The palette of a run's symbology, the current file.
+/// The palette of a run's symbology, read from the current file.
 struct RunPalette {
     design::SymbologyPalettes palettes;
     std::string name;
 };
 
-/// By which the pictures of a contract are measured.
+/// Returns the settings with which the pictures of a contract are measured.
 [[nodiscard]] EvaluationSettings settings_of(const Contract& contract);
 
 class ContractMeter {
@@ -36,7 +37,7 @@ public:
 
     /// Returns the readings of one frame, one per condition. Threads  any number at once, each with its own meter.
     [[nodiscard]] std::vector<ContractReading> readings(PictureMeter& meter, const FlightFrame& frame) const;
-    /// The same of a picture that lies in memory; `mask` may be null.
+    /// The same for a picture in memory; `mask` may be null.
     [[nodiscard]] std::vector<ContractReading> readings(PictureMeter& meter, const FlightFrame& frame, const RgbaPicture& picture,
                                                         const LayerMask* mask) const;
 

@@ -17,8 +17,8 @@ namespace tedavis::host_sim {
 enum class ConditionState : std::uint8_t {
     holds,
     broken,
-    missing,  ///< the run lacks what it is measured by: not shown to hold
-    absent,   ///< nothing to measure in this flight, and not optional: not shown to hold
+    missing,  ///< the run lacks data for the measure, so the condition is not proven
+    absent,   ///< nothing to measure in this flight, and not optional, so the condition is not proven
     passed    ///< the same, but optional
 };
 inline constexpr const char* kConditionStateNames[] = {"holds", "broken", "not measured", "nothing to measure", "passed over"};

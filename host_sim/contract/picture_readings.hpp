@@ -1,4 +1,4 @@
-/// The measures of a contract that are taken of a picture. Conditions that need the layers of the pixels are only asked where the
+/// The readings of a contract that are measured in a picture. Those that need the layers of the pixels must only be called if the
 /// picture has them.
 #pragma once
 

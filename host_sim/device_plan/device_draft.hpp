@@ -1,4 +1,4 @@
-/// A device as a shipped one, with budgets for another picture and other room. Pure; any thread.
+/// Derives a device from a shipped one, with budgets for another picture size and other capacities. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// What the user asks for.
+/// The user's request.
 struct DeviceAsk {
     std::string name;  ///< of the device, at most 31 letters
     PictureSize size;
@@ -19,33 +19,33 @@ struct DeviceAsk {
     std::string memory_text;         ///< as the user wrote it
 };
 
-/// What a device has room for; a plan gives up of it what its memory does not hold.
+/// The capacities of a device, which a plan reduces until they fit into the memory.
 struct DeviceRoom {
     std::uint32_t slots = 0, attribute_pages = 0, drape_pages = 0;
-    bool has_pictures = true;  ///< off screen
+    bool has_pictures = true;  ///< room for off-screen pictures
     bool is_traced = false;
 };
 
-/// Bytes by budget line, which a start has asked for.
+/// Bytes by budget line that a start of the display requested.
 using LineBytes = std::map<std::string, std::uint64_t, std::less<>>;
 
-/// Of one shipped device: what is known of the starts of what is made of it.
+/// A shipped device, and what starts of devices derived from it have shown.
 struct DraftSource {
     effects::DeviceSettings shipped;
-    LineBytes raised;                            ///< lines take so much at least
-    std::map<bool, std::uint64_t> target_bytes;  ///< render_targets, by has_pictures; what is not there is not known
+    LineBytes raised;                            ///< least bytes of each line
+    std::map<bool, std::uint64_t> target_bytes;  ///< bytes of render_targets by has_pictures; a missing entry is not known
 };
 
-/// Before they are measured.
+/// Value of target_bytes before it is measured.
 inline constexpr std::uint64_t kUnknownTargetBytes = std::uint64_t{1} << 30;
 
-/// All that the needs ask for, with as many slots as the shipped device has for its pixels.
+/// Returns the room for all needs, with as many slots per pixel as the shipped device.
 [[nodiscard]] DeviceRoom whole_room(const DraftSource& source, const DeviceAsk& ask, const DeviceNeeds& needs);
-/// The fewest slots that a plan goes down to: roots, and some in view and beside it.
+/// The least number of slots of a plan: for the roots, and some in view and beside it.
 [[nodiscard]] std::uint32_t fewest_slots(const DeviceNeeds& needs);
 [[nodiscard]] effects::DeviceSettings draft_device(const DraftSource& source, const DeviceAsk& ask, const DeviceNeeds& needs,
                                                    const DeviceRoom& room);
-/// Of processor and GPU together.
+/// Budgeted bytes of processor and GPU together.
 [[nodiscard]] std::uint64_t total_bytes(const effects::DeviceSettings& device);
 
 }  // namespace tedavis::host_sim

@@ -17,7 +17,7 @@ void add_design_needs(const design::DesignSettings& design, DeviceNeeds& needs) 
     needs.maps.add(design.terrain.style);
     needs.has_drape = needs.has_drape || needs_map(design.terrain.style, design::BakedMap::drape);
     needs.has_shadows = needs.has_shadows || design.effects.shadows.is_any();
-    needs.is_traced = needs.is_traced || design.terrain.renderer == design::TerrainRenderer::trace;
+    needs.is_traced = needs.is_traced || design::may_trace(design.terrain);
     for (const bool has_focus : {false, true})
         needs.shades_traced = needs.shades_traced || draw::drawn_as(design, {true, true, true}, has_focus).is_deferred;
     needs.measures_clutter =

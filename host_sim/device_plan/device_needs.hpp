@@ -1,6 +1,6 @@
-/// What a design, a terrain database and a scene need of a device, whatever its memory.
+/// The requirements of a design, a terrain database and a scene on a device, independent of its memory.
 ///
-/// Thread  any. Failure  UserError, one sentence with the file.
+/// Thread  any. Failure  throws UserError, one sentence with the file.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,14 @@ struct TerrainNeeds {
 struct DeviceNeeds {
     std::string design;     ///< as the user named it
     design::MapSet maps;    ///< of all phases' designs
-    bool has_coast = true;  ///< then the light's map is needed as well; so it is where the terrain is not known
+    bool has_coast = true;  ///< true: the light map is needed as well; also true where the terrain is not known
     bool has_drape = false, has_shadows = false, is_traced = false, measures_clutter = false;
-    bool shades_traced = false;  ///< traced terrain of a style that codes cannot tell
+    bool shades_traced = false;  ///< a style of traced terrain is shaded from a geometry picture
     std::optional<TerrainNeeds> terrain;
     std::optional<std::uint64_t> scene_file_bytes;
 };
 
-/// Of the options' design, terrain and scene; the latter two may be empty.
+/// Returns the needs of the options' design, terrain and scene; the latter two may be empty.
 [[nodiscard]] DeviceNeeds device_needs(const PictureOptions& options);
 
 }  // namespace tedavis::host_sim

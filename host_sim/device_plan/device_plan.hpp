@@ -1,6 +1,6 @@
-/// Fits a device to a memory: takes a shipped device, and gives up what the memory does not hold, until a start proves it.
+/// Fits a device into a memory: reduces the capacities of a shipped device until a display starts with it.
 ///
-/// Thread  one. Failure  UserError where the memory holds no device, and what the starts throw.
+/// Thread  one. Failure  throws UserError where no device fits into the memory, and what the starts throw.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace tedavis::host_sim {
 
 struct GivenUp {
     std::string what;         ///< "drape_pages", "attribute_pages", "off_screen_pictures", "traced_terrain" or "max_chunk_slots"
-    std::uint64_t bytes = 0;  ///< that it would take
+    std::uint64_t bytes = 0;  ///< bytes that it would need
     std::string sentence;
 };
 
@@ -27,18 +27,18 @@ struct DevicePlan {
         std::string name;
         std::uint64_t bytes = 0;
     };
-    std::vector<Larger> larger;  ///< shipped devices that the memory does not hold, with what they would take
+    std::vector<Larger> larger;  ///< shipped devices that do not fit into the memory, with the bytes that they would need
 };
 
 struct StartedDevice {
     std::optional<base::BudgetShortage> shortage;  ///< nothing: it has started
-    base::BudgetTable used;                        ///< then what was taken of each line
+    base::BudgetTable used;                        ///< after a start, the used bytes of each line
 };
 /// Starts a display on the device.
 using DeviceStart = std::function<StartedDevice(const effects::DeviceSettings&)>;
 
-/// Of the shipped devices, largest first, the first that the memory holds whole; else what it holds of the last. More memory
-/// never gives fewer slots. What is returned has been started.
+/// Returns the first of the shipped devices, which are in the order from the largest, that fits completely; else the last one
+/// with reduced capacities. More memory never gives fewer slots. A display has been started with the result.
 [[nodiscard]] DevicePlan plan_device(const std::vector<effects::DeviceSettings>& shipped, const DeviceAsk& ask,
                                      const DeviceNeeds& needs, const DeviceStart& start);
 

@@ -8,12 +8,13 @@
 
 namespace tedavis::host_sim {
 
-/// A device file (configs/devices) that reads back as the same device, without costs. `comment`: its first lines, without marks.
+/// Returns a device file (configs/devices) that reads back as the same device, without costs. `comment` is the text of its first
+/// lines, without comment marks.
 [[nodiscard]] std::string device_text(const effects::DeviceSettings& device, const std::string& comment);
 
-/// All of a plan; `memory_bytes`: what it was to fit.
+/// Returns a plan as JSON; `memory_bytes` is the memory for which it was made.
 [[nodiscard]] nlohmann::ordered_json plan_json(const DevicePlan& plan, std::uint64_t memory_bytes);
-/// The same in some lines for the user.
+/// Returns it in some lines for the user.
 [[nodiscard]] std::string plan_text(const DevicePlan& plan, std::uint64_t memory_bytes);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Two further measures of a picture's clutter, and whether they order pictures as the edges do.
+/// Two further measures of a picture's clutter, and their rank agreement with the clutter by edges.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace tedavis::host_sim {
 
 struct MeasuredOpinions {
     ClutterOpinions numbers;
-    FloatMap congestion;  ///< Feature Congestion of each pixel as a share of kFullCongestion, cut at 1
+    FloatMap congestion;  ///< Feature Congestion of each pixel divided by kFullCongestion, limited to 1
 };
 
 /// Takes two seconds for 1024 x 768 pixels: for single pictures and moments of flights, not for every frame.

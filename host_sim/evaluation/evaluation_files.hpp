@@ -1,4 +1,4 @@
-/// The pictures that an evaluation leaves of one picture.
+/// The pictures that an evaluation writes for one picture.
 #pragma once
 
 #include <string>
@@ -20,7 +20,8 @@ struct ViewFiles {
 struct PictureViews {
     RgbaPicture saliency, heat, edges, regions, congestion, second_opinion;
 };
-/// Of the picture that the meter measured last. `congestion` is its map of Feature Congestion (clutter_opinions.hpp).
+/// Draws the views of the picture that the meter measured last. `congestion` is its map of Feature Congestion
+/// (clutter_opinions.hpp).
 [[nodiscard]] PictureViews picture_views(const RgbaPicture& picture, PictureMeter& meter, const PictureMeasures& measures,
                                          const FloatMap& congestion, const EvaluationSettings& settings);
 /// Picture and views side by side, with labels and numbers.
@@ -30,7 +31,7 @@ struct PictureViews {
 /// Writes them, and the sheet, each whole or not at all; throws UserError.
 void write_views(const std::string& folder, const std::string& name, const std::string& title, const RgbaPicture& picture,
                  const PictureViews& views, const PictureMeasures& measures);
-/// Bytes of small pictures for a page.
+/// Returns the bytes of small PNG files for a page.
 [[nodiscard]] MomentViews small_views(const RgbaPicture& picture, const PictureViews& views);
 
 }  // namespace tedavis::host_sim

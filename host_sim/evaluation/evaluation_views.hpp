@@ -1,4 +1,4 @@
-/// Pictures of what was measured: saliency as grey and as heat over the picture, edges, and clutter by regions.
+/// Draws the measured values: saliency as grey and as colours over the picture, edges, and clutter by regions.
 #pragma once
 
 #include <array>
@@ -11,28 +11,30 @@
 
 namespace tedavis::host_sim {
 
-/// A map over a picture, rows from the top: each value stands for some of its pixels, of which the last ones may reach beyond it.
+/// A map of a picture, rows from the top: each value is that of a cell of pixels; the last cells may extend beyond the picture.
 struct FloatMap {
     std::uint32_t width = 0, height = 0;
-    float cell_width = 1, cell_height = 1;  ///< pixels of the picture that a value stands for
+    float cell_width = 1, cell_height = 1;  ///< size of a cell in pixels of the picture
     std::vector<float> values;              ///< 0..1
 
     [[nodiscard]] float at(std::uint32_t x, std::uint32_t y) const { return values[std::size_t{y} * width + x]; }
 };
 
-/// A value for each of the picture's pixels, bilinearly between the middles of the cells.
+/// Returns a value for each pixel of the picture, interpolated bilinearly between the centres of the cells.
 [[nodiscard]] FloatMap enlarged(const FloatMap& map, std::uint32_t picture_width, std::uint32_t picture_height);
 
-/// Of a value of 0..1: black, purple, red, yellow, ever lighter, so that it reads without hues as well.
+/// Returns the colour of a value of 0..1: black, purple, red, yellow, with increasing lightness, so that it can be read without
+/// hues as well.
 [[nodiscard]] std::array<std::uint8_t, 3> heat_color(float value);
 
-/// White is 1.
+/// Draws a map in grey; 1 is white.
 [[nodiscard]] RgbaPicture saliency_picture(const FloatMap& map);
-/// The picture in dim grey, under the map's colours; the map has the picture's size.
+/// Draws the colours of the map over the picture in dim grey; the map has the picture's size.
 [[nodiscard]] RgbaPicture heat_picture(const RgbaPicture& picture, const FloatMap& map);
-/// White on black; a byte a pixel, not 0 for edges.
+/// Draws edges white on black. `edges` has one byte per pixel, not 0 at edges.
 [[nodiscard]] RgbaPicture edge_picture(const std::vector<std::uint8_t>& edges, std::uint32_t width, std::uint32_t height);
-/// The picture in dim grey; each region tinted by its density, with the number in it. `densities` row by row.
+/// Draws the picture in dim grey, with each region tinted by its density and labelled with the number. `densities` are row by
+/// row.
 [[nodiscard]] RgbaPicture region_picture(const RgbaPicture& picture, const perception::RegionGrid& grid,
                                          const std::vector<double>& densities);
 

@@ -14,12 +14,13 @@ namespace tedavis::host_sim {
 struct EvaluationWork {
     base::Workers& workers;
     Console& console;
-    std::function<bool()> is_stopped;  ///< asked from any thread
+    std::function<bool()> is_stopped;  ///< called from any thread
     EvaluationSettings settings;
 };
 
-/// `measure(meter, index)` on any thread, `take(index, Result&&)` one after the other in the order of indices. Ends early, behind
-/// the last index taken, where the work is stopped; returns how many were taken. What `measure` throws passes.
+/// Calls `measure(meter, index)` on any thread, and `take(index, Result&&)` one after the other, ascending. If the work is
+/// stopped, it ends early, after the last index taken; returns the number of indices taken. Exceptions of `measure` are passed
+/// on.
 template <class Measure, class Take>
 std::size_t for_each_picture(const EvaluationWork& work, const std::string& what, std::size_t count, Measure measure, Take take) {
     using Result = std::invoke_result_t<Measure&, PictureMeter&, std::size_t>;

@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-/// 0: as many threads as there are processors. Throws UserError.
+/// Starts `threads` threads; 0: as many as there are processors. Throws UserError.
 [[nodiscard]] std::unique_ptr<base::Workers> evaluation_workers(std::uint32_t threads);
 
 }  // namespace tedavis::host_sim

@@ -22,7 +22,7 @@ struct Fixation {
 
 struct FixationFile {
     std::string path;
-    std::vector<Fixation> fixations;  ///< as they stand in the file; not empty
+    std::vector<Fixation> fixations;  ///< in the order of the file; not empty
     bool in_shares = false;
     bool has_files = false, has_times = false;
 };
@@ -41,7 +41,7 @@ struct GazePixel {
 [[nodiscard]] std::vector<GazePixel> gaze_pixels(const FixationFile& file, const std::vector<const Fixation*>& fixations,
                                                  std::uint32_t width, std::uint32_t height);
 
-/// Says how many fixations hit no picture; empty where all of them did.
+/// Returns a sentence on how many fixations hit no picture; empty where all of them hit one.
 [[nodiscard]] std::string words_about_missed(const FixationFile& file, std::size_t hits);
 
 }  // namespace tedavis::host_sim

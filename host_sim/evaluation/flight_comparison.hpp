@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// Of the frames of one phase of the first run, or of all.
+/// Differences over the frames of one phase of the first run, or over all frames.
 struct PhaseDifference {
     std::string phase;
     double begin_s = 0, end_s = 0;
@@ -23,10 +23,10 @@ struct FlightComparison {
     std::size_t only_a = 0, only_b = 0;                      ///< frames that the other run lacks
     std::vector<PhaseDifference> phases;
     PhaseDifference all;
-    std::string name_a, name_b;  ///< what tells the runs apart: their designs, else their folders
+    std::string name_a, name_b;  ///< names that distinguish the runs: their designs, else their folders
 };
 
-/// Frames belong together whose times differ by less than a millisecond. Throws UserError where none do.
+/// Pairs frames whose times differ by less than a millisecond. Throws UserError where there are none.
 [[nodiscard]] FlightComparison compared(const EvaluatedFlight& a, const EvaluatedFlight& b);
 
 /// The frame nearest in time.

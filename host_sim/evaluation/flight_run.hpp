@@ -1,5 +1,5 @@
-/// The data of a run written by `replay` that its evaluation needs: time and phase of each picture, and the aspect that came
-/// first.
+/// Reads the data of a run of `replay` that its evaluation needs: time and phase of each picture, and the aspect with the
+/// greatest weight.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace tedavis::host_sim {
 struct FrameObstacle {
     std::string name;             ///< as the scene has it, or its layer and number
     std::string state;            ///< "drawn", "hidden" by terrain, "left_out", "out_of_view"
-    double ahead_s = 0;           ///< s of flight until it is reached
-    std::array<double, 4> box{};  ///< left, top, right, bottom in pixels; of "drawn"
+    double ahead_s = 0;           ///< time of flight until it is reached
+    std::array<double, 4> box{};  ///< left, top, right, bottom in pixels; only of state "drawn"
 };
 
 /// The weight of an aspect, 0 to 1: in the frame, where hazards ahead may raise it, and as the design states it.
@@ -28,11 +28,11 @@ struct AspectWeight {
 inline constexpr std::array<const char*, 3> kMainAspectNames = {"terrain", "data", "uncertainty"};
 using MainWeights = std::array<AspectWeight, kMainAspectNames.size()>;
 
-/// Returns the aspects that come first: those with the greatest weight, and among equal ones those with the greatest stated
-/// weight. Empty where every weight is 0.
+/// Returns the aspects with the greatest weight, and among equal ones those with the greatest stated weight. Empty where every
+/// weight is 0.
 [[nodiscard]] std::vector<std::string> first_aspects(const MainWeights& weights);
 
-/// Its picture is there.
+/// A frame whose picture file exists.
 struct FlightFrame : RunFrame {
     std::string phase_source;  ///< as in the record
     /// The aspect with the greatest weight, where one is greater than the others: "terrain", "data", "uncertainty".
@@ -42,7 +42,7 @@ struct FlightFrame : RunFrame {
     std::string design;                 ///< name of the design with which it was drawn
     std::string light;                  ///< of its symbology: "day", "night"; of the summary where the record has none; or empty
     bool has_scene = false;             ///< the run has spatial data
-    bool has_accuracy_overlay = false;  ///< its picture has the accuracy drawn over it
+    bool has_accuracy_overlay = false;  ///< its picture has the accuracy overlay
     /// Obstacles near the predicted track; nothing where the run did not record them.
     std::optional<std::vector<FrameObstacle>> obstacles;
 };
@@ -54,19 +54,19 @@ struct FlightRun {
     std::vector<FlightFrame> frames;        ///< in the order of time
 };
 
-/// What a record says of its frame, whose number, time and picture are not read.
+/// Converts a record to a frame, without number, time and picture.
 [[nodiscard]] FlightFrame flight_frame_of(const nlohmann::ordered_json& record);
 
-/// Throws UserError where the folder holds no run, or a run without its pictures; the sentence says how they are made.
+/// Throws UserError where the folder holds no run, or a run without its pictures; the message states how they are made.
 [[nodiscard]] FlightRun read_flight_run(const std::string& folder);
 
 /// `layers` of a record: what the values of its picture's layer mask stand for. Empty where the record has none.
 [[nodiscard]] std::vector<std::string> layer_names(const nlohmann::ordered_json& record);
 
-/// True for what read_flight_run may read: a folder.
+/// True if the path is a folder, which read_flight_run() may read.
 [[nodiscard]] bool is_folder(const std::string& path);
 
-/// The records of certain frames, null where the run has none.
+/// Returns the records of these frames, null where the run has none.
 [[nodiscard]] std::vector<nlohmann::ordered_json> records_of(const FlightRun& run, const std::vector<std::uint64_t>& frames);
 
 /// Contiguous frames of one phase.

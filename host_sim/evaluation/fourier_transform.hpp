@@ -11,7 +11,8 @@ namespace tedavis::host_sim {
 
 using Complex = std::complex<double>;
 
-/// The smallest multiple of `step`, itself without prime factors above 5, that is no less than `length` and has none either.
+/// Returns the smallest multiple of `step` that is no less than `length` and has no prime factors above 5; `step` has none
+/// either.
 [[nodiscard]] int smooth_length(int length, int step);
 
 class FourierTransform {
@@ -30,7 +31,8 @@ private:
     std::vector<Complex> turns_;  // e^(-2 pi i n / length)
 };
 
-/// Rows from the top. Forward as above in both directions; backward with the opposite sign and divided by the number of values.
+/// A two-dimensional transform, rows from the top: forward as above along rows and columns; backward with the opposite sign and
+/// divided by the number of values.
 struct Spectrum {
     int width = 0, height = 0;
     std::vector<Complex> values;

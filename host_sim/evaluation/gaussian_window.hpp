@@ -1,5 +1,5 @@
-/// Means and covariances under a Gaussian window round each pixel. Only pixels of the picture count: near its border the
-/// remaining weights are normalised.
+/// Means and covariances under a Gaussian window around each pixel. Near the picture's border, the weights of the pixels inside
+/// are normalised.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ struct ValueMap {
 
 class GaussianWindow {
 public:
-    /// Cut `radius` pixels from its middle, across and down.
+    /// The window is truncated `radius` pixels from its centre, across and down.
     GaussianWindow(double sigma_px, int radius);
 
     [[nodiscard]] ValueMap mean(const ValueMap& map) const;
@@ -32,7 +32,7 @@ private:
     [[nodiscard]] std::vector<double> shares_inside(int length) const;
     void blur_across(ValueMap& map) const;
 
-    std::vector<double> weights_;  // of the middle, and of both pixels at each distance; their sum is 1
+    std::vector<double> weights_;  // of the centre, and of both pixels together at each distance; their sum is 1
 };
 
 }  // namespace tedavis::host_sim

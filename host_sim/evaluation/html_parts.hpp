@@ -14,7 +14,7 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string html_number(const std::string& text);
 /// A number that is hidden on narrow screens.
 [[nodiscard]] std::string html_aside(const std::string& text);
-/// The name after a patch in its colour.
+/// The phase's name after a patch in its colour.
 [[nodiscard]] std::string html_phase(const std::string& phase);
 /// A large number with its label below.
 [[nodiscard]] std::string html_fact(const std::string& number, const std::string& words);
@@ -28,9 +28,9 @@ namespace tedavis::host_sim {
 /// "34 %"
 [[nodiscard]] std::string percent_text(double share);
 
-/// One bar of a span's layers, as wide as its box, the prioritized one outlined; empty without layers.
+/// Returns a bar of a span's layers, as wide as its box, with the prioritized one outlined; empty without layers.
 [[nodiscard]] std::string layer_bar(const std::vector<LayerShare>& layers, const std::string& prioritized);
-/// Names beside their colours; with what the outline means.
+/// Returns the legend of layer_bar(): names beside their colours, and the meaning of the outline.
 [[nodiscard]] std::string layer_key(const std::vector<LayerShare>& layers, bool with_outline = true);
 
 }  // namespace tedavis::host_sim

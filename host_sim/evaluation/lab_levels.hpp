@@ -9,8 +9,8 @@
 
 namespace tedavis::host_sim {
 
-/// L, a, b in hundredths of CIELab's units (perception/lab_planes.hpp); each level half as large as the one before
-/// (perception/pyramid.hpp). Owns its values.
+/// L, a, b in hundredths of CIELab's units (perception/lab_planes.hpp); each level has half the width and height of the one
+/// before (perception/pyramid.hpp). Owns its values.
 class LabLevels {
 public:
     static constexpr int kLevels = 3;

@@ -7,13 +7,13 @@
 
 namespace tedavis::host_sim {
 
-/// "moment-A": what links lead to.
+/// Returns "moment-A", the target of links.
 [[nodiscard]] std::string moment_id(const FlightMoment& moment);
 /// "A: 312.0 s, approach.final, clutter 0.21"
 [[nodiscard]] std::string moment_words(const EvaluatedFlight& flight, const FlightMoment& moment);
 /// A link for the list below the graph.
 [[nodiscard]] std::string moment_tab(const EvaluatedFlight& flight, const FlightMoment& moment);
-/// `other`: the flight that it is compared with, null without one. Names tell the two apart.
+/// A flight with the name that distinguishes it from the other one.
 struct ComparedFlight {
     const EvaluatedFlight* flight = nullptr;
     std::string name;

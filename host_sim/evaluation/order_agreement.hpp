@@ -11,7 +11,7 @@ struct OrderAgreement {
     std::size_t alike = 0;  ///< pairs of these that differ in the same direction in the second
 };
 
-/// Both have a value for each thing.
+/// Both lists have one value for each object.
 [[nodiscard]] OrderAgreement order_agreement(const std::vector<double>& first, const std::vector<double>& second);
 
 }  // namespace tedavis::host_sim

@@ -39,7 +39,7 @@ struct PictureMeasures {
     std::uint32_t width = 0, height = 0;
     double clutter = 0;                ///< share of pixels that are edges
     std::vector<double> clutter_grid;  ///< of each region, row by row from the upper left
-    double saliency_level = 0;         ///< mean on the fixed scale: to be compared from picture to picture
+    double saliency_level = 0;         ///< mean saliency on the fixed scale, comparable between pictures
     std::vector<LayerShare> layers;    ///< empty without a layer mask
     std::optional<GazeScore> gaze;
     std::optional<ClutterOpinions> opinions;  ///< of single pictures

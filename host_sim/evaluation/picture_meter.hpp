@@ -1,6 +1,6 @@
-/// Measures pictures one after another, with memory that grows to the largest of them and is reused.
+/// Measures pictures one after another and reuses its memory, which grows to that of the largest.
 ///
-/// Equal pictures give equal numbers, whatever was measured before. Thread  one a meter.
+/// Equal pictures give equal numbers, independent of earlier ones. Thread  one per meter.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,7 @@ struct PictureOrderings {
 /// Throws UserError with file and line.
 [[nodiscard]] PictureOrderings read_orderings(const std::string& path);
 
-/// What the orderings ask of a picture.
+/// The measures of a picture that orderings compare.
 struct OrderedPicture {
     std::string file;
     double clutter = 0;
@@ -60,7 +60,7 @@ enum class OrderingState : std::uint8_t {
 struct JudgedOrdering {
     PictureOrdering ordering;
     OrderingState state = OrderingState::missing;
-    double more = 0, less = 0;  ///< ours; 0 where missing
+    double more = 0, less = 0;  ///< our values; 0 where missing
 };
 
 [[nodiscard]] std::vector<JudgedOrdering> judged(const PictureOrderings& orderings, const std::vector<OrderedPicture>& pictures);

@@ -97,7 +97,8 @@ h2,h3{break-after:avoid}tr{break-inside:avoid}
 }
 )css";
 
-/// Shows one moment at a time, the one that was clicked; without scripts all of them stand below each other and links lead there.
+/// Shows one moment at a time, the one that was clicked; without scripts all are shown one below the other, and links lead to
+/// them.
 inline constexpr char kReportScript[] = R"js(
 (function(){
 "use strict";

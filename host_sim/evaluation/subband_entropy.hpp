@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// Bits.
+/// Returns the Subband Entropy, bits.
 [[nodiscard]] double subband_entropy(const LabLevels& picture);
 
 }  // namespace tedavis::host_sim

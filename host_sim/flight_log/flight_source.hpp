@@ -1,4 +1,4 @@
-/// A flight with signals at any instant: a resampled recording or a scenario.
+/// Interface to a flight with signals at any time: a resampled recording or a scenario.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace tedavis::host_sim {
 
 /// Another aircraft, as a receiver on board reports it.
 struct ReceivedAircraft {
-    std::uint8_t number = 0;  ///< the receiver's of it
+    std::uint8_t number = 0;  ///< number that the receiver has given it
     flight::TrafficReport report;
 };
 
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] virtual std::optional<SignalSample> at(base::Time time) const = 0;
     /// The phase that the aircraft's own system states on the bus; nothing while it is silent.
     [[nodiscard]] virtual std::optional<flight::FlightPhase> stated_phase(base::Time) const { return std::nullopt; }
-    /// The aircraft states what its pilot has selected: an absent value then means that nothing is selected.
+    /// Whether the aircraft states the pilot's selections; an absent value then means that nothing is selected.
     [[nodiscard]] virtual bool states_guidance() const { return false; }
     /// Other aircraft that are received at `time`.
     [[nodiscard]] virtual std::vector<ReceivedAircraft> traffic(base::Time) const { return {}; }

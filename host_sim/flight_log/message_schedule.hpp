@@ -1,7 +1,7 @@
 /// The signals of a generated log, with their CANaerospace messages and rates.
 ///
-/// Rates follow the transmission schedule of CANaerospace 1.7 (section 6.2) for what changes slowly; attitude goes out
-/// 50 times a second instead of 80, which the display's frame rate does not tell apart.
+/// Rates of slow signals are those of the transmission schedule of CANaerospace 1.7 (section 6.2). Attitude is sent 50 times a
+/// second instead of 80, a difference that is not visible at the display's frame rate.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace tedavis::host_sim {
 
 struct ScheduledMessage {
-    std::uint16_t identifier;  ///< of guidance: the distance from the bus file's first one
+    std::uint16_t identifier;  ///< of guidance: offset from the bus file's first identifier of guidance
     flight::Signal signal;
     bus::DataType type;
     std::uint16_t period_ms;

@@ -6,9 +6,8 @@ namespace tedavis::host_sim {
 
 inline constexpr double kStandardPressure_pa = 101325.0;
 
-/// What an altimeter set to `qnh_pa` shows where one set to 1013.25 hPa shows `standard_altitude_m`: less by the height of the
-/// pressure `qnh_pa` in the standard atmosphere, at each altitude. The subscale moves the pointer, and does not scale what it
-/// shows.
+/// The indication of an altimeter set to `qnh_pa` where one set to 1013.25 hPa indicates `standard_altitude_m`. It is lower by
+/// the altitude of the pressure `qnh_pa` in the standard atmosphere, which is the same at each altitude.
 [[nodiscard]] double altitude_on_qnh(double standard_altitude_m, double qnh_pa) noexcept;
 /// The inverse of altitude_on_qnh.
 [[nodiscard]] double standard_altitude(double altitude_on_qnh_m, double qnh_pa) noexcept;

@@ -1,4 +1,4 @@
-/// Port: the machine of a running display, as a flight test needs it. The program uses live_board.hpp, tests their own.
+/// Interface to the machine of a running display. The program implements it in live_board.hpp, tests by fakes.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace tedavis::host_sim {
 
-/// No further test can be flown: the display or its bus is gone.
+/// Thrown where no further test can be flown, since the display or its bus is gone.
 class BoardLost : public UserError {
 public:
     using UserError::UserError;
@@ -22,18 +22,21 @@ public:
 class BoardPort {
 public:
     virtual ~BoardPort() = default;
-    /// CLOCK_MONOTONIC.
+    /// The time of CLOCK_MONOTONIC.
     [[nodiscard]] virtual base::Time now() = 0;
-    /// Waits until a record of a frame comes, or the time has; nothing: none came. Throws BoardLost where the display is gone.
+    /// Waits for the next record of a frame until `until` at the latest; nothing: none was received. Throws BoardLost where the
+    /// display is gone.
     [[nodiscard]] virtual std::optional<std::string> next_record(base::Time until) = 0;
-    /// Onto the bus, at once. Throws BoardLost where the bus does not take it, UserError for a frame of CAN FD where it has none.
+    /// Sends a frame at once. Throws BoardLost where the bus does not accept it, UserError for a CAN FD frame on a bus without
+    /// CAN FD.
     virtual void send(const bus::CanFrame& frame) = 0;
-    /// What others have sent since the last call, with times of the clock of now().
+    /// Returns the frames that others have sent since the last call, with stamps of the clock of now().
     [[nodiscard]] virtual std::vector<bus::CanFrame> take_received() = 0;
-    /// Frames of others that the kernel had no room for, all in all.
+    /// Number of received frames that the kernel has dropped since the bus was opened.
     [[nodiscard]] virtual std::uint64_t dropped_frames() const = 0;
     [[nodiscard]] virtual bool has_panel() const = 0;
-    /// A line of the board's panel, by its place in the panel's file; only with a panel. Throws BoardLost.
+    /// Sets a line of the board's panel, which is numbered from 0 in the order of the panel's file. Only where has_panel().
+    /// Throws BoardLost.
     virtual void set_line(std::size_t line, bool level) = 0;
 };
 

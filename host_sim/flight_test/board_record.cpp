@@ -118,7 +118,8 @@ BoardRecord read_board_record(std::string_view packet, std::string_view display)
 }
 
 bool is_in_board_record(const FrameCondition& condition) {
-    return condition.key != "text" && condition.key != "contract" && condition.key != "obstacle_alert";
+    return condition.key != "text" && condition.key != "contract" && condition.key != "obstacle_alert" &&
+           condition.key != "elements";
 }
 
 }  // namespace tedavis::host_sim

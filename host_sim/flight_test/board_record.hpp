@@ -11,18 +11,19 @@ namespace tedavis::host_sim {
 
 struct BoardRecord {
     std::uint64_t frame = 0;
-    double monotonic_s = 0;                 ///< CLOCK_MONOTONIC of the machine: the instant that the frame was planned for
-    std::optional<double> can_to_screen_s;  ///< of the oldest bus frame that is first seen in it; nothing: it holds no new one
-    bool is_on_screen = true;               ///< false: the screen has not confirmed the picture, so nobody could see it
-    ObservedFrame seen;                     ///< without its time, its latency, obstacles and words
+    double monotonic_s = 0;  ///< CLOCK_MONOTONIC of the board: the time for which the frame was planned
+    /// Latency of the oldest bus frame that is first shown in this frame; nothing: it shows no new one
+    std::optional<double> can_to_screen_s;
+    bool is_on_screen = true;  ///< false: the display hardware has not confirmed that the picture was shown
+    ObservedFrame seen;        ///< without time_s, latency_frames, has_obstacles and words
 };
 
-/// `display`: its socket, for sentences. Throws UserError where the packet is no record, or that of a program which says too
-/// little.
+/// Parses a packet of the record socket. `display` is the path of the socket, for messages. Throws UserError where the packet is
+/// no record, or lacks keys.
 [[nodiscard]] BoardRecord read_board_record(std::string_view packet, std::string_view display);
 
-/// Whether a record can answer a condition of an expectation: it has no texts and no picture, and does not say
-/// whether there are obstacles.
+/// Whether a condition can be judged by such a record, which has no texts, no picture, and no statement whether there are
+/// obstacles.
 [[nodiscard]] bool is_in_board_record(const FrameCondition& condition);
 
 }  // namespace tedavis::host_sim

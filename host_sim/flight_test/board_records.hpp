@@ -1,5 +1,5 @@
-/// The records of a running display one after the other, none of them missing. Those of before are left out: while nobody reads,
-/// they pile up, and the last of them are dropped.
+/// Reads the records of a running display in their order and checks that none is missing. Records of frames before this object
+/// was made are skipped: the socket's queue fills while nobody reads it, and then loses the newest.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace tedavis::host_sim {
 
-/// A display that says nothing for so long is gone: a driver may compile for some seconds.
+/// A display that sends no record for this time is regarded as gone. A GL driver may compile for some seconds.
 inline constexpr base::Duration kLongestWithoutRecord = base::Duration::seconds(20);
 
 /// Throws UserError where the screen has not confirmed the picture of this frame. `display`: its socket.
@@ -19,14 +19,14 @@ void require_on_screen(const BoardRecord& record, const std::string& display);
 
 class BoardRecords {
 public:
-    /// `display`: its socket, for sentences. All must outlive this object.
+    /// `display` is the path of its socket, for messages. All arguments must outlive this object.
     BoardRecords(BoardPort& port, const std::string& display, const std::function<bool()>& is_interrupted)
         : port_(port), display_(display), is_interrupted_(is_interrupted), begun_(port.now()), heard_(begun_) {}
 
-    /// Waits until one comes, or the time has; nothing: none came, or one of before this object. Throws UserError where records
-    /// are missing, BoardLost where the display is silent or gone, and Interrupted.
+    /// Waits for the next record until `until` at the latest; nothing: none was received, or one of a frame before this object
+    /// was made. Throws UserError where records are missing, BoardLost where the display is silent or gone, and Interrupted.
     [[nodiscard]] std::optional<BoardRecord> next(base::Time until);
-    /// The last one as it came.
+    /// The last packet, unparsed.
     [[nodiscard]] const std::string& packet() const { return packet_; }
 
 private:

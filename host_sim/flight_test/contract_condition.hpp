@@ -1,10 +1,10 @@
 /// The key `contract` of an [[expect]] table: the conditions of a perceptual contract (host_sim/contract), which the picture of
 /// a frame must meet.
 ///
-/// They are measured as `tedavis contract` measures a run, of the picture that is drawn and of its layers. A condition counts in
-/// its phases. One that has nothing to measure counts as beyond its limit unless it is optional, and a frame in which nothing
-/// was measured does not meet the contract. In every frame of a span (WindowKind::during) `for_s` counts as in a run; a single
-/// frame, and one that must be reached, is beyond the limit at once.
+/// They are measured in the drawn picture and its layers, as `tedavis contract` measures a run. A condition is judged in its
+/// phases alone. Where it has nothing to measure, it is broken unless it is optional; a frame in which nothing was measured does
+/// not meet the contract. With WindowKind::during, a limit is broken only if it is exceeded for `for_s`, as in a run; with the
+/// other kinds, in the first frame that exceeds it.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,9 @@
 
 namespace tedavis::host_sim {
 
-/// Reads contract = "approach", a shipped one or a file, where the table has it; `conditions` are those that were read before. A
-/// fault is a contract that cannot be read, one without a condition for the phase that the table asks for, and a condition that
-/// needs the data of a scene where the script has none, unless it is optional.
+/// Reads contract = "approach" (a shipped contract or a file), where the table has the key, and appends to `conditions`, which
+/// holds those of the keys read before. Faults are a contract that cannot be read, one without a condition for the phase that the
+/// table expects, and a condition, not optional, that needs the data of a scene where the script has none.
 void read_contract_condition(ScriptTable& table, const PictureOptions& picture, std::vector<FrameCondition>& conditions);
 
 }  // namespace tedavis::host_sim

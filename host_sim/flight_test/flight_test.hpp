@@ -1,6 +1,6 @@
-/// A flight test: what the display is started with, what it is fed with, and what is expected of it.
+/// A flight test: the display's files, its input, and the expectations of its frames.
 ///
-/// SI and radians; times are seconds since the first frame of the input.
+/// Units are SI and radians; times are seconds since the first frame of the input.
 #pragma once
 
 #include <cstdint>
@@ -22,19 +22,19 @@
 
 namespace tedavis::host_sim {
 
-/// What one frame shows, as expectations see it.
+/// One frame, as expectations observe it.
 struct ObservedFrame {
     double time_s = 0;
     display::FrameRecord record;
-    double latency_frames = 0;          ///< age of the newest message, in frames of the device; NaN: not known
+    double latency_frames = 0;          ///< age of the newest bus message in periods of the device's frame rate; NaN: not known
     bool is_latency_to_screen = false;  ///< latency_frames is the time from the bus to the screen, as a board measures it
-    bool has_obstacles = false;         ///< data of obstacles ahead, of which there could be an alert
-    SignalSample values;                ///< that the display was given, SI
-    std::vector<PlacedWords> words;     ///< where a condition of the test asks for a text
-    ShownPicture* picture = nullptr;    ///< while this frame is judged; null: nobody can look at its picture, as on a board
+    bool has_obstacles = false;         ///< there are data of obstacles, so that an alert is possible
+    SignalSample values;                ///< values that the display received, SI
+    std::vector<PlacedWords> words;     ///< texts of the symbology; read only if a condition of the test expects one
+    ShownPicture* picture = nullptr;    ///< valid while this frame is judged; null: there is no picture, as on a board
 };
 
-/// Whether a condition holds in a frame, what was found there, and what the record says of the reason.
+/// The result of a condition in a frame: whether it holds, the value that was found, and the reason by the record.
 struct Observation {
     bool holds = false;
     std::string found, reason;
@@ -49,18 +49,24 @@ enum class WindowKind : std::uint8_t {
     within,  ///< not in the first frame from from_s on, but in a later one up to to_s
 };
 
+/// Both ends belong to it; SI.
+struct SignalRange {
+    double low = 0, high = 0;
+};
+
 struct FrameCondition {
     std::string key, expected;
     FrameObserver observe;
-    std::optional<flight::Signal> signal{};  ///< whose state or value it asks for
-    /// Of one that looks at frames together, the frames of a window in their order: makes what observes those of one window.
+    std::optional<flight::Signal> signal{};  ///< whose state or value it expects; nothing: none
+    /// For a condition on several frames together: makes the observer of one window, which then takes its frames in order.
     std::function<FrameObserver(WindowKind)> begin{};
+    std::optional<SignalRange> range{};  ///< of one that asks for the value of `signal`
 };
 
-/// What a script can name of the display that it tests.
+/// Names that a script can use for the display under test.
 struct TestedDisplay {
     std::vector<std::string> designs;  ///< names that a frame's design can have
-    PictureOptions picture;            ///< as the script says
+    PictureOptions picture;            ///< options that the script states
 };
 
 struct Expectation {
@@ -68,8 +74,8 @@ struct Expectation {
     std::size_t line = 0;
     WindowKind kind = WindowKind::at;
     double from_s = 0, to_s = 0;
-    bool stays = false;                      ///< of one that must be reached: it holds from then to to_s
-    std::vector<FrameCondition> conditions;  ///< all of them, in one frame
+    bool stays = false;                      ///< of WindowKind::within: once reached it must hold up to to_s
+    std::vector<FrameCondition> conditions;  ///< all must hold in the same frame
 
     [[nodiscard]] bool reads_text() const {
         for (const FrameCondition& condition : conditions)
@@ -85,8 +91,8 @@ struct SignalTarget {
 
 struct LineBounce {
     std::size_t line = 0;     ///< of the panel
-    std::uint32_t times = 0;  ///< changes of level
-    double gap_s = 0;         ///< between them
+    std::uint32_t times = 0;  ///< number of changes of level
+    double gap_s = 0;         ///< between two changes
 
     [[nodiscard]] double lasts_s() const { return (times - 1) * gap_s; }
 };
@@ -101,41 +107,41 @@ struct TestStep {
     std::size_t line = 0;
     double at_s = 0;
     std::vector<SignalTarget> hold, ramp;
-    double over_s = 0;  ///< of the ramp
+    double over_s = 0;  ///< duration of the ramp
     std::vector<flight::Signal> stop, send, invalid;
     bool stops_phase = false, stops_clock = false, sends_clock = false;
-    std::optional<flight::FlightPhase> phase;  ///< that message 1830 states from here on
+    std::optional<flight::FlightPhase> phase;  ///< stated by message 1830 from this step on
     bool phase_valid = true;
     bus::PhaseOrigin phase_origin = bus::PhaseOrigin::fms;
     std::vector<LineLevel> lines;
     std::optional<LineBounce> bounce;
-    std::vector<bus::CanFrame> frames;  ///< as they are
+    std::vector<bus::CanFrame> frames;  ///< sent unchanged
 };
 
-/// Where the aircraft is at first; from there it moves as its ground speed, track and vertical speed say.
+/// The state of the aircraft at time 0. From there it moves by its ground speed, track and vertical speed.
 struct TestStart {
     base::Time time;
     double latitude_rad = 0, longitude_rad = 0, altitude_msl_m = 0;
     double heading_rad = 0, speed_mps = 0, climb_mps = 0;
-    std::optional<double> ground_msl_m;  ///< flat ground below, which the radio altimeter measures; nothing: there is none
+    std::optional<double> ground_msl_m;  ///< height of flat ground for the radio altimeter; nothing: there is no ground
 };
 
 struct FlightTest {
     std::string path, title;
     PictureOptions picture;  ///< design, device, bus, aircraft, terrain and scene
     std::string switch_config;
-    std::string log, switch_log;  ///< of a recorded flight; empty: the steps
+    std::string log, switch_log;  ///< of a recorded flight; empty: the input is a scenario or the steps
     std::string scenario;         ///< of a generated flight
     bool has_steps = false;
     TestStart start;
-    std::vector<TestStep> steps;  ///< in order of time
+    std::vector<TestStep> steps;  ///< ascending in at_s
     std::vector<Expectation> expectations;
-    double end_s = 0;                ///< of the steps' flight
-    bus::BusSettings bus;            ///< as the bus file says
-    bus::SwitchConfig panel;         ///< as the panel's file says
-    std::vector<std::string> files;  ///< that it was read from
+    double end_s = 0;                ///< end of the flight of the steps
+    bus::BusSettings bus;            ///< of the bus file
+    bus::SwitchConfig panel;         ///< of the panel's file
+    std::vector<std::string> files;  ///< from which the test was read
     std::vector<std::string> parameters;
-    std::size_t input_line = 1;  ///< where `path` says its log or scenario
+    std::size_t input_line = 1;  ///< line of `path` that names its log or scenario
 };
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// What flight tests found, as a table, JSON and JUnit XML.
+/// Results of flight tests as a table, as JSON and as JUnit XML.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,23 +15,25 @@ struct FlownTest {
     FlightTestResult result;
     std::string picture;     ///< path of the picture of the first failing instant; empty: none
     std::string record{};    ///< path of the record of that instant, where there is no picture
-    std::string left_out{};  ///< why it was not flown: it is one of another board, or another script is wrong; else empty
-    std::string fault{};     ///< why it was not flown to its end, a sentence a line; else empty
+    std::string left_out{};  ///< why it was not flown: it is for another board, or another script has faults; else empty
+    std::string fault{};     ///< why it was not flown to its end, one sentence per line; else empty
+    bool is_wrong = false;   ///< the fault is one of the script, or of the input that it names
 
-    /// Nothing where none of it was judged: it was left out, or a board cannot answer what it asks for.
+    /// Whether the test holds; nothing where no expectation was judged, since it was left out or a board's records cannot answer
+    /// it.
     [[nodiscard]] std::optional<bool> holds() const {
         if (!fault.empty()) return false;
         return result.is_judged() ? std::optional<bool>(result.holds()) : std::nullopt;
     }
 };
 
-/// How many of them were judged.
+/// Number of tests that were judged.
 [[nodiscard]] std::size_t judged_tests(const std::vector<FlownTest>& tests);
-/// A row a test, and below it the first failure.
+/// Returns one row per test and, below it, its first failure.
 [[nodiscard]] std::string flight_tests_text(const std::vector<FlownTest>& tests);
-/// "holds" is null of a test or expectation that was not judged, and of all together where none was.
+/// Returns JSON. "holds" is null for a test or expectation that was not judged, and for the whole where none was.
 [[nodiscard]] nlohmann::ordered_json flight_tests_json(const std::vector<FlownTest>& tests);
-/// A testsuite a script, a testcase an expectation.
+/// Returns JUnit XML with a testsuite per script and a testcase per expectation.
 [[nodiscard]] std::string flight_tests_junit(const std::vector<FlownTest>& tests);
 
 }  // namespace tedavis::host_sim

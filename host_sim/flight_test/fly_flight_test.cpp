@@ -105,11 +105,13 @@ private:
     void judge_frame(double time_s) {
         ++result_.frames;
         const ObservedFrame frame = plan(time_s);
-        bool fails = false;
-        for (ExpectationJudge& judge : judges_)
-            if (judge.wants(time_s)) fails = judge.take(frame) || fails;
-        if (!fails || has_failed_) return;
+        std::optional<std::size_t> failed;
+        for (std::size_t n = 0; n < judges_.size(); ++n)
+            if (judges_[n].wants(time_s) && judges_[n].take(frame) && !failed) failed = n;
+        if (!failed || has_failed_) return;
         has_failed_ = true;
+        result_.shown = *failed;
+        result_.shown_s = time_s;
         if (settings_.draws_failure) draw_failure();
     }
 
@@ -130,6 +132,8 @@ private:
         if (!picture_.is_drawn())
             display::record_effects({plan.effects, plan.decisions, *plan.shown, plan.data.members, plan.maps_beside.drawn},
                                     frame.record);
+        for (std::size_t n = 0; n < policy::kElementCount; ++n)
+            frame.record.elements[n] = plan.decisions.elements[n].show;  // also of a frame that is not drawn
         latency_s_ = (time - player_.newest_frame()).to_seconds();
         frame.latency_frames = latency_s_ * rate_hz_;
         if (reads_text_) frame.words = words_of(input);

@@ -1,5 +1,5 @@
-/// Flies a test: its input through the replay's player, frames planned at the device's rate where an expectation asks for one,
-/// and drawn only at the first failing instant.
+/// Flies a test on the desk: the replay's player plays its input, frames at the device's rate are planned where an expectation
+/// needs them, and only the frame of the first failure is drawn.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,28 @@
 namespace tedavis::host_sim {
 
 struct FlightTestResult {
-    std::vector<ExpectationResult> expectations;  ///< in the order of the test's
-    std::uint64_t frames = 0;                     ///< that were planned for them
-    std::string picture, record;                  ///< of the first failing instant: PNG bytes, and the frame's record as JSON
+    std::vector<ExpectationResult> expectations;  ///< in the order of FlightTest::expectations
+    std::uint64_t frames = 0;                     ///< number of frames that were planned
+    std::string picture, record;                  ///< of the frame of the first failure: PNG bytes, and its record as JSON
+    double shown_s = 0;                           ///< time of that frame
+    std::size_t shown = 0;                        ///< index of the expectation that fails in it
 
     [[nodiscard]] std::size_t held() const;
     [[nodiscard]] std::size_t failed() const;
-    /// Whether any of them holds or fails.
+    /// Whether at least one expectation was judged.
     [[nodiscard]] bool is_judged() const { return held() + failed() > 0; }
-    /// Conditions that could not be judged.
+    /// Number of conditions that could not be judged.
     [[nodiscard]] std::size_t not_judged() const;
     [[nodiscard]] bool holds() const { return failed() == 0; }
-    /// Of the expectation that failed first; null where all hold.
+    /// Result of the expectation that failed first in time; null where all hold.
     [[nodiscard]] const ExpectationResult* first_failure() const;
 };
 
-/// A display that tests use one after the other, as long as they ask for the same one: a start takes longer than most tests.
+/// Keeps a display for the next test that needs the same one, since a start takes longer than most tests.
 class TestDisplay {
 public:
-    /// Throws UserError where it cannot be started.
+    /// Returns a display that was started with these options. It is valid until the next call. Throws UserError where it cannot
+    /// be started.
     DisplaySession& session_for(const PictureOptions& picture, bool is_generated);
 
 private:
@@ -42,20 +45,20 @@ private:
 };
 
 struct FlyTestSettings {
-    std::string folder;  ///< for the logs of steps
+    std::string folder;  ///< where the logs of steps are written
     bool draws_failure = false;
     std::function<bool()> is_interrupted;
 };
 
-/// The test has a log, or steps. Throws UserError where the input cannot be played or an expectation lies beyond its end, and
-/// Interrupted.
+/// Flies a test, which has a log or steps. Throws UserError where the input cannot be played or an expectation lies beyond its
+/// end, and Interrupted.
 [[nodiscard]] FlightTestResult fly_flight_test(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings);
 
-/// Frames to be watched, by seconds since the first of the input: all of a span, or single ones.
+/// The frames to watch, all of a span or single ones; seconds since the first frame of the input.
 struct WatchedTimes {
     double from_s = 0;
-    std::optional<double> to_s;  ///< nothing: the end of the input, or of a script's times
-    std::vector<double> at_s;    ///< not empty: for each of these times, in their order, the first frame at or after it
+    std::optional<double> to_s;  ///< nothing: the end of the input, or the latest time of the script
+    std::vector<double> at_s;    ///< not empty: only the first frame at or after each of these times, in the given order
 };
 
 struct FrameWatcher {
@@ -64,11 +67,12 @@ struct FrameWatcher {
 };
 
 struct WatchedFlight {
-    double rate_hz = 0;  ///< frames of the device a second
+    double rate_hz = 0;  ///< frame rate of the device
     std::uint64_t frames = 0;
 };
 
-/// Plans frames as fly_flight_test() does, and judges none. Throws UserError where no frame lies at such times, and Interrupted.
+/// Plans frames as fly_flight_test() does, without judging them. Throws UserError where no frame has such a time, and
+/// Interrupted.
 [[nodiscard]] WatchedFlight watch_flight(const FlightTest& test, TestDisplay& display, const FlyTestSettings& settings,
                                          const WatchedTimes& times, const FrameWatcher& watcher);
 

@@ -219,14 +219,17 @@ private:
 
     void judge_frame(const ObservedFrame& frame) {
         ++result_.frames;
-        bool fails = false;
+        std::optional<std::size_t> failed;
         for (std::size_t n = 0; n < judges_.size(); ++n) {
             if (!is_judged(n)) continue;
             ExpectationJudge& judge = judges_[n];
-            if (judge.pass(frame.time_s)) fails = true;
-            if (judge.wants(frame.time_s)) fails = judge.take(frame) || fails;
+            const bool fails = judge.pass(frame.time_s) || (judge.wants(frame.time_s) && judge.take(frame));
+            if (fails && !failed) failed = n;
         }
-        if (fails && result_.record.empty()) result_.record = records_.packet();
+        if (!failed || !result_.record.empty()) return;
+        result_.record = records_.packet();
+        result_.shown = *failed;
+        result_.shown_s = frame.time_s;
     }
 
     FlightTestResult results() {

@@ -1,4 +1,4 @@
-/// What a flight test is fed with, as the logs that a replay reads.
+/// The input of a flight test as the logs that a replay reads.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace tedavis::host_sim {
 
-/// What a test says that ends early.
+/// The message of an interrupted test.
 inline constexpr const char* kTestInterrupted = "interrupted; a flight test that was not flown to its end has not passed";
 
-/// The logs of a test with steps, which are written to `folder`, or those that it names. Throws UserError.
+/// Returns the logs that the test names, or writes those of its steps to `folder`. Throws UserError.
 [[nodiscard]] PlayerFiles test_input_files(const FlightTest& test, const std::string& folder);
 
-/// Of recorded and generated flights, whose length only the log knows. Throws UserError, a line an expectation beyond the end, or
-/// in whose time a device that keeps its rate has no frame.
+/// Checks the expectations against the end of the input, which for recorded and generated flights only the log states. Throws
+/// UserError with one line for each expectation that is beyond the end or, where the device has a fixed rate, has no frame in its
+/// window.
 void require_within_input(const FlightTest& test, double end_s, const FrameTimes& times);
 
 }  // namespace tedavis::host_sim

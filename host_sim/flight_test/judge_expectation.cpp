@@ -1,10 +1,18 @@
 #include "host_sim/flight_test/judge_expectation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
 namespace tedavis::host_sim {
+
+std::string frame_time_text(double time_s) {
+    constexpr double kMilliseconds = 1000;  // of a second
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f s", std::floor((time_s + kSameTime_s) * kMilliseconds) / kMilliseconds);
+    return text;
+}
 
 ExpectationJudge::ExpectationJudge(const Expectation& expectation, const FrameTimes& times)
     : expectation_(expectation), times_(times) {
@@ -71,8 +79,11 @@ bool ExpectationJudge::take_before(const ObservedFrame& frame) {
 bool ExpectationJudge::fail_as_held_before(double time_s) {
     ObservedFrame frame;
     frame.time_s = time_s;
-    record_failure(frame, {"after_s", "a frame in which it does not hold yet", {}},
-                   {false, "already held at after_s", "the state before passes; say from_s and to_s, or an earlier after_s"});
+    char expected[96];
+    std::snprintf(expected, sizeof expected, "what begins after %g s, and by %g s", expectation_.from_s, expectation_.to_s);
+    record_failure(
+        frame, {"after_s", expected, {}},
+        {false, "it holds already at " + frame_time_text(time_s), "say an earlier after_s, or from_s and to_s for what lasts"});
     is_settled_ = true;
     return true;
 }

@@ -10,44 +10,48 @@
 
 namespace tedavis::host_sim {
 
-/// By which a frame may miss its time, as numbers are rounded, s.
+/// Tolerance for the rounding of a frame's time, s.
 inline constexpr double kSameTime_s = 1e-6;
 
-/// What became of an expectation.
+/// "4.066 s" of the frame at 122/30 s: milliseconds, rounded down, so that `at_s = 4.066` is this frame.
+[[nodiscard]] std::string frame_time_text(double time_s);
+
+/// The result of an expectation.
 struct ExpectationResult {
     bool holds = false;
-    std::optional<double> reached_s;  ///< of one that must be reached, when it was
-    // Of one that does not hold:
-    double failed_s = 0;  ///< its first failing instant
+    std::optional<double> reached_s;  ///< of WindowKind::within: the time of the first frame in which it held
+    // Of an expectation that does not hold:
+    double failed_s = 0;  ///< time of its first failing frame
     std::string key, expected, found, reason;
     // On a board:
-    bool is_judged = true;       ///< false: nothing that it asks for can be judged; it neither holds nor fails
+    bool is_judged = true;       ///< false: none of its conditions can be judged; it neither holds nor fails
     std::size_t not_judged = 0;  ///< of its conditions
 };
 
-/// When frames come: of a device that keeps its rate, or whenever a running display has one ready.
+/// The times of frames: at a fixed rate, or whenever a running display has one ready.
 struct FrameTimes {
-    std::optional<double> rate_hz;  ///< nothing: they come when they come, and their times are told by pass()
+    std::optional<double> rate_hz;  ///< nothing: no fixed rate; pass() is called with the time of each frame
 };
 
 class ExpectationJudge {
 public:
-    /// The latest frame of a running display that still shows what there was "at" a time, and the longest time without a frame
-    /// where something must hold in every one.
+    /// Longest delay of the frame that is judged for WindowKind::at, and longest time without a frame in a window in which every
+    /// frame must hold; for a running display.
     static constexpr double kLatestFrame_s = 0.5;
 
     /// The expectation must outlive the judge.
     ExpectationJudge(const Expectation& expectation, const FrameTimes& times);
 
-    /// Whether the frame at this time matters to what is still open.
+    /// Whether the frame at this time can change the result.
     [[nodiscard]] bool wants(double time_s) const;
-    /// Takes a frame that it wants. True where the expectation fails with this frame.
+    /// Judges a frame for which wants() is true; frames are given in order of time. Returns true if the expectation fails with
+    /// this frame.
     bool take(const ObservedFrame& frame);
-    /// No frame before this time is still to come: of a running display to be called with the time of each frame, before take().
-    /// True where the expectation fails by that.
+    /// States that no frame before this time will follow. For a running display, call it with the time of each frame before
+    /// take(). Returns true if the expectation fails because a frame is missing.
     bool pass(double time_s);
     [[nodiscard]] bool is_settled() const { return is_settled_; }
-    /// After the last frame.
+    /// The result; to be called after the last frame.
     [[nodiscard]] ExpectationResult result() const;
 
 private:
@@ -66,9 +70,9 @@ private:
     FrameTimes times_;
     std::vector<FrameObserver> observers_;  ///< one per condition
     bool is_settled_ = false;
-    bool has_frame_ = false;  ///< of its time
+    bool has_frame_ = false;  ///< a frame of the window was judged
     double passed_s_ = -std::numeric_limits<double>::infinity();
-    std::optional<double> held_at_s_;  ///< of one that must be reached: the last frame up to from_s, where it holds in it
+    std::optional<double> held_at_s_;  ///< of WindowKind::within: time of the last frame up to from_s, if it held in that frame
     ExpectationResult result_;
 };
 

@@ -1,4 +1,4 @@
-/// Listens to a running display: what its bus says, and what it shows, for a flight test that expects it.
+/// Records the bus of a running display and the display's frames, from which a flight test is written.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ namespace tedavis::host_sim {
 struct ListenSettings {
     std::string display;  ///< its socket, for sentences
     double for_s = 0;     ///< since the first frame of the bus
-    double from_s = 0;    ///< what is shown before that still comes from what was sent before the first frame
+    /// Frames before this time are skipped, since they still show what was received before the first bus frame.
+    double from_s = 0;
     std::function<bool()> is_interrupted;
     std::function<void(double done_s)> told;  ///< may be empty; below 0: before the first frame
 };
 
 struct HeardFlight {
-    std::vector<bus::CanFrame> frames;  ///< times of the monotonic clock
-    std::uint64_t shown = 0;            ///< frames of the display that `tracks` took
+    std::vector<bus::CanFrame> frames;  ///< stamps of CLOCK_MONOTONIC
+    std::uint64_t shown = 0;            ///< number of the display's frames that `tracks` took
 };
 
-/// The tracks take frames whose time 0 is the bus's first frame, and none that is later than the last one: a log ends there.
-/// Throws UserError where the bus says nothing for ten seconds from the beginning, the kernel has
-/// dropped frames of it, records are missing, a frame is not on the screen, or the panel states the phase, whose edges nobody can
-/// hear; BoardLost; and Interrupted.
+/// `tracks` takes the display's frames, with times since the first bus frame, up to the last bus frame. Throws UserError where no
+/// bus frame is received in the first ten seconds, the kernel has dropped bus frames, records are missing, a frame is not on the
+/// screen, or the panel states the phase, whose edges cannot be recorded; BoardLost; and Interrupted.
 [[nodiscard]] HeardFlight listen_to_board(BoardPort& port, const ListenSettings& settings, FactTracks& tracks);
 
 }  // namespace tedavis::host_sim

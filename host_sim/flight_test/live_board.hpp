@@ -1,7 +1,7 @@
-/// The machine that this program and a running display share: the display's record socket, an interface of the CAN bus, and lines
-/// of gpio-sim for the panel's switches.
+/// BoardPort for a display that runs on the same machine as this program: by the display's record socket, an interface of the CAN
+/// bus, and lines of gpio-sim for the panel's switches.
 ///
-/// Thread  one. Failure  UserError, and BoardLost once it is open: one sentence with what to do.
+/// Thread  one. Failure  the constructor throws UserError, the other functions also BoardLost.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@
 namespace tedavis::host_sim {
 
 struct LiveBoardOptions {
-    std::string socket;       ///< of records
+    std::string socket;       ///< path of the record socket
     std::string interface;    ///< "can0"
     std::string panel_lines;  ///< folder with sim_gpioN/pull of each line; empty: no panel
     bool can_fd = false;      ///< whether the display's bus takes CAN FD frames
@@ -24,8 +24,8 @@ struct LiveBoardOptions {
 
 class LiveBoard final : public BoardPort {
 public:
-    /// Connects and opens all of it. The n-th line of the panel is line n of gpio-sim, from 0, or the one with its `offset`.
-    /// `can` opens the bus, and must outlive this object.
+    /// Connects to the socket and opens the bus and the lines. The n-th line of the panel, from 0, is line n of gpio-sim, or the
+    /// one with the line's `offset`. `can` opens the bus, and must outlive this object.
     LiveBoard(const LiveBoardOptions& options, const bus::SwitchConfig& panel, bus::CanSocketPort& can);
     ~LiveBoard() override;
     LiveBoard(const LiveBoard&) = delete;
@@ -54,10 +54,10 @@ private:
         std::string path;
         bool active_low = false;
     };
-    std::vector<Pull> pulls_;  ///< by the panel's lines
+    std::vector<Pull> pulls_;  ///< in the order of the panel's lines
     int display_ = -1;
     std::vector<char> packet_;
-    bool keeps_received_ = false;  ///< once somebody has asked
+    bool keeps_received_ = false;  ///< set by the first call of take_received()
     std::vector<bus::CanFrame> received_;
 };
 

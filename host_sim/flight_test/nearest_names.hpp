@@ -1,4 +1,4 @@
-/// Names that a misspelt one may stand for.
+/// Names that are similar to a misspelt one.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace tedavis::host_sim {
 
-/// Edits (a letter inserted, removed or replaced) that lead from one text to the other.
+/// The Levenshtein distance: the least number of letters to insert, remove or replace.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
-/// Up to three of the names, the nearest first: "a, b or c"; empty where there are no names. A name may also be near by one of
-/// the words that it is made of.
+/// Up to three of the names, the nearest first: "a, b or c"; empty where there are no names. A name is also near if one of its
+/// words is.
 [[nodiscard]] std::string nearest_names(std::string_view name, const std::vector<std::string>& names);
 
 }  // namespace tedavis::host_sim

@@ -10,6 +10,7 @@
 #include "host_sim/flight_test/signal_value.hpp"
 #include "host_sim/flight_test/text_condition.hpp"
 #include "render_core/effects/effect_table.hpp"
+#include "render_core/policy/element_texts.hpp"
 #include "render_core/policy/flag_table.hpp"
 
 namespace tedavis::host_sim {
@@ -25,6 +26,7 @@ constexpr std::array<SignalState, 5> kTestedStates = {SignalState::missing, Sign
                                                       SignalState::lost, SignalState::invalid};
 const std::vector<std::string> kAlertNames = {"none", "caution", "warning", "not_watching"};
 constexpr std::size_t kNoAlert = 0, kNotWatching = 3;
+constexpr std::size_t kElementShows = static_cast<std::size_t>(policy::ElementShow::absent) + 1;
 const std::vector<std::string> kEffectStateNames = {"run", "replaced", "skipped"};
 
 template <class Values>
@@ -92,7 +94,7 @@ void read_flag_conditions(ScriptTable& table, const char* key, bool is_there, Co
     const std::vector<std::string> known = record_flag_names();
     for (const std::string& name : table.texts(key)) {
         if (!place_among(table, key, name, known)) continue;
-        conditions.push_back({key, name,
+        conditions.push_back({key, (is_there ? "" : kNoFlag) + name,
                               [name, is_there](const ObservedFrame& frame) {
                                   return Observation{has_flag(frame.record, name) == is_there, list_of_flags(frame.record),
                                                      words_of_phase(frame.record.phase)};
@@ -150,6 +152,35 @@ void read_effect_conditions(ScriptTable& table, ScriptFaults& faults, Conditions
     }
 }
 
+template <class Value>
+std::vector<std::string> policy_names(Value end) {
+    std::vector<std::string> names;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(end); ++n) names.emplace_back(policy::name_of(static_cast<Value>(n)));
+    return names;
+}
+
+/// elements = { heading = "substituted" }: how the symbology shows a value.
+void read_element_conditions(ScriptTable& table, ScriptFaults& faults, Conditions& conditions) {
+    const std::vector<std::string> names = policy_names(policy::Element::count_);
+    const std::vector<std::string> shows = policy_names(static_cast<policy::ElementShow>(kElementShows));
+    for (const ScriptValue::Entry* const entry : table.entries("elements")) {
+        const auto& [name, value] = *entry;
+        const auto element = std::find(names.begin(), names.end(), name);
+        if (element == names.end()) {
+            faults.add(value.file, value.line, "'elements': there is no '" + name + "'; say " + nearest_names(name, names));
+        } else if (std::find(shows.begin(), shows.end(), value.text) == shows.end()) {
+            faults.add(value.file, value.line, "'" + name + "' must be normal, substituted, flagged, failed or absent");
+        } else {
+            const auto place = static_cast<std::size_t>(element - names.begin());
+            conditions.push_back(
+                {"elements", name + " " + value.text, [name = name, show = value.text, place](const ObservedFrame& frame) {
+                     const std::string found(policy::name_of(frame.record.elements[place]));
+                     return Observation{found == show, name + " " + found, list_of_flags(frame.record)};
+                 }});
+        }
+    }
+}
+
 std::string words_of_watch(const ObservedFrame& frame, bool is_watching) {
     const display::AlertRecord& alerts = frame.record.alerts;
     if (!alerts.is_watching)
@@ -188,22 +219,26 @@ void read_alert_conditions(ScriptTable& table, Conditions& conditions) {
 }
 
 /// The two numbers of "[89, 91]", SI, the lower one first.
-std::optional<std::pair<double, double>> read_limits(const ScriptValue::Entry& entry, const StatedSignalUnit& unit) {
+std::optional<SignalRange> read_limits(const ScriptValue::Entry& entry, const StatedSignalUnit& unit, std::string& message) {
     const std::vector<ScriptValue>& items = entry.second.items;
     const bool are_two = entry.second.kind == ScriptValue::Kind::list && items.size() == 2 &&
-                         items[0].kind == ScriptValue::Kind::number && items[1].kind == ScriptValue::Kind::number &&
-                         items[0].number <= items[1].number;
-    if (!are_two) return std::nullopt;
-    return std::pair(unit.to_si(items[0].number), unit.to_si(items[1].number));
+                         items[0].kind == ScriptValue::Kind::number && items[1].kind == ScriptValue::Kind::number;
+    if (!are_two || !(items[0].number <= items[1].number)) {
+        message = "'" + entry.first + "' must be two numbers, the lowest and the highest value: [89, 91]";
+        if (are_two && is_direction(unit.signal)) message += "; a range does not pass north, so say its part on one side";
+        return std::nullopt;
+    }
+    message = fault_of_range(entry.first, unit, items[0].number, items[1].number);
+    return message.empty() ? std::optional(SignalRange{unit.to_si(items[0].number), unit.to_si(items[1].number)}) : std::nullopt;
 }
 
-Observation observe_value(const ObservedFrame& frame, const StatedSignalUnit& unit, double low, double high) {
+Observation observe_value(const ObservedFrame& frame, const StatedSignalUnit& unit, const SignalRange& range) {
     const double value = frame.values[unit.signal];
     const SignalState state = frame.record.signals[static_cast<std::size_t>(unit.signal)];
     const bool is_shown = state == SignalState::valid || state == SignalState::stale;
     char found[48] = "no value";
     if (is_shown && !std::isnan(value)) std::snprintf(found, sizeof found, "%.6g", (value - unit.offset) / unit.factor);
-    return {is_shown && value >= low && value <= high, found, std::string("the signal is ") + base::to_string(state)};
+    return {is_shown && value >= range.low && value <= range.high, found, std::string("the signal is ") + base::to_string(state)};
 }
 
 /// values = { indicated_airspeed_kt = [89, 91] }.
@@ -211,21 +246,17 @@ void read_value_conditions(ScriptTable& table, ScriptFaults& faults, Conditions&
     for (const ScriptValue::Entry* const entry : table.entries("values")) {
         std::string message;
         const auto unit = read_signal_key(entry->first, message);
-        const auto limits = unit ? read_limits(*entry, *unit) : std::nullopt;
-        if (!unit) {
+        const auto range = unit ? read_limits(*entry, *unit, message) : std::nullopt;
+        if (!range) {
             faults.add(entry->second.file, entry->second.line, message);
-        } else if (!limits) {
-            faults.add(entry->second.file, entry->second.line,
-                       "'" + entry->first + "' must be two numbers, the lowest and the highest value: [89, 91]");
-        } else {
-            char expected[96];
-            std::snprintf(expected, sizeof expected, " %g to %g", entry->second.items[0].number, entry->second.items[1].number);
-            conditions.push_back({"values", entry->first + expected,
-                                  [unit = *unit, limits = *limits](const ObservedFrame& frame) {
-                                      return observe_value(frame, unit, limits.first, limits.second);
-                                  },
-                                  unit->signal});
+            continue;
         }
+        char expected[96];
+        std::snprintf(expected, sizeof expected, " %g to %g", entry->second.items[0].number, entry->second.items[1].number);
+        const auto observe = [unit = *unit, range = *range](const ObservedFrame& frame) {
+            return observe_value(frame, unit, range);
+        };
+        conditions.push_back({"values", entry->first + expected, observe, unit->signal, {}, range});
     }
 }
 
@@ -250,7 +281,7 @@ void read_latency_condition(ScriptTable& table, Conditions& conditions) {
 
 /// What asks for nothing would hold always.
 void refuse_empty(ScriptTable& table) {
-    for (const char* const key : {"flags", "no_flags", "signals", "effects", "values", "text"}) {
+    for (const char* const key : {"flags", "no_flags", "signals", "effects", "elements", "values", "text"}) {
         const ScriptValue* const value = table.take(key);
         if (value == nullptr || !value->items.empty() || !value->entries.empty()) continue;
         const bool is_table = value->kind == ScriptValue::Kind::table && std::string_view(key) != "text";
@@ -317,6 +348,7 @@ std::vector<FrameCondition> read_conditions(ScriptTable& table, const TestedDisp
     read_flag_conditions(table, "no_flags", false, conditions);
     read_signal_conditions(table, faults, conditions);
     read_effect_conditions(table, faults, conditions);
+    read_element_conditions(table, faults, conditions);
     read_value_conditions(table, faults, conditions);
     read_alert_conditions(table, conditions);
     read_latency_condition(table, conditions);

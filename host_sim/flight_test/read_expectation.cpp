@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string_view>
@@ -70,7 +71,8 @@ std::pair<std::string_view, std::string_view> subject_and_state_of_flag(std::str
 
 /// Of conditions that say a subject and its state; nothing of others.
 std::optional<std::pair<std::string_view, std::string_view>> stated_by(const FrameCondition& condition) {
-    if (condition.key == "signals" || condition.key == "effects") return subject_and_state(condition.expected);
+    if (condition.key == "signals" || condition.key == "effects" || condition.key == "elements")
+        return subject_and_state(condition.expected);
     if (condition.key == "flags") return subject_and_state_of_flag(condition.expected);
     return std::nullopt;
 }
@@ -79,12 +81,43 @@ bool are_opposite_texts(const FrameCondition& a, const FrameCondition& b) {
     return a.key == "text" && b.key == "text" && (a.expected == "no " + b.expected || b.expected == "no " + a.expected);
 }
 
+bool are_opposite_flags(const FrameCondition& there, const FrameCondition& gone) {
+    return there.key == "flags" && gone.key == "no_flags" && gone.expected == kNoFlag + there.expected;
+}
+
+/// A value is shown only of a signal that is valid or stale.
+bool asks_for_value_of_lost(const FrameCondition& value, const FrameCondition& state) {
+    const auto stated = stated_by(state);
+    if (!value.range || value.signal != state.signal || !stated) return false;
+    return stated->second == "lost" || stated->second == "missing" || stated->second == "invalid";
+}
+
+/// Ranges of one signal without a common value, in whatever units.
+bool are_separate_ranges(const FrameCondition& a, const FrameCondition& b) {
+    constexpr double kRounding = 1e-9;
+    if (!a.range || !b.range || a.signal != b.signal) return false;
+    const double low = std::max(a.range->low, b.range->low), high = std::min(a.range->high, b.range->high);
+    return low - high > kRounding * (std::abs(low) + std::abs(high));
+}
+
+/// As phases are arbitrated: without a source there is none, and switches and messages state one. The motion may state that there
+/// is none, as in level flight near the ground, and that is held, too.
+bool are_phase_and_other_source(const FrameCondition& phase, const FrameCondition& source) {
+    if (phase.key != "phase" || source.key != "phase_source") return false;
+    if (phase.expected != "unknown") return source.expected == "none";
+    return source.expected == "switch" || source.expected == "can";
+}
+
+/// Told in one order.
+bool excludes(const FrameCondition& a, const FrameCondition& b) {
+    return are_opposite_flags(a, b) || asks_for_value_of_lost(a, b) || are_phase_and_other_source(a, b);
+}
+
 bool can_both_hold(const FrameCondition& a, const FrameCondition& b) {
-    const bool is_flag_pair = (a.key == "flags" && b.key == "no_flags") || (a.key == "no_flags" && b.key == "flags");
-    if (is_flag_pair) return a.expected != b.expected;
-    if (are_opposite_texts(a, b)) return false;
+    if (excludes(a, b) || excludes(b, a) || are_opposite_texts(a, b) || are_separate_ranges(a, b)) return false;
     const auto of_a = stated_by(a), of_b = stated_by(b);
-    if (of_a && of_b) return of_a->first != of_b->first || of_a->second == of_b->second;
+    const bool is_one_kind = (a.key == "elements") == (b.key == "elements");  // their names are also those of signals
+    if (of_a && of_b) return !is_one_kind || of_a->first != of_b->first || of_a->second == of_b->second;
     const bool is_single = std::find(kSingleKeys.begin(), kSingleKeys.end(), a.key) != kSingleKeys.end();
     if (a.key != b.key || !is_single) return true;
     return is_part_of(a.expected, b.expected) || is_part_of(b.expected, a.expected);
@@ -107,17 +140,19 @@ bool overlap(const Expectation& a, const Expectation& b) {
     return a.from_s <= b.to_s && b.from_s <= a.to_s;
 }
 
+/// "phase cruise"; "no_flags pitch.lost", whose key says already that it is not there.
+std::string words_of_condition(const FrameCondition& condition) {
+    const bool is_no_flag = condition.key == "no_flags";
+    return condition.key + " " + (is_no_flag ? condition.expected.substr(std::string_view(kNoFlag).size()) : condition.expected);
+}
+
 /// Two conditions of one expectation.
 void find_own_contradictions(const Expectation& expectation, ScriptTable& table) {
     for (std::size_t n = 1; n < expectation.conditions.size(); ++n)
         for (std::size_t before = 0; before < n; ++before) {
             const FrameCondition &a = expectation.conditions[n], &b = expectation.conditions[before];
             if (can_both_hold(a, b)) continue;
-            if (a.key == "no_flags" || b.key == "no_flags")
-                table.fault("no_flags", "'" + a.expected + "' must be there and must not; remove it from flags or no_flags");
-            else
-                table.fault(a.key,
-                            a.key + " " + a.expected + " contradicts " + b.key + " " + b.expected + "; correct one of them");
+            table.fault(a.key, words_of_condition(a) + " contradicts " + words_of_condition(b) + "; correct one of them");
         }
 }
 
@@ -126,8 +161,8 @@ void find_contradiction(const Expectation& later, const Expectation& earlier, Sc
         for (const FrameCondition& b : earlier.conditions)
             if (!can_both_hold(a, b))
                 return faults.add(later.file, later.line,
-                                  a.key + " " + a.expected + " contradicts " + b.key + " " + b.expected + " of " + earlier.file +
-                                      ":" + std::to_string(earlier.line) + " at the same time; correct one of them");
+                                  words_of_condition(a) + " contradicts " + words_of_condition(b) + " of " + earlier.file + ":" +
+                                      std::to_string(earlier.line) + " at the same time; correct one of them");
 }
 
 }  // namespace
@@ -153,7 +188,7 @@ std::string words_of_expectation(const Expectation& expectation) {
                 seconds_text(expectation.to_s - expectation.from_s) + " after " + words;
     std::string what;
     for (const FrameCondition& condition : expectation.conditions)
-        what += (what.empty() ? ": " : ", ") + condition.key + " " + condition.expected;
+        what += (what.empty() ? ": " : ", ") + words_of_condition(condition);
     return words + what;
 }
 

@@ -45,6 +45,7 @@ public:
             table.finish();
         }
         check_input();
+        check_sources();
         find_contradictions(test_.expectations, faults_);
         if (test_.title.empty()) test_.title = std::filesystem::path(test_.path).stem().string();
         return std::move(test_);
@@ -160,6 +161,7 @@ private:
     void read_steps(ScriptTable& table) {
         for (const ScriptValue* const step : table.tables("step")) {
             ScriptTable section(*step, faults_);
+            throws_panel_ = throws_panel_ || section.has("switch") || section.has("lines") || section.has("bounce");
             test_.steps.push_back(read_step(section, test_.bus, test_.panel, faults_));
         }
     }
@@ -193,6 +195,19 @@ private:
         end_steps();
         check_bounces();
         check_ramps();
+    }
+
+    /// Without a switch that is thrown no switch states a phase.
+    void check_sources() {
+        if (throws_panel_ || !test_.switch_log.empty() || !test_.scenario.empty()) return;
+        for (const Expectation& one : test_.expectations)
+            for (const FrameCondition& condition : one.conditions)
+                if (condition.key == "phase_source" && condition.expected == "switch")
+                    faults_.add(
+                        one.file, one.line,
+                        std::string("'phase_source': no switch is thrown; ") +
+                            (test_.has_steps ? "add a [[step]] with switch, lines or bounce" : "say switch_log in [input]") +
+                            ", or expect another source");
     }
 
     /// While a contact bounces nothing else changes the panel: its levels would be those of neither.
@@ -246,7 +261,7 @@ private:
     std::vector<std::string> designs_;
     std::set<std::string> missing_;  ///< keys whose file is not there, as has been told
     ScriptValue start_;              ///< of all files
-    bool has_start_ = false;
+    bool has_start_ = false, throws_panel_ = false;
     double lasts_s_ = 0;
 };
 

@@ -136,7 +136,7 @@ void read_phase_message(ScriptTable& table, TestStep& step) {
 /// A line's name, alone active; or a phase, whose pattern the panel has.
 void read_switch(ScriptTable& table, const bus::SwitchConfig& panel, TestStep& step) {
     const auto name = table.text("switch");
-    if (!name) return;
+    if (!name || panel.lines.empty()) return;
     const std::vector<std::string> names = panel_line_names(panel);
     std::optional<std::uint32_t> high;
     const auto line = std::find(names.begin(), names.end(), *name);
@@ -152,6 +152,7 @@ void read_switch(ScriptTable& table, const bus::SwitchConfig& panel, TestStep& s
 
 std::optional<std::size_t> read_line_name(ScriptTable& table, const char* key, const std::string& name,
                                           const bus::SwitchConfig& panel) {
+    if (panel.lines.empty()) return std::nullopt;
     return place_among(table, key, name, panel_line_names(panel));
 }
 

@@ -1,4 +1,4 @@
-/// What a flight showed that an [[expect]] can ask for, as spans of frames in which it did not change.
+/// The facts of a flight that an [[expect]] can state, as spans of frames in which they did not change.
 ///
 /// Times are seconds since the first frame of the input.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace tedavis::host_sim {
 
-/// The more important ones first.
+/// The most important kinds first.
 enum class FactKind : std::uint8_t { phase, phase_source, design, alert, obstacle_alert, signal, flag, effect };
 
 inline constexpr const char* kFlagThere = "there";
@@ -26,13 +26,13 @@ struct RecordedFact {
     std::string value;  ///< as a script states it; of a flag kFlagThere or kFlagGone
 };
 
-/// Alerts that there can be: without terrain none is watched for, and of obstacles none without a scene.
+/// The alerts that are possible: none of terrain without a terrain database, none of obstacles without a scene.
 struct WatchedAlerts {
     bool terrain = false, obstacles = false;
 };
 
-/// What one frame shows. Flags that only repeat the state of a signal and what no script can name are left out, as are flags that
-/// are not there.
+/// Returns the facts of one frame. Absent flags, flags that only repeat the state of a signal, and names that a script cannot
+/// state are left out.
 [[nodiscard]] std::vector<RecordedFact> facts_of(const ObservedFrame& frame, const WatchedAlerts& alerts);
 
 struct FactSpan {
@@ -41,8 +41,8 @@ struct FactSpan {
     bool from_start = false, to_end = false;  ///< of the recording
 };
 
-/// Takes frames in the order of time. A signal has spans where it is missing only beside others; a flag that comes and goes has
-/// spans where it is gone; an effect has none while no design asks for it.
+/// Takes frames in the order of time. A signal that is missing in the whole flight has no spans. A flag that is set in a part of
+/// the flight also has spans in which it is gone. An effect has no spans while no design requests it.
 class FactTracks {
 public:
     explicit FactTracks(const WatchedAlerts& alerts) : alerts_(alerts) {}

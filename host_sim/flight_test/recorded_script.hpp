@@ -14,14 +14,14 @@ struct RecordedScript {
     std::vector<std::string> notes;  ///< sentences at its beginning
     using Named = std::pair<std::string, std::string>;
     std::vector<Named> settings;  ///< key and text; those with an empty text are left out
-    std::vector<Named> input;     ///< of [input], the same
+    std::vector<Named> input;     ///< keys and texts of [input], likewise
     std::vector<RecordedExpectation> expectations;
 };
 
 /// TOML that read_flight_test() reads.
 [[nodiscard]] std::string recorded_script_text(const RecordedScript& script);
 
-/// How a script in `folder` names a file: from there where they share a folder below the root, else by the absolute path.
+/// Returns the name of a file in a script in `folder`: relative to it where both share a folder below the root, else absolute.
 [[nodiscard]] std::string path_in_script(const std::string& path, const std::string& folder);
 
 }  // namespace tedavis::host_sim

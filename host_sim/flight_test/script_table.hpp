@@ -1,4 +1,4 @@
-/// Reads the keys of a table of a flight test; faults are collected, and a key that nobody read is one.
+/// Reads the keys of a table of a flight test and collects faults. A key that was not read is a fault, too.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace tedavis::host_sim {
 
 class ScriptTable {
 public:
-    /// A value that is no table is a fault, and reads as an empty table. Both must outlive this object.
+    /// A value that is no table is a fault and is read as an empty table. Both arguments must outlive this object.
     ScriptTable(const ScriptValue& value, ScriptFaults& faults);
 
     [[nodiscard]] std::size_t line() const { return value_.line; }
     [[nodiscard]] const std::string& file() const { return value_.file; }
     [[nodiscard]] bool has(std::string_view key) const { return value_.find(key) != nullptr; }
-    /// The value at a key, or null; it counts as read.
+    /// Returns the value of a key, or null, and marks the key as read.
     const ScriptValue* take(std::string_view key);
-    /// Nothing where the key is absent, and after a fault. Numbers outside [low, high] and NaN are faults.
+    /// These return nothing where the key is absent or has a fault. Numbers outside [low, high] and NaN are faults.
     std::optional<double> number(std::string_view key, double low, double high);
     std::optional<std::string> text(std::string_view key);
     std::optional<bool> boolean(std::string_view key);
@@ -31,9 +31,9 @@ public:
     std::vector<const ScriptValue*> tables(std::string_view key);
     /// The entries of the table at a key.
     std::vector<const ScriptValue::Entry*> entries(std::string_view key);
-    /// A fault at a key's line, or the table's where the key is absent.
+    /// Adds a fault at the key's line, or at the table's where the key is absent.
     void fault(std::string_view key, const std::string& message);
-    /// Names the keys that nobody read.
+    /// Adds a fault for each key that was not read.
     void finish();
 
 private:
@@ -44,7 +44,8 @@ private:
     std::set<std::string, std::less<>> known_;
 };
 
-/// The place of a name among others; a fault at the key, which names the nearest ones, and nothing for another name.
+/// Returns the index of a name in `names`. For any other name it adds a fault at the key, with the most similar names, and
+/// returns nothing.
 [[nodiscard]] std::optional<std::size_t> place_among(ScriptTable& table, std::string_view key, std::string_view name,
                                                      const std::vector<std::string>& names);
 

@@ -1,6 +1,6 @@
 /// A flight test's file as a tree of values, each with its line, and the faults that are found in it.
 ///
-/// Faults are collected, so that all of a script are told at once.
+/// Faults are collected, so that all faults of a script are reported together.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ private:
 
 /// A value as the file states it. Whole numbers are numbers.
 struct ScriptValue {
-    enum class Kind : std::uint8_t { text, number, boolean, list, table, faulty };  // the last: a fault of it has been told
+    enum class Kind : std::uint8_t { text, number, boolean, list, table, faulty };  // faulty: its fault has been reported
     using Entry = std::pair<std::string, ScriptValue>;
 
     Kind kind = Kind::table;
@@ -56,8 +56,8 @@ using ScriptParameters = std::map<std::string, ScriptValue>;
 /// Parses TOML. A file that is no TOML is one fault, and the tree is empty.
 [[nodiscard]] ScriptValue parse_script_value(std::string_view text, const std::string& file, ScriptFaults& faults);
 
-/// Replaces each text "$name" by the parameter of this name, and "${name}" within texts and keys; an unknown name is a fault.
-/// Names that the texts have are added to `used`.
+/// Replaces each text "$name" by the parameter of this name, and "${name}" within texts and keys. An unknown name is a fault. The
+/// names that occur are added to `used`.
 void put_parameters(ScriptValue& value, const ScriptParameters& parameters, ScriptFaults& faults, std::set<std::string>& used);
 
 /// The value of "--set name=value": a number where it is one, else a text.

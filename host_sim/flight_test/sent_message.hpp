@@ -1,4 +1,4 @@
-/// The message by which a bus states a signal: as the generated logs send it, else as the standard's table has it.
+/// The message in which a bus sends a signal: as generated logs send it, else as in the table of the CANaerospace standard.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace tedavis::host_sim {
 
-/// Of all frames that are made here: the node that sends them, and the time from one to the next, 125 bits at 1 Mbit/s.
+/// Node number of all generated frames, and the time between two of them, which is that of 125 bits at 1 Mbit/s.
 inline constexpr std::uint8_t kMadeFrameNode = 9;
 inline constexpr base::Duration kMadeFrameTime{125'000};
 
-/// Of bus::PhaseOrigin, in the order of its values.
+/// Names of the values of bus::PhaseOrigin, in their order.
 [[nodiscard]] const std::vector<std::string>& phase_origin_names();
 
-/// `identifier` is the bus's own, also of guidance. Nothing where the bus carries no such signal.
+/// Returns the message with the bus's own identifier, also for guidance; nothing where the bus has no message for the signal.
 [[nodiscard]] std::optional<ScheduledMessage> sent_message(flight::Signal signal, const bus::BusSettings& bus);
 
 }  // namespace tedavis::host_sim

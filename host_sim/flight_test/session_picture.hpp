@@ -11,15 +11,15 @@ namespace tedavis::host_sim {
 
 class SessionPicture final : public ShownPicture {
 public:
-    /// The session must outlive it. Nothing is drawn.
+    /// Draws nothing. The session must outlive this object.
     explicit SessionPicture(DisplaySession& session) : session_(session) {}
 
-    /// A frame was planned: the picture of the one before is forgotten.
+    /// To be called after a frame was planned; discards the picture of the frame before.
     void begin_frame();
     /// Draws the frame, unless it was drawn already. Throws UserError where the picture cannot be read back.
     void draw();
     [[nodiscard]] bool is_drawn() const { return is_drawn_; }
-    /// Of the drawn frame, as frame_record_json() takes it, without hash and times.
+    /// The result of the drawn frame for frame_record_json(), without hash and times.
     [[nodiscard]] FrameResult result();
 
     const RgbaPicture& pixels() override;

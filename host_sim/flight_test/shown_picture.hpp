@@ -1,4 +1,4 @@
-/// The picture of a frame, which is drawn when it is asked for: most conditions of a flight test need none.
+/// The picture of a frame, which is drawn on demand, since most conditions of a flight test need none.
 #pragma once
 
 #include "host_sim/evaluation/flight_run.hpp"
@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// Valid until the next frame is planned; what the functions return belongs to it.
+/// The object owns what its functions return; it is valid until the next frame is planned.
 class ShownPicture {
 public:
     ShownPicture() = default;
@@ -15,7 +15,7 @@ public:
     ShownPicture& operator=(const ShownPicture&) = delete;
     virtual ~ShownPicture() = default;
 
-    /// Top row first.
+    /// The pixels, top row first.
     virtual const RgbaPicture& pixels() = 0;
     /// The layer of each pixel.
     virtual const LayerMask& layers() = 0;

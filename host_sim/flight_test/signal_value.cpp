@@ -108,7 +108,10 @@ std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::strin
     for (const KeyUnit& unit : kKeyUnits)
         if (unit.quantity == quantity_of(signal) && key == name + "_" + unit.suffix)
             return StatedSignalUnit{signal, unit.factor, unit.offset};
-    message = "'" + std::string(key) + "' does not say the unit; say " + keys_of(signal);
+    const bool has_unit = key.size() > name.size();
+    message = has_unit ? std::string(key.substr(name.size() + 1)) + " is no unit of '" + name + "'"
+                       : "'" + name + "' does not say the unit";
+    message += "; say " + keys_of(signal);
     return std::nullopt;
 }
 
@@ -121,6 +124,12 @@ std::string fault_of_value(const std::string& key, const StatedSignalUnit& unit,
     std::snprintf(range, sizeof range, "%.6g to %.6g", (entry.low - unit.offset) / unit.factor,
                   (entry.high - unit.offset) / unit.factor);
     return "'" + key + "' must be " + range + "; other values are refused by their receiver";
+}
+
+std::string fault_of_range(const std::string& key, const StatedSignalUnit& unit, double low, double high) {
+    const bus::IdentifierEntry& entry = bus::entry_at(bus::place_of_signal(unit.signal));
+    if (unit.to_si(high) < entry.low) return fault_of_value(key, unit, high);
+    return unit.to_si(low) > entry.high ? fault_of_value(key, unit, low) : "";
 }
 
 bool is_direction(Signal signal) {

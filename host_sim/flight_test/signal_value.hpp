@@ -18,20 +18,22 @@ struct StatedSignalUnit {
     [[nodiscard]] double to_si(double number) const { return number * factor + offset; }
 };
 
-/// Names of all signals that the bus carries.
+/// Names of all signals that the bus can send.
 [[nodiscard]] std::vector<std::string> bus_signal_names();
 
-/// Reads "pitch_deg". Signals without a unit (flaps, navigation source) have no suffix. Nothing for another key: `message` then
-/// says what is wrong, with the nearest names.
+/// Reads a key such as "pitch_deg". Signals without a unit (flaps, navigation source) have no suffix. Returns nothing for an
+/// unknown key; `message` then states the fault and the most similar names.
 [[nodiscard]] std::optional<StatedSignalUnit> read_signal_key(std::string_view key, std::string& message);
 
-/// What is wrong with a value that a key states: "'pitch_deg' must be -90 to 90". Empty where the bus can carry it and its
-/// receiver takes it.
+/// Returns the fault of a value, "'pitch_deg' must be -90 to 90"; empty where the bus can send the value and the receiver accepts
+/// it.
 [[nodiscard]] std::string fault_of_value(const std::string& key, const StatedSignalUnit& unit, double number);
-/// Directions start again at 360 degrees.
+/// The same for a range in which no value from `low` to `high` is possible.
+[[nodiscard]] std::string fault_of_range(const std::string& key, const StatedSignalUnit& unit, double low, double high);
+/// Whether the signal is an angle that wraps at 360 degrees.
 [[nodiscard]] bool is_direction(flight::Signal signal);
 
-/// Signals of a name: a signal, or a group of them such as "position", "attitude" or "all"; empty for another name.
+/// Returns the signals of a name: one signal, or a group such as "position", "attitude" or "all"; empty for an unknown name.
 [[nodiscard]] std::vector<flight::Signal> signals_named(std::string_view name);
 /// Names that signals_named() knows.
 [[nodiscard]] std::vector<std::string> signal_group_names();

@@ -1,8 +1,8 @@
 /// The aircraft of a flight test's steps: it moves as its ground speed, track and vertical speed say, and has the values that the
 /// steps hold or ramp.
 ///
-/// Without steps it flies straight on. Whatever of attitude, airspeed, altitude and position no step has held follows from the
-/// motion, in still standard air.
+/// Without steps it flies straight on. Attitude, airspeed, altitude and position that no step holds are computed from the motion,
+/// in still air of the standard atmosphere.
 #pragma once
 
 #include <array>
@@ -18,12 +18,13 @@ class SteppedAircraft {
 public:
     explicit SteppedAircraft(const TestStart& start);
 
-    /// Holds and ramps of a step, from `time_s` on. A ramp of a direction turns the shorter way; one of a signal without a value
-    /// begins at its end.
+    /// Applies the holds and ramps of a step from `time_s` on. A ramp of a direction turns the shorter way; a ramp of a signal
+    /// without a value jumps to its end value.
     void take(const TestStep& step, double time_s);
-    /// Moves on to a time, which never decreases.
+    /// Moves the aircraft to a time, which must not decrease.
     void advance_to(double time_s);
-    /// All values at the time that it has reached; NaN: there is none, as of a radio altimeter out of its range.
+    /// Returns all values, SI, at the time of the last advance_to(); NaN where there is none, as for a radio altimeter out of its
+    /// range.
     [[nodiscard]] SignalSample sample() const;
 
 private:

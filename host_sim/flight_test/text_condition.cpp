@@ -82,20 +82,28 @@ const std::string* in_any_case(const std::vector<std::string>& texts, const std:
     return found == texts.end() ? nullptr : &*found;
 }
 
-/// Of texts of which none has the words: all of them where they are few, else how many and the most similar one.
-std::string words_of_others(const std::vector<std::string>& texts, const std::string& says) {
-    constexpr std::size_t kFew = 4;
+/// Those with the words in another case first, then by their distance.
+void put_most_similar_first(std::vector<std::string>& texts, const std::string& says) {
+    const std::string lower = in_lower_case(says);
+    const auto distance = [&](const std::string& text) {
+        return has_words(in_lower_case(text), lower) ? std::size_t{0} : edit_distance(in_lower_case(text), lower);
+    };
+    std::stable_sort(texts.begin(), texts.end(),
+                     [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
+}
+
+/// Of texts of which none has the words: all of them where they are few, else how many and the most similar ones.
+std::string words_of_others(std::vector<std::string> texts, const std::string& says) {
+    constexpr std::size_t kFew = 12, kNearest = 3;
     if (texts.empty()) return "no text";
+    std::string count, list;
     if (texts.size() > kFew) {
-        const auto distance = [&](const std::string& text) { return edit_distance(in_lower_case(text), in_lower_case(says)); };
-        const std::string* const same = in_any_case(texts, says);
-        const auto nearest = std::min_element(
-            texts.begin(), texts.end(), [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
-        return std::to_string(texts.size()) + " texts, the most similar one " + quoted(same != nullptr ? *same : *nearest);
+        count = std::to_string(texts.size()) + " texts, the most similar ones ";
+        put_most_similar_first(texts, says);
+        texts.resize(kNearest);
     }
-    std::string list;
     for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + quoted(text);
-    return list;
+    return count + list;
 }
 
 /// Why a text is not found: another case, or another place.

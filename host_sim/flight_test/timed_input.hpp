@@ -1,4 +1,4 @@
-/// The input of a flight test as what is due when: frames of the bus, and edges of the panel.
+/// The input of a flight test as a schedule: frames of the bus and edges of the panel with their times.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 namespace tedavis::host_sim {
 
 struct TimedInput {
-    std::vector<bus::CanFrame> frames;   ///< their times count from the first one's
-    std::vector<bus::SwitchEdge> edges;  ///< after the first frame, likewise
+    std::vector<bus::CanFrame> frames;   ///< times since the first frame
+    std::vector<bus::SwitchEdge> edges;  ///< those after the first frame, with times since it
     bool throws_panel = false;
-    std::uint32_t first_levels = 0;  ///< of the panel's lines, a bit a line, at the first frame
+    std::uint32_t first_levels = 0;  ///< levels of the panel's lines at the first frame, one bit per line
 
     [[nodiscard]] double end_s() const { return frames.back().time.ns / 1e9; }
 };
 
-/// Reads logs as a replay does. Frames that a sender cannot repeat (error frames) are left out. Throws UserError where a log has
-/// no frame, or names none of the panel's lines.
+/// Reads logs as a replay does. Error frames, which a sender cannot repeat, are left out. Throws UserError where the log has no
+/// frame, or the switch log none of the panel's lines.
 [[nodiscard]] TimedInput read_timed_input(const PlayerFiles& files, const bus::SwitchConfig& panel);
 
-/// The pattern that leaves the phase to the other sources, else no line.
+/// The panel's pattern that leaves the phase to the other sources; all lines inactive where it has none.
 [[nodiscard]] std::uint32_t resting_levels(const bus::SwitchConfig& panel);
 
 }  // namespace tedavis::host_sim

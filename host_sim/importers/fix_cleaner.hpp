@@ -1,4 +1,4 @@
-/// Takes out of a recorded flight what cannot have been flown, and counts it.
+/// Removes fixes and heights from a recorded flight that cannot have been flown, and counts them.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ struct CleaningCounts {
     std::size_t pressure_jumps = 0;
 };
 
-/// Sorts by time, drops duplicates and position jumps, empties height outliers. A position is a jump when reaching it
-/// needs more than 1.6 times the speed that 98 % of the flight stay below (plus 20 m/s and 60 m); five such in a row
-/// that agree with each other are believed. A height is an outlier when it lies off the robust line (Theil-Sen) through itself
-/// and the four fixes on either side by more than 40 m plus 8 m/s times the interval.
+/// Sorts by time, drops duplicates and position jumps, empties height outliers. A position is a jump when reaching it needs more
+/// than 1.6 times the speed that 98 % of the flight stay below (plus 20 m/s and 60 m); five such in a row that agree with each
+/// other are kept. A height is an outlier when it lies off the robust line (Theil-Sen) through itself and the four fixes on
+/// either side by more than 40 m plus 8 m/s times the interval.
 CleaningCounts clean_fixes(RecordedFlight& flight);
 
 }  // namespace tedavis::host_sim

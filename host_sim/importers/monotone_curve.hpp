@@ -12,7 +12,7 @@ public:
     /// Times rise strictly; at least one sample. One sample is a constant.
     MonotoneCurve(std::vector<double> times_s, std::vector<double> values);
 
-    /// Before the first and after the last sample their values hold.
+    /// Before the first and after the last sample it returns their values.
     [[nodiscard]] double at(double time_s) const;
     /// Whether samples lie on either side of the time and no further apart than this.
     [[nodiscard]] bool covers(double time_s, double longest_gap_s) const;

@@ -1,6 +1,6 @@
-/// A flight as somebody recorded it: fixes with whatever the format carries, nothing derived, nothing resampled.
+/// A recorded flight: fixes with the values of the file, without derived or resampled ones.
 ///
-/// SI and radians. An absent value is an empty optional, never a magic number.
+/// SI and radians. An absent value is an empty optional, never a special number.
 #pragma once
 
 #include <cstdint>
@@ -32,12 +32,12 @@ struct RecordedFix {
 
 struct RecordedFlight {
     std::string aircraft;  ///< identity as the file states it; may be empty
-    std::string callsign;  ///< second name by which the user may ask for it
+    std::string callsign;  ///< second name by which the user may choose it
     HeightDatum gnss_datum = HeightDatum::wgs84_ellipsoid;
     std::vector<RecordedFix> fixes;
 };
 
-/// What an importer found: one flight per aircraft, and sentences the user should read (what was skipped and why).
+/// The result of an importer: one flight per aircraft, and notes for the user (what was skipped and why).
 struct ImportedFile {
     std::string format;  ///< "IGC", "GPX", "ADS-B JSON", "CSV"
     std::vector<RecordedFlight> flights;

@@ -1,9 +1,9 @@
-/// A recorded flight as a continuous one: signals at any instant, with what was not recorded derived from the motion.
+/// A recorded flight as a continuous one: signals at any time; signals that were not recorded are derived from the motion.
 ///
-/// Positions: cubic Hermite curves through the fixes; the tangents are limited so that a piece never leaves its chord by
-/// more than 8/27 of the chord's length, and stands still where the fixes do. Everything else: monotone curves, which
-/// never overshoot. Heading is the track; bank that of a coordinated turn, tan(bank) = V omega / g, at most 60 degrees; pitch the
-/// flight-path angle, at most 25 degrees. Between fixes further apart than the gap limit there is nothing.
+/// Positions: cubic Hermite curves through the fixes; the tangents are limited so that a piece never leaves its chord by more
+/// than 8/27 of the chord's length, and stands still where the fixes do. Everything else: monotone curves, which never overshoot.
+/// Heading is the track; bank that of a coordinated turn, tan(bank) = V omega / g, at most 60 degrees; pitch the flight-path
+/// angle, at most 25 degrees. Between fixes further apart than the gap limit there are no signals.
 ///
 /// Where fixes lie 8 s or more apart (the median of a piece without gaps), ground speed and track are those of the position
 /// curve, so that they never contradict the positions. Error of the velocity at fixes that were left out, two ADS-B recordings
@@ -28,12 +28,12 @@ namespace tedavis::host_sim {
 
 struct ResampleSettings {
     std::optional<double> qnh_pa;    ///< turns pressure altitude into an altitude on QNH (319 and 320)
-    bool assume_geometric = false;   ///< no GNSS height: take the barometric one for a height above sea level
+    bool assume_geometric = false;   ///< without GNSS heights, use the pressure altitude as a height above sea level
     double fit_half_window_s = 2.5;  ///< of velocities and heights
     double turn_half_window_s = 4;   ///< of the turn rate
 };
 
-/// Where each signal comes from, for the companion file and the notes.
+/// The source of each signal, for the companion file and the notes.
 struct Derivation {
     std::string position, height, velocity, vertical_speed, heading, roll, pitch;
     bool height_is_geometric = false;
@@ -43,14 +43,14 @@ struct Derivation {
     std::size_t velocities_not_believed = 0;  ///< recorded speeds that the positions contradict
 };
 
-/// Fixes further apart are not joined: four times the usual interval, but 20 s at least and ten minutes at most, since nobody
-/// knows how it was flown between.
+/// Fixes further apart than this are not joined, since the flight between them is not known: four times the usual interval, but
+/// at least 20 s and at most ten minutes.
 [[nodiscard]] double gap_limit_s(const RecordedFlight& flight);
 
 class ResampledFlight final : public FlightSource {
 public:
-    /// `flight` is clean (see fix_cleaner.hpp). Throws UserError with `name` where no two fixes lie close enough, or
-    /// where they span more than a week.
+    /// `flight` must be clean (see fix_cleaner.hpp). Throws UserError with `name` where no two fixes lie close enough, or where
+    /// they span more than a week.
     ResampledFlight(const RecordedFlight& flight, const ResampleSettings& settings, const GeoidEgm96& geoid,
                     const std::string& name);
 

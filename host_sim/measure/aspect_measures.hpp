@@ -1,4 +1,4 @@
-/// What a picture tells of each aspect, counted in pixels: how many edges the ground has, and how many colours data have.
+/// Measures of the aspects in a picture, counted in pixels: edges of the ground, and distinct colours of the data.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace tedavis::host_sim {
 
-/// Of one picture of a contact sheet.
+/// The measures of one picture of a contact sheet.
 struct AspectMeasures {
     double edge_density = 0;        ///< of its terrain, drawn without data
     std::uint32_t data_colors = 0;  ///< of its data on the ground, drawn over a plain ground
     std::uint32_t glyphs = 0;       ///< of all elements
 };
 
-/// Share of the pixels at which lightness changes by more than half an L* from one pixel to the next (Sobel).
+/// Returns the share of the pixels at which lightness changes by more than 0.5 L* per pixel (Sobel).
 [[nodiscard]] double edge_density(const RgbaView& picture);
-/// Different colours of the pixels that have the ground's colour in `without`, and another one in the picture. Throws UserError
-/// where the sizes differ.
+/// Returns the number of distinct colours of the pixels that have the colour `ground` in `without` and another one in `picture`.
+/// Throws UserError where the sizes differ.
 [[nodiscard]] std::uint32_t distinct_colors(const RgbaView& picture, const RgbaView& without, design::Color ground);
 
 }  // namespace tedavis::host_sim

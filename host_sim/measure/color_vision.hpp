@@ -1,4 +1,4 @@
-/// What is left of colours without one of the three kinds of cones.
+/// Simulates colour vision without one of the three kinds of cones.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ inline constexpr std::array<ColorVision, 4> kColorVisions = {ColorVision::normal
 /// "normal vision", "protanopia" and so on.
 [[nodiscard]] const char* to_string(ColorVision vision) noexcept;
 
-/// Machado, Oliveira, Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE Transactions
-/// on Visualization and Computer Graphics 15 (2009), at severity 1, applied to linear light. It is weakest for tritanopia, as
-/// its authors say.
+/// Machado, Oliveira, Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE Transactions on
+/// Visualization and Computer Graphics 15 (2009), at severity 1, applied to linear light. According to its authors it is least
+/// accurate for tritanopia.
 [[nodiscard]] design::LinearRgb seen_with(ColorVision vision, const design::LinearRgb& light) noexcept;
 
 }  // namespace tedavis::host_sim

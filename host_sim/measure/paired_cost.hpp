@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// The n-th of both are a pair.
+/// The n-th entries of both lists are a pair, ms.
 [[nodiscard]] effects::PairedCost paired_cost(const std::vector<double>& with_ms, const std::vector<double>& without_ms);
 
 }  // namespace tedavis::host_sim

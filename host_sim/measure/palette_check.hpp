@@ -1,19 +1,21 @@
-/// Whether the colours of a palette can be read: in their order, on shaded terrain, by everybody, beside what else is drawn.
+/// Checks whether the colours of a palette are distinguishable: in their order, on shaded terrain, with colour vision
+/// deficiencies, and beside other elements.
 ///
 /// Classes of a nominal palette have no order, and no colours lie between them.
 ///
-/// Differences are CIEDE2000 (color_difference.hpp). About 1 is just noticeable between patches that touch; stops never touch on
-/// a terrain, so several times as much is asked for. Requirements:
+/// Differences are CIEDE2000 (color_difference.hpp). About 1 is just noticeable between adjacent patches; stops are never
+/// adjacent on a terrain, so several times as much is required. Requirements:
 ///   order     by `lightness`: each stop at least kLightnessStep brighter (or each darker) than the one before it, in a
 ///             diverging palette from both ends to the middle; by `hue`: the hue turns one way, less than once around, every
-///             stop has a chroma of kHueChroma, and one step differs less than two. In normal vision and without each of the
-///             three kinds of cones (color_vision.hpp), where for `hue` the steps alone count.
+///             stop has at least the chroma kHueChroma, and two steps differ more than one. In normal vision and without each of
+///             the three kinds of cones (color_vision.hpp), where for `hue` only the steps are checked.
 ///   distance  any two stops differ by kDistance, in the three deficiencies by kDeficientDistance.
 ///   light     neighbouring stops differ by kLitDistance in every light from the design's ambient share to full light.
-///   apart     no colour of the palette, stops and between them, comes closer than kApart in full light, kApartInShade in the
-///             design's least light, to the sea, to the colour of missing data, and, where warning colours are on, to any band
+///   apart     no colour of the palette, at and between stops, differs by less than kApart in full light, or kApartInShade in the
+///             design's least light, from the sea, the colour of missing data, and, where warning colours are on, any band
 ///             as it is displayed: with its strength over any colour of the palette and over the sea. A palette of objects in
-///             the air only to the colour of missing data: its surfaces have a shape that no ground has, and no band covers them.
+///             the air is compared only with the colour of missing data: the shape of its surfaces differs from that of ground,
+///             and no band covers them.
 ///
 /// Failure  a list of sentences, one for the worst place of each requirement; empty when all hold.
 #pragma once
@@ -31,9 +33,9 @@ inline constexpr double kDistance = 7.5, kDeficientDistance = 6;
 inline constexpr double kLitDistance = 2;
 inline constexpr double kApart = 10, kApartInShade = 4;
 
-/// Order and distance. `name` stands at the head of every sentence: the palette's file.
+/// Checks order and distance. Every sentence begins with `name`, the palette's file.
 [[nodiscard]] std::vector<std::string> palette_faults(const design::Palette& palette, const std::string& name);
-/// Light and apart, with the light, the sea, the missing data and the warning bands of a design.
+/// Checks light and apart with the light, the sea, the missing data and the warning bands of a design.
 [[nodiscard]] std::vector<std::string> palette_faults_in_design(const design::Palette& palette,
                                                                 const design::DesignSettings& design, const std::string& name);
 

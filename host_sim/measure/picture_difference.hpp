@@ -1,4 +1,4 @@
-/// How different two pictures look, by the eye's measure instead of by numbers of colours.
+/// The difference of two pictures by perceptual measures.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@ namespace tedavis::host_sim {
 
 struct PictureDifference {
     double mean = 0, largest = 0;  ///< CIEDE2000 over all pixels
-    /// Mean over all pixels of how much the gradient of lightness (Sobel, in L* per pixel) differs: lines that came or went,
-    /// where flat areas of another tone leave it at 0.
+    /// Mean over all pixels of the difference of lightness gradients (Sobel, in L* per pixel). Added or removed lines raise it;
+    /// flat areas of another tone do not.
     double edges = 0;
 };
 
-/// Alpha is not looked at. Throws UserError where the sizes differ.
+/// Alpha is ignored. Throws UserError where the sizes differ.
 [[nodiscard]] PictureDifference picture_difference(const RgbaView& first, const RgbaView& second);
 
 }  // namespace tedavis::host_sim

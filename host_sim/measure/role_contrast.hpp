@@ -1,9 +1,9 @@
-/// How well the signs of each role of the symbology's palette stand out from what they border on: WCAG 2.1's contrast ratio.
+/// The contrast of the signs of each role of the symbology's palette with their surroundings: WCAG 2.1's contrast ratio.
 ///
-/// A sign is a connected patch (across corners too) of a layer's pixels that have the color of one role, within kRoleTolerance
-/// in each channel: what smoothed edges blend with the ground is none of it. Of each pixel at its border the best ratio counts
-/// that a pixel of another color within kRimReach_px has: the rim, or the ground where there is no rim. The sign has the ratio
-/// that four fifths of its border have at least, since other signs may cover a part of its rim.
+/// A sign is a connected patch (across corners too) of a layer's pixels that have the color of one role, within kRoleTolerance in
+/// each channel: pixels that antialiasing blends with the ground do not belong to it. For each pixel at its border, the best
+/// ratio to a pixel of another color within kRimReach_px is taken: that of the rim, or of the ground where there is no rim. The
+/// ratio of the sign is the one that at least four fifths of its border have, since other signs may cover a part of its rim.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct RoleContrast {
 };
 
 /// Returns the contrasts of all signs of at least `least_px` pixels, ordered by role, then by their uppermost, then leftmost
-/// pixel. `layer` counts through the mask's names; picture and mask have one size.
+/// pixel. `layer` is an index in the mask's names; picture and mask have the same size.
 [[nodiscard]] std::vector<RoleContrast> role_contrasts(const RgbaPicture& picture, const LayerMask& mask, std::uint8_t layer,
                                                        const design::SymbologyPalette& palette, std::uint32_t least_px);
 

@@ -1,17 +1,17 @@
-/// How well the signs of a layer stand out by their brightness: WCAG 2.1's contrast ratio of each.
+/// The luminance contrast of the signs of a layer: WCAG 2.1's contrast ratio of each.
 ///
 /// A sign is a connected patch (across corners too) of a layer's pixels. Its surroundings are the pixels of no sign of this layer
-/// that lie within kSurroundings_px of it. What a twentieth of its pixels (or 48 of them, where that is less: a stroke on a large
-/// panel) are at least as bright, or as dark, as counts as its lightest and its darkest part; of the surroundings a tenth, their
-/// middle, and a tenth.
+/// that lie within kSurroundings_px of it. Its lightest and darkest part are the luminances that a twentieth of its pixels (at
+/// most 48, for a stroke on a large panel) reach at least, or at most. The surroundings are represented by their median and by
+/// the luminances that a tenth of them reach at least, or at most.
 ///
 ///     ratio = the larger of   its lightest part against its darkest,
 ///                             the least, over the surroundings, of the better of its two parts against them
 ///
-/// So light writing on light ground fails, white writing with a dark rim stands on any ground, and a plain sign must differ from
-/// everything that borders on it. A sign of whose surroundings more than half belong to layers in front of its own is covered by
-/// them, and is none; nor is a patch of which every pixel borders on them: it is the edge of a sign that they cover. What a patch
-/// holds is judged by its strongest parts: weak writing on a panel beside strong writing is not found.
+/// So light text on light ground fails, white text with a dark rim passes on any ground, and a plain sign must differ from
+/// everything around it. A sign is ignored as covered if more than half of its surroundings belong to layers in front of its own;
+/// so is a patch of which every pixel borders on them, the edge of a covered sign. A patch is judged by its strongest parts:
+/// faint text on a panel beside strong text is not found.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ struct SignContrast {
     double ratio = 1;  ///< 1..21
 };
 
-/// Returns the contrasts of all signs of at least `least_px` pixels, ordered by their uppermost, then leftmost pixel. `layer`
-/// counts through the mask's names; picture and mask have one size.
+/// Returns the contrasts of all signs of at least `least_px` pixels, ordered by their uppermost, then leftmost pixel. `layer` is
+/// an index in the mask's names; picture and mask have the same size.
 [[nodiscard]] std::vector<SignContrast> sign_contrasts(const RgbaPicture& picture, const LayerMask& mask, std::uint8_t layer,
                                                        std::uint32_t least_px);
 

@@ -1,11 +1,11 @@
-/// The overlay by which a picture shows how accurate it is (host_sim/accuracy/accuracy_overlay.hpp).
+/// The parts of the accuracy overlay (host_sim/accuracy/accuracy_overlay.hpp).
 #pragma once
 
 namespace tedavis::host_sim {
 
-/// What a command draws over its finished pictures to show how accurate they are; the display never draws it.
+/// Which figures and maps of accuracy a command draws over its finished pictures; the display itself draws none of them.
 struct AccuracyShown {
-    bool figures = false;    ///< requested and proven error, quality level
+    bool figures = false;    ///< requested and proven terrain error, quality level
     bool error_map = false;  ///< the measured error of the ground, in colors over it
 
     [[nodiscard]] bool any() const { return figures || error_map; }

@@ -1,4 +1,4 @@
-/// Weights of aspects that stand above those of a design: `--weights terrain=0.3,data=1`.
+/// Weights of aspects that override those of a design: `--weights terrain=0.3,data=1`.
 #pragma once
 
 #include <map>
@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Requested weights by the aspect's name.
+/// Requested weights, 0 to 1, by the aspect's name.
 using AskedWeights = std::map<std::string, double>;
 
 /// Parses weights; throws UserError where the text is not a list of names with numbers from 0 to 1.

@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// TOML that reads back as the same configuration; names of files stand there as they are in `config`.
+/// Returns TOML that reads back as the same configuration; it contains the file names as `config` states them.
 [[nodiscard]] std::string display_config_text(const platform::DisplayConfig& config);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Other flights that a replay shows beside its own, for comparison: what is asked for, and what the replay made of it.
+/// Other flights ("ghosts") that a replay shows beside its own, for comparison: the options, and the flights as they are shown.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ namespace tedavis::host_sim {
 
 inline constexpr std::size_t kMaxGhosts = 4;
 
-/// Which moment of the other flight is shown at a moment of the own one.
+/// The rule by which each time of the own flight is paired with a time of the other one.
 enum class GhostAlign : std::uint8_t {
-    time,     ///< of the same UTC; where neither log knows the date, equally long after each began
-    place,    ///< when it was nearest to the own ship's place
-    takeoff,  ///< equally long after take-off
+    time,     ///< the same UTC; where neither log knows the date, the same time since its begin
+    place,    ///< the time at which it was nearest to the own ship's position
+    takeoff,  ///< the same time since take-off
 };
-/// Their names, in the same order.
+/// Names of the values of GhostAlign, in their order.
 inline constexpr std::array<std::string_view, 3> kGhostAlignNames = {"time", "place", "takeoff"};
 [[nodiscard]] constexpr std::string_view name_of(GhostAlign align) { return kGhostAlignNames[static_cast<std::size_t>(align)]; }
 
@@ -27,15 +27,17 @@ inline constexpr std::array<std::string_view, 3> kGhostAlignNames = {"time", "pl
 struct ShownGhost {
     struct Place {
         double time_s = 0, latitude_deg = 0, longitude_deg = 0;
-        bool joins_next = true;  ///< false: between it and the next one it is not shown
+        bool joins_next = true;  ///< false: the ghost is not shown between this place and the next one
     };
-    std::string log, name;  ///< the file; what the picture calls it: "other"
+    std::string log, name;  ///< path of the log; the name in the picture: "other"
     GhostAlign align = GhostAlign::time;
-    std::optional<double> shift_s;  ///< by which its time (UTC where it is known) was moved; nothing by place: it varies
-    std::vector<Place> places;      ///< in the order of time; at least two
+    /// Shift of its time (of UTC where that is known); nothing with GhostAlign::place, where the shift varies.
+    std::optional<double> shift_s;
+    std::vector<Place> places;  ///< ascending in time; at least two
 };
 
-/// The scene that a picture is drawn with in place of the named one: the same with a layer of ghosts. Empty: there are none.
+/// The ghosts of a replay, and the scene database that is drawn instead of the one in the options: the same with a layer of
+/// ghosts. Both members are empty where there are no ghosts.
 struct ShownGhosts {
     std::string scene;  ///< scene database
     std::vector<ShownGhost> flights;

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kMaxSpread = 1'000'000;
 
 enum class FrameOutput : std::uint8_t { png, hash, none };
 
-/// Of ReplayOptions::phase.
+/// The value of ReplayOptions::phase by which no phase is stated.
 inline constexpr const char* kNoPhase = "none";
 
 struct ReplayOptions {
@@ -28,29 +28,32 @@ struct ReplayOptions {
     std::string output;    ///< folder
     std::string switches;  ///< switch log; empty: none
     std::string switch_config = "one_hot";
-    std::string phase;  ///< holds for the whole run as if a switch stated it; kNoPhase: motion states none; empty: as recorded
-    std::optional<flight::AircraftClass> aircraft_class;  ///< by which motion tells the phase; nothing: that of the aircraft file
+    std::string phase;  ///< stated for the whole run as by a switch; kNoPhase: motion states none; empty: as recorded
+    /// For the detection of the phase from motion; nothing: the class of the aircraft file.
+    std::optional<flight::AircraftClass> aircraft_class;
     PictureOptions picture;
     std::vector<std::string> ghosts;  ///< logs of other flights that are shown beside this one; at most kMaxGhosts
     GhostAlign ghost_align = GhostAlign::time;
-    AccuracyShown accuracy;               ///< in a window only at its start, and on the screen alone
-    std::optional<double> from_s, to_s;   ///< seconds since the log's first frame
-    std::optional<double> step_s;         ///< nothing: one frame of the device's rate; negative: backwards
-    bool over_terrain = false;            ///< only while the flight is over the terrain; not with window
-    std::optional<std::uint64_t> spread;  ///< about so many frames evenly, and at events, instead of a step; at least 2
-    std::optional<FrameOutput> frames;    ///< nothing: pictures; in a window, hashes
+    AccuracyShown accuracy;              ///< in a window: its state at the start; it is drawn on the screen alone
+    std::optional<double> from_s, to_s;  ///< seconds since the log's first frame
+    std::optional<double> step_s;        ///< nothing: the period of the device's frame rate; negative: backwards
+    bool over_terrain = false;           ///< frames only where the flight is over the terrain; not with window
+    /// Approximate number of frames, spread evenly and at events, instead of a step; 2 to kMaxSpread.
+    std::optional<std::uint64_t> spread;
+    std::optional<FrameOutput> frames;  ///< nothing: pictures, or hashes in a window
     bool window = false;
-    bool keeps_index = true;     ///< of a large log, beside it
-    bool yes = false;            ///< a long run needs no answer (host_sim/replay/run_estimate.hpp)
-    bool strict = false;         ///< findings give kCheckFailedExitCode
+    bool keeps_index = true;     ///< keeps the index of a large log beside it (LOG.tdx)
+    bool yes = false;            ///< a long run starts without a question (host_sim/replay/run_estimate.hpp)
+    bool strict = false;         ///< the command returns kCheckFailedExitCode where there are findings
     bool layers = false;         ///< writes a layer mask beside every picture; not with window
     bool ledger = false;         ///< reports the cost of every effect that was replaced or left out; not with window
-    std::string video;           ///< film of the pictures (.mp4); empty: none; not with window
-    std::string tour;            ///< path file for the camera (host_sim/window/camera_tour.hpp); with window only
-    std::string save_config;     ///< writes data, design and parameters to this file
-    platform::CheckedPack pack;  ///< that the options come from; is_pack() is false where they come from none
-    std::shared_ptr<const platform::DisplayConfig> config;  ///< that they come from, for what the board alone has; null: none
-    std::vector<std::string> notes;                         ///< sentences of earlier steps, for the summary and the report
+    std::string video;           ///< path of a film of the pictures (.mp4); empty: none; not with window
+    std::string tour;            ///< file of camera poses (host_sim/window/camera_tour.hpp); with window only
+    std::string save_config;     ///< file to which the configuration is written (replay_config.hpp); empty: none
+    platform::CheckedPack pack;  ///< the pack that the options were read from; is_pack() is false where there is none
+    /// The configuration that the options were read from, for the keys that only a board reads; null: none.
+    std::shared_ptr<const platform::DisplayConfig> config;
+    std::vector<std::string> notes;  ///< sentences for the summary and the report, from steps before the replay
 
     [[nodiscard]] FrameOutput frame_output() const { return frames.value_or(window ? FrameOutput::hash : FrameOutput::png); }
 };

@@ -1,4 +1,4 @@
-/// Lines of TOML, one a key, for configuration files that are written. What is empty is left out.
+/// Writes TOML, one line for each key. Empty texts, lists and optionals are left out.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ public:
     void word(std::string_view key, std::string_view value) {
         if (!value.empty()) text_ << key << " = " << toml_string(std::string(value)) << '\n';
     }
-    /// Comes back bit for bit.
+    /// Written with as many digits as give the same double when they are read.
     void number(std::string_view key, const std::optional<double>& value) {
         if (value) text_ << key << " = " << std::showpoint << *value << '\n';
     }

@@ -1,4 +1,4 @@
-/// What goes into a pack: each file that a configuration names, and that configuration with names from the pack's folder.
+/// The contents of a pack: each file that a configuration names, and the configuration with names relative to the pack's folder.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace tedavis::host_sim {
 struct PackContents {
     std::string title;
     std::string config_text;    ///< of the pack's config.toml
-    std::string config_origin;  ///< the configuration that it was made of
+    std::string config_origin;  ///< the configuration from which the pack is made
     PackedFiles files;          ///< without config.toml
 };
 
-/// Reads each file as a start of the board does. Logs that the section [replay] names, and its instants, stay outside: what is
-/// flown is given to each replay. `named` is what the configuration was read from. Throws UserError: what is missing or wrong in
-/// which file.
+/// Reads each file as the board does at its start. Logs and times of the section [replay] are left out, since each replay of the
+/// pack states its own. `named` is the path from which the configuration was read. Throws UserError with the file that is missing
+/// or wrong.
 [[nodiscard]] PackContents pack_contents(const ReplayOptions& options, const std::string& named);
 
 }  // namespace tedavis::host_sim

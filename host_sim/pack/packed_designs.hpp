@@ -1,5 +1,5 @@
-/// The design of a configuration with all that it names, each at a place in a pack where the names that stand in the files still
-/// find it: the files themselves are not changed.
+/// Collects the design of a configuration and all files that it names. Each gets a path in the pack at which the unchanged names
+/// in the other files still find it.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace tedavis::host_sim {
 
-/// Places in a pack. Each ends in a slash.
+/// Folders in a pack; each ends in a slash.
 inline constexpr const char* kPackedDesign = "design/";
 inline constexpr const char* kPackedDesigns = "designs/";
 inline constexpr const char* kPackedPalettes = "palettes/";
@@ -21,23 +21,24 @@ public:
     /// `files` must outlive this object and receives what is read.
     PackedDesigns(const DesignFolders& folders, PackedFiles& files) : folders_(folders), files_(files) {}
 
-    /// Reads the design and those that it names for phases, and returns the design's path in the pack. Throws UserError with
-    /// file and line, also where a file is named in a way that no pack can keep.
+    /// Reads the design and those that it names for phases, and returns the design's path in the pack. Throws UserError with file
+    /// and line, also where a name cannot be kept in a pack, such as an absolute path.
     [[nodiscard]] std::string add(const std::string& design_file);
 
     [[nodiscard]] base::Result<design::Palette, base::Error> find(const base::StatedFile& palette) override;
     [[nodiscard]] base::Result<design::DesignText, base::Error> find_design(const base::StatedFile& design) override;
 
 private:
-    /// Where a file lies that `stated_in` names; a short name in `folder`, or where that is empty beside.
+    /// The path in the pack of a file that `stated` names; a short name lies in `folder` or, where that is empty, beside the file
+    /// that names it.
     [[nodiscard]] std::string place_of(const base::StatedFile& stated, const std::string& folder) const;
     /// Returns its text.
     std::string take(const std::string& file, const std::string& place);
 
     DesignFolders folders_;
     PackedFiles& files_;
-    std::map<std::string, std::string> places_;  ///< of files that were read
-    std::string path_, text_;                    ///< of the design that was found last
+    std::map<std::string, std::string> places_;  ///< path in the pack by the file's own path
+    std::string path_, text_;                    ///< of the design that find_design() returned last
 };
 
 }  // namespace tedavis::host_sim

@@ -12,18 +12,18 @@ namespace tedavis::host_sim {
 
 struct PackSettings {
     std::string folder;                   ///< to write
-    bool replaces = false;                ///< an earlier pack at its place
-    std::string valid_from, valid_until;  ///< UTC days; empty: not stated
-    std::string secret_key;               ///< of minisign, to sign with; empty: none
+    bool replaces = false;                ///< an earlier pack at `folder` may be replaced
+    std::string valid_from, valid_until;  ///< UTC days as "2026-12-28"; empty: not stated
+    std::string secret_key;               ///< file of a minisign key to sign with; empty: not signed
 };
 
-/// `done` and `total` bytes that were copied; may throw to end the work.
+/// Called with the bytes copied so far and in all; may throw to end the work.
 using PackProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// Copies the files into a new folder beside the place, checks it as a start does, and renames it to its place; an earlier pack
-/// and the new one change places in one step, and the earlier one is then removed; it must be one whose manifest lists all that
-/// lies in it. After an error nothing has changed. A power cut may leave the folder beside (`<folder>.part.XXXXXX`), which may be
-/// removed. Returns what the check found; its seal is that of the folder beside, so it is not for confirm_pack(). Throws
+/// Copies the files into a temporary folder beside `folder`, checks it as the board does at its start, and renames it. An earlier
+/// pack is exchanged with the new one in one step and then removed; its manifest must list every file in it. After an error
+/// nothing has changed. A power failure may leave the temporary folder (`<folder>.part.XXXXXX`), which may be removed. Returns
+/// the result of the check; its seal belongs to the temporary folder, so it must not be given to confirm_pack(). Throws
 /// UserError.
 platform::CheckedPack write_pack(const PackContents& contents, const PackSettings& settings, const PackProgress& progress);
 

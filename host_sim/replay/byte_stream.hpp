@@ -1,4 +1,4 @@
-/// Plain values and texts as bytes and back, for the files that a replay keeps for this machine and this build.
+/// Converts plain values and texts to bytes and back, in native byte order, for files that only this machine and this build read.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ private:
     std::string bytes_;
 };
 
-/// Beyond the end everything reads as zero and `good` falls.
+/// Reads beyond the end return zero or an empty text and make good() false. The bytes must outlive the reader and its texts.
 class ByteReader {
 public:
     explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}

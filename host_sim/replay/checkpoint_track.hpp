@@ -1,8 +1,8 @@
-/// Checkpoints along a flight, packed, in memory of a bounded size: when it is full every second one goes and the spacing
-/// doubles. The first one stays.
+/// Compressed checkpoints along a flight, in bounded memory: when it is full, every second one is removed and the spacing
+/// doubles. The first one is always kept.
 ///
-/// Spacing is by bytes of log and by steps of the phase, whichever comes first, so that playing on from a checkpoint to any
-/// instant before the next one takes about the same short time in busy and in quiet recordings.
+/// The spacing is a number of bytes of the log or of steps of the tracker, whichever is reached first, so that playing from a
+/// checkpoint to any time before the next one takes about equally long in busy and in quiet recordings.
 #pragma once
 
 #include <cstdint>
@@ -29,21 +29,21 @@ struct PackedCheckpoint {
 class CheckpointTrack {
 public:
     explicit CheckpointTrack(const CheckpointSpacing& spacing = CheckpointSpacing()) : spacing_(spacing) {}
-    /// Takes up where an earlier track ended; `stride` is that track's.
+    /// Continues an earlier track, whose stride() and checkpoints() are given.
     CheckpointTrack(const CheckpointSpacing& spacing, std::uint64_t stride, std::vector<PackedCheckpoint> checkpoints)
         : spacing_(spacing), stride_(stride), checkpoints_(std::move(checkpoints)) {}
 
     /// Adds a checkpoint if it lies beyond the last one by the spacing, or is the first.
     void offer(const FlightProgress& progress);
-    /// When the last checkpoint at or before `time` was made; the first one's time where all are later. Not when empty.
+    /// The time of the last checkpoint at or before `time`, or of the first one where all are later. The track must not be empty.
     [[nodiscard]] base::Time reached_by(base::Time time) const;
-    /// That checkpoint; throws UserError if its bytes are damaged.
+    /// Returns this checkpoint. Throws UserError if its bytes are damaged.
     [[nodiscard]] FlightProgress unpack(base::Time time) const;
-    /// Forgets what lies after `time`, except the first.
+    /// Removes the checkpoints after `time`, except the first.
     void drop_after(base::Time time);
 
     [[nodiscard]] const std::vector<PackedCheckpoint>& checkpoints() const { return checkpoints_; }
-    /// How often the spacing is taken: 1, 2, 4, ...
+    /// The factor of the spacing: 1, 2, 4, ...
     [[nodiscard]] std::uint64_t stride() const { return stride_; }
 
 private:

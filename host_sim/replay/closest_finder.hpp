@@ -1,4 +1,4 @@
-/// Finds where a run came closest to the terrain: between its frames too, in the track that the player plays once more.
+/// Finds where a run came closest to the terrain, also between its frames: the player plays the flight once more.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,12 @@
 
 namespace tedavis::host_sim {
 
-/// Samples the flight from one instant to another. They are as far apart as the aircraft needs for one post of the terrain, at
-/// least 0.1 s and at most 1 s; of more than 200 000 samples' worth of time, farther. Instants without a valid position have
-/// none.
+/// Samples the flight between two times. The step is the time in which the aircraft passes one post of the terrain, at least 0.1
+/// s (in flights of more than 20,000 s their 200,000th part) and at most 1 s. Times without a valid position have no sample.
 [[nodiscard]] std::vector<TrackSample> flown_track(FlightPlayer& player, ClearanceMeter& meter, base::Time from, base::Time to);
 
-/// The instants of the closest points between two instants, the closest first: the first `most` by height above the terrain, and
-/// the first by distance to the ground. Plays the flight.
+/// Returns the times of the closest points in a part of the flight: the `most` lowest by height above the terrain, the lowest
+/// first, then the nearest by distance to the ground. Plays the flight.
 [[nodiscard]] std::vector<base::Time> closest_instants(FlightPlayer& player, ClearanceMeter& meter, const TimeRange& part,
                                                        std::size_t most);
 
@@ -25,14 +24,14 @@ class ClosestFinder {
 public:
     explicit ClosestFinder(base::Time origin) : origin_(origin) {}
 
-    /// Instants whose frames show a closest point, as closest_instants() finds them.
+    /// Sets the times whose frames show a closest point, as closest_instants() returns them.
     void set_shown(std::vector<base::Time> instants) { shown_ = std::move(instants); }
-    /// True for the frame of such an instant: its picture belongs into the report.
+    /// True for the frame at one of these times, whose picture is part of the report.
     [[nodiscard]] bool wants_picture(base::Time time) const;
 
-    /// A frame of the run; `has_picture`: its picture is kept in the run's folder. `small_png` is for the report.
+    /// Adds a frame of the run. `has_picture`: its picture is in the run's folder. `small_png` is the picture for the report.
     void add(const display::FrameRecord& record, bool has_picture, std::string small_png);
-    /// Searches from the earliest to the latest frame, and plays the flight for that.
+    /// Searches between the earliest and the latest frame; plays the flight.
     [[nodiscard]] ClosestReport find(FlightPlayer& player, ClearanceMeter& meter) const;
 
 private:

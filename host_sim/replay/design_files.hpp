@@ -1,5 +1,5 @@
-/// The files that a design names: a short name means a shipped file, or one in the folders that a configuration names; a path is
-/// found from the folder of the file that says it.
+/// The files that a design names. A short name is that of a shipped file, or of a file in the folders that a configuration names;
+/// a path is relative to the file that contains it.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace tedavis::host_sim {
 
-/// A file and what was read from it; nothing where it could not be read.
+/// A file and its text; the text is empty where the file could not be read.
 struct ReadFile {
     std::string path, text;
 };
@@ -25,11 +25,11 @@ public:
     explicit DesignFiles(DesignFolders folders = {}) : folders_(std::move(folders)) {}
     [[nodiscard]] base::Result<design::Palette, base::Error> find(const base::StatedFile& palette) override;
     [[nodiscard]] base::Result<design::DesignText, base::Error> find_design(const base::StatedFile& design) override;
-    /// Every file that was looked for, as it was.
+    /// Every file that was requested, with its text at that time.
     [[nodiscard]] const std::vector<ReadFile>& files() const { return files_; }
 
 private:
-    /// Throws UserError where there is none, which files() remembers, too.
+    /// Reads a file and adds it to files(), also where it cannot be read; then throws UserError.
     const ReadFile& read(std::string path);
 
     DesignFolders folders_;

@@ -1,5 +1,5 @@
-/// The desk's displays for the bench that measures costs (platform/runtime/cost_bench.hpp): effects that the user's design does
-/// not ask for are measured in shipped designs that do.
+/// Provides displays on the desk for the bench that measures costs (platform/runtime/cost_bench.hpp). Effects that the user's
+/// design does not request are measured with shipped designs that request them.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace tedavis::host_sim {
 
-/// Returns a shipped design that requests an effect, by itself or with effects::with_effect; empty for effects that cost nothing
-/// or are measured otherwise.
+/// Returns a shipped design that requests an effect, by itself or with effects::with_effect; empty for effects without cost, or
+/// with a measurement of their own.
 [[nodiscard]] std::string design_requesting(effects::Effect effect);
 
 class DeskBench final : public platform::BenchDisplays {
@@ -26,15 +26,15 @@ public:
     /// Throws UserError where the device or a design cannot be read. The displays need a terrain.
     DeskBench(const PictureOptions& picture, Events events);
 
-    /// Of the device, design, terrain and programs. Throws UserError where a display cannot be used; `place` has the time that
-    /// data are shown at. Date, design and terrain are the caller's to say.
+    /// Measures the costs of the options' device, design and terrain. `place` has the pose and the time of the data. Throws
+    /// UserError where a display cannot be used, and Interrupted. The caller fills in date, design and terrain of the result.
     [[nodiscard]] effects::MeasuredCosts measure(const AircraftPose& place, std::uint32_t rounds);
 
     void own_picture(platform::BenchPicture& picture) const override;
     [[nodiscard]] platform::BenchNote picture_with(effects::Effect effect, platform::BenchPicture& picture) const override;
     [[nodiscard]] platform::BenchNote picture_with(effects::Overhead overhead, platform::BenchPicture& picture) const override;
-    /// The user's design with all effects of color and geometry that may be given up, as far as they can be added to it, and
-    /// designs for what it may lack: glyphs of fields, blur round a focus, a view of saliency.
+    /// Number of pictures for the quality levels: the user's design with all effects of color and geometry that may be given up
+    /// and can be added to it, and designs for what it may lack: glyphs of fields, blur round a focus, a view of saliency.
     [[nodiscard]] std::size_t quality_pictures() const override;
     void quality_picture(std::size_t n, platform::BenchPicture& picture) const override;
     [[nodiscard]] base::Error open(const platform::BenchPicture& picture, std::unique_ptr<platform::DisplayHost>& host) override;
@@ -53,7 +53,7 @@ private:
     effects::DeviceSettings device_;
     design::AircraftSettings aircraft_;
     std::map<std::string, design::DesignSettings> designs_;
-    std::vector<std::uint8_t> pixels_;  ///< read back, as in a replay
+    std::vector<std::uint8_t> pixels_;  ///< of the drawn picture, read back as in a replay
 };
 
 }  // namespace tedavis::host_sim

@@ -1,5 +1,5 @@
-/// The files that a display is started from, beside terrain, log, bus and switches, which the player identifies: designs with all
-/// that they name, device, aircraft, palette and scene.
+/// Identifies the files that a display reads at its start: designs with all files that they name, device, aircraft, palette and
+/// scene. Terrain, log, bus and switches are identified by the player (index_key.hpp).
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 namespace tedavis::host_sim {
 
 struct DisplayFiles {
-    std::string content;  ///< of texts every byte, of the scene its identity (index_key.hpp): equal for equal files
-    std::string stamps;   ///< sizes and times: other ones once a file was written, even where it holds the same again
+    std::string content;  ///< all bytes of the texts and the identity of the scene (index_key.hpp): equal for equal files
+    std::string stamps;   ///< sizes and times of the files: they change when a file is written, even with the same content
 };
 
-/// As they are now. Nothing where one of them cannot be read, which whoever starts the display says.
+/// Identifies the files as they are now; nothing where one cannot be read, an error that the start of the display reports.
 ///
-/// A display reads its files some time after, or before, somebody asks for them here: where two answers, one from before it was
-/// started and one from after, are equal(), it has read these very files.
+/// The display reads its files at another time than this function. If the results before and after its start are equal(), it has
+/// read these files.
 [[nodiscard]] std::optional<DisplayFiles> display_files(const PictureOptions& picture);
 
 [[nodiscard]] bool equal(const std::optional<DisplayFiles>& before, const std::optional<DisplayFiles>& after);

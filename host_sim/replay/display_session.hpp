@@ -1,4 +1,4 @@
-/// A display running on the desk, started from the user's options, and the pixels that it draws.
+/// A display that runs on the desk, started with the user's options, and the pixels that it draws.
 #pragma once
 
 #include <functional>
@@ -21,18 +21,19 @@ using SurfaceMaker = std::function<base::Result<std::unique_ptr<base::Surface>, 
 [[nodiscard]] design::AircraftSettings load_aircraft(const std::string& name);
 /// The palette of the symbology; the standard one where the options name no file. Throws UserError.
 [[nodiscard]] design::SymbologyPalettes load_symbology_palettes(const PictureOptions& options);
-/// What a display without a screen is started with, but for designs, aircraft and programs. The options must outlive it.
+/// Settings with which a display without a screen is started, except designs, aircraft and programs. The options must outlive the
+/// result.
 [[nodiscard]] platform::DisplayHostSettings host_settings(const PictureOptions& options, const effects::DeviceSettings& device);
-/// The sentence for the user where a display could not be started.
+/// The message for a display that could not be started.
 [[nodiscard]] std::string host_fault_text(const platform::HostFault& fault, const PictureOptions& options);
 
 class DisplaySession {
 public:
-    /// Throws UserError with the sentence of whatever cannot be opened. Draws without a screen, as `options.gl` says.
+    /// Draws without a screen, with the GL of `options.gl`. Throws UserError with the message of what cannot be opened.
     DisplaySession(const PictureOptions& options, bool generated_flight);
     /// Draws on the surface that `make_surface` opens.
     DisplaySession(const PictureOptions& options, bool generated_flight, const SurfaceMaker& make_surface);
-    /// True where the device has a shader compiler; throws UserError where its file does not exist.
+    /// True if the device file states a shader compiler. Throws UserError where the file cannot be read.
     [[nodiscard]] static bool has_compiler(const PictureOptions& options);
     /// The programs that a display with these options is started with, made by this machine's compiler; the device need not
     /// have one. No other session may be current. Throws UserError.
@@ -41,25 +42,27 @@ public:
     DisplaySession& operator=(const DisplaySession&) = delete;
 
     [[nodiscard]] display::Display& display() { return host_.display(); }
-    /// Sessions of one thread draw in turn: this one must have rested before another is opened or draws. Throws UserError where
-    /// the surface is lost.
+    /// Sessions of one thread draw in turn: call rest() on this one before another is opened or draws, and make_current() before
+    /// this one draws again. Throws UserError where the surface is lost.
     void make_current();
     void rest() { host_.release_current(); }
     [[nodiscard]] const effects::DeviceSettings& device() const { return device_; }
     [[nodiscard]] std::uint32_t width() const { return host_.surface().width(); }
     [[nodiscard]] std::uint32_t height() const { return host_.surface().height(); }
-    /// "egl: llvmpipe (...)": recorded with every run.
+    /// The GL and its renderer, "egl: llvmpipe (...)", which every run records.
     [[nodiscard]] std::string gl_description();
 
-    /// Draws what was planned and reads it back; bottom row first.
+    /// Draws the planned frame and reads its pixels back, bottom row first.
     void draw();
-    /// The frame that was drawn last without what lies before a layer (Display::draw_up_to), read back instead of it.
+    /// Draws the last frame again up to `last`, without the layers in front of it (Display::draw_up_to), and reads the pixels
+    /// back.
     void draw_up_to(display::PictureLayer last);
-    /// Shows what was drawn last where the surface has a screen. Throws UserError when the surface is lost.
+    /// Shows the last picture where the surface has a screen. Throws UserError where the surface is lost.
     void present();
     [[nodiscard]] RgbaView pixels() const { return {pixels_.data(), width(), height(), true}; }
     [[nodiscard]] std::uint64_t frame_hash() const;
-    /// A sentence once a part of the database could not be used (flags "terrain.failing", "terrain.failed"); empty before.
+    /// A message after a part of the terrain database could not be used (flags "terrain.failing", "terrain.failed"); empty
+    /// before.
     [[nodiscard]] std::string terrain_fault() const;
 
 private:

@@ -1,7 +1,7 @@
 /// Which layer each pixel of a frame belongs to: the frontmost one that changes it.
 ///
-/// The frame is drawn up to each layer in turn; a pixel that a layer leaves as it is belongs to what lies behind. What blends
-/// with the ground is its own layer's from the first step of a colour on.
+/// The frame is drawn up to each layer in turn; a pixel that a layer does not change belongs to a layer behind it. A pixel in
+/// which a layer is blended with the ground belongs to the layer if a colour channel changes by at least one step.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace tedavis::host_sim {
 
-/// Of the frame that was drawn last: a number of display::PictureLayer a pixel, top row first. Afterwards the session's picture
-/// is the whole one again. Costs as many drawings as there are layers.
+/// Returns for each pixel of the last frame, top row first, the number of its display::PictureLayer. Afterwards the session holds
+/// the complete picture again. Draws the frame once for each layer.
 [[nodiscard]] std::vector<std::uint8_t> drawn_layers(DisplaySession& session);
-/// Where the obstacles ahead are in the frame that was planned last: what a contract asks for beside the layers.
+/// Returns the places of the obstacles ahead in the frame that was planned last, which contracts need beside the layers.
 [[nodiscard]] display::ObstaclePlaces obstacles_of_frame(DisplaySession& session);
-/// Beside a picture (evaluation/layer_mask.hpp). Throws UserError.
+/// Writes drawn_layers() beside the file `picture` (host_sim/layer_mask.hpp). Throws UserError.
 void write_drawn_layers(const std::string& picture, DisplaySession& session);
 
 }  // namespace tedavis::host_sim

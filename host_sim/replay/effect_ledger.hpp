@@ -1,7 +1,8 @@
-/// What the effects that a run left out, or replaced, would have cost and shown: `replay --ledger`.
+/// Measures what the effects that a run left out or replaced would have cost and changed in the picture: `replay --ledger`.
 ///
-/// Some frames of the run are drawn again on the reference device, as the design intends them and as they are with the one effect
-/// forbidden; planner and replacements are those of any device. Times are of frames drawn in turn on this machine.
+/// Some frames of the run are drawn again on the reference device: once with all effects of the design, and once with one effect
+/// forbidden. Planner and replacements are the same as on any device. Times are those of frames that are drawn alternately on
+/// this machine.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +19,11 @@
 
 namespace tedavis::host_sim {
 
-/// Can do every effect.
+/// The reference device, which can draw every effect.
 inline constexpr const char* kLedgerReference = "desktop";
 inline constexpr std::uint64_t kLedgerSamples = 6;
 
-/// A frame that is drawn again.
+/// A frame that is drawn again, with its input.
 struct LedgerSample {
     std::uint64_t frame = 0;
     base::Time time;
@@ -33,7 +34,7 @@ struct LedgerSample {
     RgbaPicture shown;
 };
 
-/// What happened to an effect in some frames of the run.
+/// A state of an effect other than run, and the number of the run's frames with it.
 struct LedgerFate {
     display::EffectState state = display::EffectState::run;
     std::string replaced_by, reason;
@@ -41,30 +42,31 @@ struct LedgerFate {
 };
 
 struct LedgerPrice {
-    std::string effect;  ///< empty: all together, as the run's device showed it
+    std::string effect;  ///< empty: all effects together, as the run's device drew them
     std::vector<LedgerFate> fates;
-    effects::PairedCost saved;     ///< of a frame; may be 0 where noise is greater
-    PictureDifference difference;  ///< mean of means and edges over the samples, largest of all
+    effects::PairedCost saved;     ///< per frame; 0 where the noise is greater
+    PictureDifference difference;  ///< means and edges: averages over the samples; the largest: of all samples
     std::uint64_t worst_frame = 0;
     RgbaPicture intended, shown;  ///< of that frame
 };
 
 class EffectLedger {
 public:
-    /// Of a run of `frames` frames with these options, in this size.
+    /// For a run of `frames` frames with these options, in this size.
     EffectLedger(const PictureOptions& options, PictureSize size, bool generated_flight, std::uint64_t frames)
         : options_(options), generated_flight_(generated_flight), frames_(frames) {
         options_.size = size;
     }
 
-    /// Whether the n-th frame is one of those that are drawn again: evenly spread, with the first and the last.
+    /// Whether the n-th frame, from 0, is drawn again: kLedgerSamples frames, evenly spread, with the first and the last.
     [[nodiscard]] bool wants(std::uint64_t n) const;
     void take(LedgerSample sample) { samples_.push_back(std::move(sample)); }
-    /// Of every frame. What the failure policy removed has no price.
+    /// Counts the effects of a frame; to be called for every frame of the run. Effects that the failure policy removed are not
+    /// counted.
     void note(const display::FrameRecord& record);
 
-    /// The run's own session must have rested. `progress(done, total)` may throw. By effect, then all together; nothing where
-    /// no frame was drawn.
+    /// Measures: one entry per effect, then one for all together; empty where no frame was drawn. rest() must have been called on
+    /// the run's own session. `progress(done, total)` may throw.
     [[nodiscard]] std::vector<LedgerPrice> prices(const std::function<void(std::size_t, std::size_t)>& progress) const;
     [[nodiscard]] const std::vector<LedgerSample>& samples() const { return samples_; }
 

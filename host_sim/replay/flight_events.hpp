@@ -1,4 +1,4 @@
-/// The instants of a flight at which something happens, so that a run that draws few frames has one there.
+/// Times of alerts and phase changes of a flight, so that a run of few frames has a frame at each of them.
 ///
 /// Further kinds of events (closest points, for instance) are added in event_instants().
 #pragma once
@@ -13,17 +13,17 @@
 
 namespace tedavis::host_sim {
 
-/// Told how far a look ahead has come, now and then; may throw to end it.
+/// Called now and then with the time that a search has reached; may throw to end it.
 using ReachedTime = std::function<void(base::Time time)>;
 
-/// The first intervals of terrain alerts in these parts of the flight, of which there is at least one: with a caution after none,
-/// or with a warning after less. Decides all intervals from the log's start on that no earlier run has left (interval_store.hpp);
-/// a run to the last part's end does so as well.
+/// Returns the begins of the decision intervals in these parts of the flight, at least one part, in which the terrain alert
+/// rises: to a caution, or to a warning. Decides all intervals from the log's start to the last part's end that no earlier run
+/// has stored (interval_store.hpp), as a run to that end does.
 [[nodiscard]] std::vector<base::Time> alert_instants(FramePreroll& preroll, const TimeRanges& parts,
                                                      const ReachedTime& reached = nullptr);
 
-/// Beginnings of alerts and changes of the flight phase, in order of time. Of more than `most`, alerts come before changes of the
-/// phase, and of each kind they are some, evenly by their number.
+/// Returns the times of rising alerts and of phase changes, at most `most`, ascending. Alerts have precedence over phase changes;
+/// of a kind with too many, every n-th is taken.
 [[nodiscard]] std::vector<base::Time> event_instants(FlightPlayer& player, FramePreroll& preroll, const TimeRanges& parts,
                                                      std::uint64_t most, const ReachedTime& reached = nullptr);
 

@@ -1,8 +1,8 @@
-/// What one pass over a recorded flight found: its extent, what was counted, and checkpoints to go on from. It is kept
-/// beside the log as LOG.tdx, so that the next replay starts anywhere at once.
+/// The result of one pass over a recorded flight: its extent, counts, and checkpoints from which it can be played. It is stored
+/// beside the log as LOG.tdx, so that the next replay starts at any time without delay.
 ///
-/// The file is a cache of this machine and this build: native byte order, the checkpoints as they lie in memory. One
-/// checksum covers all of it, and it says what it was made from; anything that does not fit is made anew.
+/// The file is a cache for this machine and this build: native byte order, checkpoints as in memory. It has one checksum and the
+/// identity of its sources (IndexKey); where either does not match, the index is made again.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct FlightIndex {
 
 struct UnpackedIndex {
     std::optional<FlightIndex> index;
-    std::string refusal;  ///< why there is none, to follow "it ": "is damaged", "was made from another log"
+    std::string refusal;  ///< why there is none, as the end of a sentence: "is damaged", "was made from another log"
 };
 [[nodiscard]] UnpackedIndex unpack_index(std::string_view bytes, const IndexKey& key, const CheckpointSpacing& spacing);
 

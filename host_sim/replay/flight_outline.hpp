@@ -1,8 +1,8 @@
-/// Where a recorded flight leads, and when its phase changes, in memory of a bounded size: a place about each second and the
-/// changes, which the one pass over the log leaves.
+/// Positions of a recorded flight, about one per second, and the times of its phase changes, in bounded memory. They are
+/// collected in the one pass over the log.
 ///
-/// When it is full every second place goes and the spacing doubles, as with the checkpoints. A flight that flickers has its first
-/// kMaxChanges changes alone.
+/// When the memory is full, every second place is removed and the spacing doubles, as with the checkpoints. Of phase changes only
+/// the first kMaxChanges are kept.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace tedavis::host_sim {
 
-/// A place of the own ship, whose position was valid then. Radians.
+/// A valid position of the own ship, WGS 84, radians.
 struct OutlinePlace {
     base::Time time;
     double latitude_rad = 0, longitude_rad = 0;
@@ -27,24 +27,24 @@ public:
     static constexpr std::size_t kMaxPlaces = 1u << 16, kMaxChanges = 4096;
 
     FlightOutline() = default;
-    /// As they were taken from another outline.
+    /// With the values of another outline.
     FlightOutline(std::int64_t stride, std::vector<OutlinePlace> places, std::vector<base::Time> changes)
         : stride_(stride), places_(std::move(places)), changes_(std::move(changes)) {}
 
-    /// True where a place is wanted of this time; times never decrease.
+    /// Whether a place at this time is to be added; times must not decrease.
     [[nodiscard]] bool wants_place(base::Time time) const {
         return places_.empty() || (time - places_.back().time).ns >= kSpacing.ns * stride_;
     }
-    /// A position that is not valid is left out.
+    /// Adds the position; an invalid one is ignored.
     void add_place(const flight::OwnShipEstimate& own_ship, base::Time time);
-    /// The phase that the picture follows, at each step of the flight's tracker.
+    /// Adds the phase that the display follows; to be called at each step of the flight's tracker.
     void add_phase(const flight::FlightPhase& presented, base::Time time);
 
-    /// In order of time.
+    /// The places, ascending in time.
     [[nodiscard]] const std::vector<OutlinePlace>& places() const { return places_; }
-    /// First steps of another phase than the one before; the flight's first phase is no change.
+    /// Times of the first step of each new phase, ascending; the flight's first phase is no change.
     [[nodiscard]] const std::vector<base::Time>& phase_changes() const { return changes_; }
-    /// How often the spacing is taken: 1, 2, 4, ...
+    /// The factor of kSpacing: 1, 2, 4, ...
     [[nodiscard]] std::int64_t stride() const { return stride_; }
 
 private:

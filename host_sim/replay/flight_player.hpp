@@ -1,11 +1,11 @@
-/// Plays a recorded bus and its switch log into aircraft state and flight phase, to any instant, forwards or backwards.
+/// Plays a recorded bus log and its switch log and returns aircraft state and flight phase at any time, forwards or backwards.
 ///
-/// The tracker (bus/tracker/flight_tracker.hpp) reads the recording, on a grid from the log's first frame. Where the recording
-/// pauses until every value is lost, its steps pause as well.
+/// The tracker (bus/tracker/flight_tracker.hpp) reads the recording in steps of a grid that begins at the log's first frame. In a
+/// gap of the recording, steps are skipped once every value is lost.
 ///
-/// Opening plays the whole log once and leaves checkpoints, so that every instant is near. Of a long log they are kept in
-/// LOG.tdx (flight_index.hpp) for the next time. Memory  some megabytes, however long the log; a gzip-compressed one lies
-/// unpacked in memory.
+/// The constructor plays the whole log once and makes checkpoints, so that any time is reached quickly. Those of a long log are
+/// stored in LOG.tdx (flight_index.hpp) for the next run. Memory  some megabytes for any length of the log; a gzip-compressed log
+/// is unpacked into memory.
 #pragma once
 
 #include <cstdint>
@@ -27,25 +27,26 @@ namespace tedavis::host_sim {
 
 struct PlayerFiles {
     std::string log, bus, switches, switch_config;  ///< switches may be empty
-    std::string aircraft{};                         ///< aircraft file, whose class motion is judged by; empty: none is stated
-    std::string phase{};                            ///< as ReplayOptions::phase
-    std::optional<flight::AircraftClass> aircraft_class{};  ///< in place of the file's
+    std::string aircraft{};  ///< aircraft file, whose class is used to detect the phase from motion; empty: none
+    std::string phase{};     ///< as ReplayOptions::phase
+    std::optional<flight::AircraftClass> aircraft_class{};  ///< overrides the class of the aircraft file
 };
 [[nodiscard]] PlayerFiles player_files(const ReplayOptions& options);
 
 struct IndexPolicy {
-    std::uint64_t smallest_kept_log = 32u << 20;  ///< shorter logs are read again each time; it takes a moment
-    /// A log changed less than this long before is not trusted to show its next change in its times.
+    std::uint64_t smallest_kept_log = 32u << 20;  ///< bytes; the index of a smaller log is not stored
+    /// The index of a log that was changed less than this time ago is not stored: another change might leave its file times
+    /// equal.
     base::Duration rest = base::Duration::seconds(2);
     CheckpointSpacing spacing;
-    /// Called often while the log is indexed, with the bytes read and all of them; may throw.
+    /// Called often while the log is indexed, with the bytes read and the bytes in all; may throw.
     std::function<void(std::uint64_t done, std::uint64_t total)> told{};
 };
 
-/// As the options ask for it.
+/// The policy that the options request.
 [[nodiscard]] IndexPolicy index_policy(const ReplayOptions& options);
 
-/// What a flight is played over.
+/// The terrain over which a flight is played.
 struct PlayedGround {
     flight::TerrainHeights& heights;
     const terrain::TerrainDatabase* terrain = nullptr;  ///< null: none
@@ -53,8 +54,8 @@ struct PlayedGround {
 
 class FlightPlayer final : private bus::FrameListener {
 public:
-    /// Shows progress and says on the console why an index is made anew or cannot be kept; null: in silence.
-    /// Throws UserError: missing or unreadable files, a log without a single frame, a wrong switch log; Interrupted.
+    /// Opens the files and indexes the log. The console shows progress and why an index is made again or cannot be stored; null:
+    /// no messages. Throws UserError for missing or unreadable files, a log without a frame, or a wrong switch log; Interrupted.
     FlightPlayer(const PlayerFiles& files, display::Display& display, Console* console = nullptr,
                  const IndexPolicy& policy = IndexPolicy());
     /// The same without a display.
@@ -63,27 +64,27 @@ public:
     /// Stamps of the first and last frame of the log.
     [[nodiscard]] base::Time first() const { return first_; }
     [[nodiscard]] base::Time last() const { return last_; }
-    /// At `time` clamped to first() .. last(). The trail is good until the next call.
+    /// Returns the input of a frame at `time`, clamped to first() .. last(). The trail in it is valid until the next call.
     [[nodiscard]] flight::FrameInput at(base::Time time);
-    /// Of the instant that was asked for last: what the bus has said, and the receive stamp of its last frame.
+    /// At the time of the last call of at(): the state from the bus, and the receive stamp of its newest frame.
     [[nodiscard]] const bus::StateAssembler& assembler() const { return progress_.tracker.assembler; }
     [[nodiscard]] base::Time newest_frame() const { return progress_.newest_frame; }
 
-    /// The phase switches' lines and patterns, and the edges played, in order of time.
+    /// Lines and patterns of the phase switches, and the edges that are played, ascending in time.
     [[nodiscard]] const bus::SwitchConfig& switch_config() const { return switch_config_; }
     [[nodiscard]] const std::vector<bus::SwitchEdge>& switch_edges() const { return edges_; }
-    /// Replaces switch edges: those up to `kept_until` are kept, and later ones are replaced by `edges` (all later, in order).
+    /// Keeps the switch edges up to `kept_until` and replaces the later ones by `edges`, which are later and ascending in time.
     void replace_switches_after(base::Time kept_until, const std::vector<bus::SwitchEdge>& edges);
 
-    /// Sentences about broken and foreign lines, for the report.
+    /// Messages about broken and unknown lines of the logs, for the report.
     [[nodiscard]] std::vector<std::string> notes() const;
-    /// Of the whole log.
+    /// Counts of the whole log.
     [[nodiscard]] const LogFacts& facts() const { return index_.facts; }
-    /// Of the whole log, with the switches that it was opened with.
+    /// Outline of the whole log, with the switch log that was given at the start.
     [[nodiscard]] const FlightOutline& outline() const { return index_.outline; }
-    /// What the flight follows from: the program, the log, and the files that it is played with.
+    /// The identities on which the played flight depends: the program, the log, and the files with which it is played.
     [[nodiscard]] const IndexKey& key() const { return key_; }
-    /// Whether the log's index lies beside it: only then something else that follows from the log may be kept, too.
+    /// Whether the log's index is stored beside it; only then other data that depend on the log may be stored, too.
     [[nodiscard]] bool has_kept_index() const { return has_kept_index_; }
     /// What is wrong with the log and the switch log.
     [[nodiscard]] Findings findings() const;
@@ -118,17 +119,17 @@ private:
     bus::LogPosition start_;
     bus::BusSettings bus_settings_;
     flight::PhaseSettings phases_;
-    base::Duration quiet_;  ///< this long after the last frame or edge nothing changes any more
+    base::Duration quiet_;  ///< time after the last frame or edge after which nothing changes
     std::vector<bus::SwitchEdge> edges_;
     bus::SwitchConfig switch_config_;
     std::vector<std::string> switch_notes_;
-    Findings switch_findings_;  ///< of the log that was given
+    Findings switch_findings_;  ///< of the switch log that was given
     IndexKey key_;
     bool has_kept_index_ = false;
     base::Time first_, last_;
     FlightProgress progress_;
     PlayedEdges panel_{edges_, progress_.next_edge};
-    std::optional<bus::FlightTracker> tracker_;  ///< there once the log is open
+    std::optional<bus::FlightTracker> tracker_;  ///< has a value once the log is open
     FlightIndex index_;
 };
 

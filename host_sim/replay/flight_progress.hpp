@@ -1,7 +1,7 @@
-/// All that changes while a recorded flight is played: how far the log is read, and what the tracker has made of it.
+/// The whole state of playing a recorded flight: the position in the log, and the tracker's memory.
 ///
-/// Plain bytes: a copy is a checkpoint, in memory or on disk, and playing on from it gives the same bits as a run from
-/// the log's start.
+/// It is trivially copyable: a copy is a checkpoint, in memory or on disk, and playing from it gives the same bits as playing
+/// from the log's start.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace tedavis::host_sim {
 struct FlightProgress {
     bus::LogPosition position;
     bus::TrackerMemory tracker;
-    InterfaceFrames frames_of{};  ///< fed, by interface
+    InterfaceFrames frames_of{};  ///< number of frames given to the tracker, by interface
     std::size_t next_edge = 0;
-    std::uint64_t steps_run = 0;  ///< of the tracker's grid, but those where the recording pauses
+    std::uint64_t steps_run = 0;  ///< steps of the tracker's grid, without those skipped in gaps
     base::Time reached;
     base::Time newest_frame;  ///< receive stamp of the last frame fed
 };

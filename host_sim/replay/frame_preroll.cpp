@@ -19,6 +19,11 @@ base::Time FramePreroll::grid_time(std::int64_t frame) const {
     return player_.first() + base::Duration::from_seconds(static_cast<double>(frame) / rate_hz_);
 }
 
+bool FramePreroll::needs_history() const {
+    const effects::FrameBudget& budget = display_.memory().budget;
+    return budget.is_held() || (budget.knows_rays() && display_.planner().chooses_renderer());
+}
+
 bool FramePreroll::preroll(base::Time time) {
     is_given_up_ = false;
     preroll_frame(time);
@@ -40,7 +45,7 @@ void FramePreroll::preroll_frame(base::Time time) {
     const bool is_on_grid = std::abs(off_grid.ns) <= 1;
     const bool follows = is_on_grid && last_ && frame == *last_ + 1;
     last_ = is_on_grid ? std::optional<std::int64_t>(frame) : std::nullopt;
-    const bool is_governed = display_.memory().budget.is_held();
+    const bool is_governed = needs_history();
     if (follows && is_governed) learn(frame);
     if (follows) return;
     display_.memory().cut();
@@ -48,13 +53,13 @@ void FramePreroll::preroll_frame(base::Time time) {
     if (is_governed) reach(std::max<std::int64_t>(frame, 0), std::max<std::int64_t>(needed, 0));
     if (is_given_up_ || (is_governed && is_on_grid)) return;
     if (is_governed) display_.memory().cut();
-    const effects::FrameGovernor governor = display_.memory().budget.governor();
+    const effects::BudgetHistory history = display_.memory().budget.history();
     for (std::int64_t planned = needed - kWindow; planned < frame && !is_given_up_; ++planned) {
         const base::Time grid = grid_time(std::max<std::int64_t>(planned, 0));
         if (is_governed) restore_quality_level(planned);
         plan(is_on_grid ? grid : std::max(grid + off_grid, player_.first()));
     }
-    if (is_governed) display_.memory().budget.restore(governor);
+    if (is_governed) display_.memory().budget.restore(history);
 }
 
 /// The frame itself, or the one that measured what it shows, or the last one before the phase's design began to take its place.
@@ -72,7 +77,7 @@ std::int64_t FramePreroll::first_needed(std::int64_t frame, base::Time time) {
 void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
     effects::FrameBudget& budget = display_.memory().budget;
     if (quality_levels_.empty()) {
-        budget.restore(effects::FrameGovernor());
+        budget.restore(effects::BudgetHistory());
         learn(0);
     }
     const std::int64_t kept = std::min<std::int64_t>(needed, static_cast<std::int64_t>(quality_levels_.size()) - 1) / kKeepEvery;
@@ -80,7 +85,7 @@ void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
         restore_quality_level(planned);
         plan(grid_time(std::max<std::int64_t>(planned, 0)));
     }
-    budget.restore(governors_[static_cast<std::size_t>(kept)]);
+    budget.restore(histories_[static_cast<std::size_t>(kept)]);
     const std::int64_t begin = kept * kKeepEvery;
     for (std::int64_t planned = begin; planned < frame && is_told(planned - begin, frame - begin); ++planned) {
         plan(grid_time(planned));
@@ -91,15 +96,15 @@ void FramePreroll::reach(std::int64_t frame, std::int64_t needed) {
 /// The display has planned every frame before this one.
 void FramePreroll::learn(std::int64_t frame) {
     if (frame != static_cast<std::int64_t>(quality_levels_.size())) return;
-    const effects::FrameGovernor& governor = display_.memory().budget.governor();
-    quality_levels_.push_back(static_cast<std::uint8_t>(governor.quality_level()));
-    if (frame % kKeepEvery == 0) governors_.push_back(governor);
+    const effects::BudgetHistory& history = display_.memory().budget.history();
+    quality_levels_.push_back(static_cast<std::uint8_t>(history.governor.quality_level()));
+    if (frame % kKeepEvery == 0) histories_.push_back(history);
 }
 
-/// The terrain of a frame is chosen by the quality level before it; nothing else of the governor matters to it.
+/// Which terrain a frame requests follows from the quality level before it; nothing else of the history matters to it.
 void FramePreroll::restore_quality_level(std::int64_t frame) {
     const auto known = static_cast<std::size_t>(std::max<std::int64_t>(frame, 0));
-    display_.memory().budget.restore(effects::FrameGovernor(quality_levels_[known]));
+    display_.memory().budget.restore({effects::FrameGovernor(quality_levels_[known]), {}});
 }
 
 void FramePreroll::plan(base::Time time) {
@@ -200,7 +205,7 @@ void FramePreroll::forget() {
     intervals_.clear();
     interval_.reset();
     quality_levels_.clear();
-    governors_.clear();
+    histories_.clear();
 }
 
 }  // namespace tedavis::host_sim

@@ -1,23 +1,25 @@
 /// Plans the frames before a frame that is shown, so that the frame at an instant is the same however it is reached: in the whole
 /// run or in a part of it, with any step, backwards too.
 ///
-/// Which terrain has arrived depends on a short window of earlier frames, on a grid of instants at the device's frame rate.
-/// Before a frame that does not follow the last one on this grid, the window before it is planned again. Before the log's first
-/// instant, that instant is used.
+/// Which terrain is loaded depends on a short window of earlier frames, on a grid of times at the device's frame rate. Before a
+/// frame that does not follow the last one on this grid, the window before it is planned again. Frames before the log's first
+/// time are planned for that time.
 ///
-/// During a design transition the picture contains the frame in which it began: planning begins before that frame, and it is
-/// drawn. The same is done for a saliency map that an earlier frame measured (display/planner/saliency_schedule.hpp), and for the
-/// clutter of earlier frames, by which data are reduced (display/planner/declutter_control.hpp).
+/// During a design transition the picture contains the frame in which the transition began, so planning begins before that frame,
+/// and the frame is drawn. The same holds for a saliency map that an earlier frame measured
+/// (display/planner/saliency_schedule.hpp), and for the clutter of earlier frames, by which data are reduced
+/// (display/planner/declutter_control.hpp).
 ///
-/// Where a deadline is held, what the governor decides follows from all frames since the log's start: those are planned once, in
-/// order, as far as they have not been; a run that begins late takes the time for it. Of each it keeps a byte, and the governor
-/// every kKeepEvery frames.
+/// With a deadline, the decisions of the governor depend on all frames since the log's start; so does the choice between
+/// triangles and rays where costs are known and a design leaves it to the display. These frames are planned once, in order,
+/// which takes time in a run that begins late. For each frame the quality level is stored in one byte, and for every
+/// kKeepEvery-th the history of the decisions.
 ///
-/// Which labels stand, and how much hazards raise the weights of aspects, follows from all intervals of half a second since the
-/// log's start (display/planner/element_labels.hpp, policy/priority_boost.hpp): each is decided once, by the instant at which it
-/// begins and the design of the frame before, without the frames between, on a memory of the planner that no frame is planned
-/// from. Some of them are kept (interval_track.hpp), also from one run to the next (interval_store.hpp): a run that begins late
-/// decides those between the last one kept and its first frame.
+/// Labels and priority boosts depend on all decision intervals since the log's start (display/planner/element_labels.hpp,
+/// policy/priority_boost.hpp). Each interval is decided once, for its first instant and with the design of the frame before,
+/// without planning the frames between, in a planner memory of its own. Some results are stored (interval_track.hpp), also for
+/// the next run (interval_store.hpp), so that a run that begins late decides only the intervals between the last stored one and
+/// its first frame.
 #pragma once
 
 #include <cstdint>
@@ -37,30 +39,29 @@ public:
     FramePreroll(FlightPlayer& player, DisplaySession& session, double rate_hz)
         : player_(player), session_(session), display_(session.display()), rate_hz_(rate_hz) {}
 
-    /// Told while much lies before a frame: how much of it has been decided or planned. Returning false gives it up.
+    /// Called while many frames or intervals precede a frame, with the number that is done. Returning false ends the preroll.
     using Told = std::function<bool(std::uint64_t done, std::uint64_t total)>;
     void set_told(Told told) { told_ = std::move(told); }
 
-    /// Call before the frame of this instant is drawn. False where it was given up: the frame would be another one than that of
-    /// the whole run.
+    /// To be called before the frame at this time is drawn. Returns false if `told` ended the preroll: the frame would then
+    /// differ from that of the whole run.
     [[nodiscard]] bool preroll(base::Time time);
-    /// Intervals that have to be decided before a frame of this instant.
+    /// Number of intervals that have to be decided before a frame at this time.
     [[nodiscard]] std::int64_t undecided_before(base::Time time) const;
-    /// Decides those, one after the other, as long as `goes_on` says so: what a window does between its pictures.
+    /// Decides them one after the other while `goes_on` returns true, as a window does between its pictures.
     void decide_before(base::Time time, const std::function<bool()>& goes_on);
-    /// Tells `told` the beginning of each interval up to the one of this instant and whether the terrain alert is on in it.
-    /// Decides those of which it is not known yet, and keeps some of them in passing. For a look ahead before a run; nothing
-    /// where the display has no intervals.
+    /// Calls `told` with the begin and the terrain alert of each interval up to the one at `until`. Decides those whose alert is
+    /// not known yet, and stores some. For the search for alerts before a run; does nothing where the display has no intervals.
     using ToldAlert = std::function<void(base::Time begin, policy::TerrainAhead alert)>;
     void look_ahead(base::Time until, const ToldAlert& told);
-    /// What was decided holds no more: design, switches or camera are others.
+    /// Discards all results, since design, switches or camera have changed.
     void forget();
-    /// Frames were drawn that were not prerolled; what was decided still holds.
+    /// To be called after frames were drawn without a preroll; the decided intervals stay valid.
     void leave();
-    /// Intervals that a run like this one has decided before; before the first frame.
+    /// Takes the intervals of an earlier equal run; to be called before the first frame.
     void take_intervals(IntervalTrack intervals) { intervals_ = std::move(intervals); }
     [[nodiscard]] const IntervalTrack& intervals() const { return intervals_; }
-    /// True once the intervals are not those of the run as it was started.
+    /// True after forget(): the intervals are no longer those of the run as it was started.
     [[nodiscard]] bool has_forgotten() const { return has_forgotten_; }
 
 private:
@@ -72,6 +73,7 @@ private:
     void reach(std::int64_t frame, std::int64_t needed);
     void learn(std::int64_t frame);
     void restore_quality_level(std::int64_t frame);
+    [[nodiscard]] bool needs_history() const;
     void reach_interval(base::Time time);
     [[nodiscard]] std::int64_t interval_of(base::Time time) const;
     void approach_interval(std::int64_t wanted);
@@ -86,11 +88,11 @@ private:
     display::Display& display_;
     double rate_hz_;
     std::optional<std::int64_t> last_;  ///< frame of the grid that was drawn last
-    // Before the frames of the grid, from the log's first on.
+    // At the begin of each frame of the grid, from the log's first on.
     std::vector<std::uint8_t> quality_levels_;
-    std::vector<effects::FrameGovernor> governors_;  ///< every kKeepEvery-th
-    std::optional<std::int64_t> shown_interval_;     ///< that the display's weights and labels are of
-    std::optional<std::int64_t> interval_;           ///< that `decided_` is of
+    std::vector<effects::BudgetHistory> histories_;  ///< every kKeepEvery-th
+    std::optional<std::int64_t> shown_interval_;     ///< interval of the display's priorities and labels
+    std::optional<std::int64_t> interval_;           ///< interval of `decided_`
     display::PlannerMemory decided_;
     IntervalTrack intervals_;
     Told told_;

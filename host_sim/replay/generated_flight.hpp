@@ -5,7 +5,7 @@
 
 namespace tedavis::host_sim {
 
-/// A scenario leaves its manifest beside the flight; such a flight says on the display that it is generated.
+/// True if the manifest of a scenario lies beside the log; the display then flags the flight as generated.
 [[nodiscard]] bool is_generated_flight(const std::string& log);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Makes the ghosts of a replay: flights of other logs, in a layer of the scene that the replay is drawn with.
+/// Makes the ghosts of a replay: flights of other logs, as a layer of the scene with which the replay is drawn.
 #pragma once
 
 #include "host_sim/console.hpp"
@@ -8,12 +8,12 @@
 
 namespace tedavis::host_sim {
 
-/// The layer "ghosts": a line for each stretch without a gap, named "GHOST " and its flight. Times are those that the display has
-/// then: UTC where the own log knows it, else its own. Tracks are as many as flights.
+/// Returns the layer "ghosts", with a line for each stretch without a gap, named "GHOST " and the flight's name. Its times are
+/// UTC where the own log states UTC, else times of the own log. There is one track for each flight.
 [[nodiscard]] LayerDraft ghost_layer(const ScannedFlight& own, const std::vector<ShownGhost>& flights,
                                      const std::vector<GhostTrack>& tracks);
-/// What the pictures call the flight of each log: the file's name without its kinds, or its folder's where another one, or the
-/// own log, has the same; cut where it is longer than a picture can show, and numbered where that is the same again.
+/// Returns the name of each log's flight in the pictures: the file's name without extensions, or the folder's name where another
+/// log or the own one has the same; cut to the length that a picture can show, and numbered where names are still equal.
 [[nodiscard]] std::vector<std::string> ghost_names(const std::string& own, const std::vector<std::string>& logs);
 
 /// Reads the logs and writes the scene with the ghosts into `folder`, which must stay for as long as pictures are drawn. Throws

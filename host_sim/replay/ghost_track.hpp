@@ -1,4 +1,4 @@
-/// The moments of another flight, aligned with those of the own one.
+/// The track of another flight with times of the own one.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace tedavis::host_sim {
 
-/// By place, the other flight is shown where it comes within so many metres of the own one.
+/// With GhostAlign::place, the other flight is shown where it is at most this far from the own one.
 inline constexpr double kGhostWithin_m = 3000;
 
 struct GhostTrack {
-    std::vector<ScannedPlace> places;  ///< `time` is the own log's; ascending; at least two, and at least one joins the next
+    std::vector<ScannedPlace> places;  ///< with times of the own log, ascending; at least two, and at least one joins the next
     std::optional<double> shift_s;     ///< as ShownGhost::shift_s
 };
 
-/// Throws UserError where no moment of the ghost belongs to one of the own flight; the sentence names what may be tried.
+/// Throws UserError where no time of the ghost is aligned with a time of the own flight; the message suggests other options.
 [[nodiscard]] GhostTrack ghost_track(const ScannedFlight& own, const ScannedFlight& ghost, GhostAlign align);
 
 }  // namespace tedavis::host_sim

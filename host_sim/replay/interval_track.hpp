@@ -1,6 +1,6 @@
-/// What the display has decided for the intervals of a flight (flight/decision_interval.hpp): its labels and priorities, from
-/// which the next interval is decided. Of every kEvery-th interval a packed copy is kept, of those decided last plain ones, and
-/// of all whether the terrain alert is on.
+/// Results for the decision intervals of a flight (flight/decision_interval.hpp): labels and priorities, on which the next
+/// interval depends. Compressed copies of every kEvery-th interval are stored, plain ones of the last kRecent, and the terrain
+/// alert of all.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ public:
     static constexpr std::size_t kRecent = 16;
 
     void keep(std::int64_t interval, const display::PlannerMemory& decided);
-    /// Whether the terrain alert is on in an interval that was kept at any time; nothing where none such is known. Intervals that
-    /// were kept in order are known without a gap.
+    /// The terrain alert of an interval that was given to keep() at any time; nothing if it is not known. It is known for all
+    /// intervals if keep() was called for them in order.
     [[nodiscard]] std::optional<policy::TerrainAhead> alert(std::int64_t interval) const;
-    /// The last one at or before `interval` that is kept; nothing where there is none.
+    /// The last interval at or before `interval` of which a copy is stored; nothing where there is none.
     [[nodiscard]] std::optional<std::int64_t> last_by(std::int64_t interval) const;
-    /// Labels and priorities of an interval that is kept, and nothing else. Throws UserError where its copy is damaged.
+    /// Returns a memory with only the labels and priorities of a stored interval. Throws UserError where its copy is damaged.
     [[nodiscard]] display::PlannerMemory restore(std::int64_t interval) const;
     void clear();
 
@@ -34,25 +34,26 @@ public:
     /// The alerts of all intervals from `first_alert()` on, a byte each.
     [[nodiscard]] std::int64_t first_alert() const { return first_alert_; }
     [[nodiscard]] const std::string& alerts() const { return alerts_; }
-    /// Takes those of an earlier track.
+    /// Takes the alerts of an earlier track.
     void take_alerts(std::int64_t first, std::string alerts);
 
     /// Takes a packed copy of an earlier track.
     void take(std::int64_t interval, std::string bytes) { packed_[interval] = std::move(bytes); }
 
-    /// Bytes of a copy before it is packed. Another build of the program may have others.
+    /// Size of a copy before compression, which may differ in another build of the program.
     [[nodiscard]] static std::size_t plain_bytes();
 
 private:
     std::map<std::int64_t, std::string> packed_;
     std::map<std::int64_t, display::PlannerMemory> recent_;
     std::int64_t first_alert_ = 0;
-    std::string alerts_;  ///< a byte an interval, that a look ahead over a day takes some 100 kB
+    std::string alerts_;  ///< one byte per interval, so that those of a day take 173 kB
 };
 
-/// The packed copies as a file: native byte order, one checksum over all of it. `made_from`: what they follow from.
+/// Returns the compressed copies and the alerts as the bytes of a file: native byte order, one checksum over all. `made_from` is
+/// the identity of all that they depend on.
 [[nodiscard]] std::string pack_intervals(const IntervalTrack& track, std::string_view made_from);
-/// Nothing where they were made from something else or by another build, or are damaged.
+/// Nothing where `made_from` or the build differs, or the bytes are damaged.
 [[nodiscard]] std::optional<IntervalTrack> unpack_intervals(std::string_view bytes, std::string_view made_from);
 
 }  // namespace tedavis::host_sim

@@ -8,13 +8,13 @@
 
 namespace tedavis::host_sim {
 
-/// ledger.json in the run's folder, and beside it, in ledger/, "EFFECT_intended.png" and "EFFECT_shown.png" of the frame that
-/// differs most.
+/// Returns the content of ledger.json.
 [[nodiscard]] std::string ledger_json(const std::vector<LedgerPrice>& prices, const std::vector<LedgerSample>& samples,
                                       const std::string& device);
-/// A line an effect.
+/// Returns one line per effect.
 [[nodiscard]] std::string ledger_text(const std::vector<LedgerPrice>& prices);
-/// Writes both, the pictures of an earlier run removed. Throws UserError.
+/// Writes ledger.json into the run's folder and, into its subfolder ledger, the pictures "EFFECT_intended.png" and
+/// "EFFECT_shown.png" of the frame that differs most; removes the pictures of an earlier run. Throws UserError.
 void write_ledger(const std::string& folder, const std::string& json, const std::vector<LedgerPrice>& prices);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Pictures of a run with the whole legend, for its report: the pictures of a flight show the key only.
+/// Draws pictures with the whole legend for the report of a run, whose own pictures show only the key.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ class LegendPictures {
 public:
     static constexpr std::size_t kMaxDesigns = 8;
 
-    /// Keeps a frame of each design that the run shows: its second one where there is one.
-    /// Designs beyond kMaxDesigns have no picture, and are counted.
+    /// Keeps one frame of each design, the second one if there is one. Frames of designs beyond kMaxDesigns are only counted.
     void note(const std::string& design, const FrameResult& result, const flight::FrameInput& input);
     [[nodiscard]] std::uint64_t frames_left_out() const { return frames_left_out_; }
 
-    /// Draws them again with the whole legend and gives them to the story. The session's display shows the last of them then.
+    /// Draws the kept frames again with the whole legend and adds them to the story. Afterwards the session holds the last of
+    /// these pictures.
     void draw(DisplaySession& session, RunStory& story) const;
 
 private:

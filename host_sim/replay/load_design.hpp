@@ -1,4 +1,5 @@
-/// The design that a run is drawn with: the file, the palettes and bases that it names, and what the command line puts above it.
+/// Loads the design of a run: the file, the palettes and bases that it names, and the options of the command line that override
+/// it.
 #pragma once
 
 #include <memory>
@@ -11,18 +12,18 @@
 
 namespace tedavis::host_sim {
 
-/// Path of the design file, short names resolved. Throws UserError where there is none.
+/// Returns the path of the design file; resolves short names. Throws UserError where there is no such file.
 [[nodiscard]] std::string design_path(const PictureOptions& options);
 /// Throws UserError with file and line. `files`, where given, receives the files that were read, also when the design is not
 /// valid.
 [[nodiscard]] design::DesignSettings load_design(const PictureOptions& options, std::vector<ReadFile>* files = nullptr);
 
-/// A design, and those that it names for phases; options of the command line override all of them.
+/// A design and those that it names for phases, all with the overriding options of the command line.
 struct LoadedDesigns {
     design::DesignSettings design;
     design::PhaseDesigns phases;
 };
-/// Loads them as load_design() does.
+/// Loads a design and those that it names for phases, as load_design() does.
 [[nodiscard]] std::unique_ptr<LoadedDesigns> load_designs(const PictureOptions& options, std::vector<ReadFile>* files = nullptr);
 
 }  // namespace tedavis::host_sim

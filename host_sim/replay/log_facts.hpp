@@ -1,5 +1,5 @@
-/// What a whole candump log holds: how many of its frames the bus understands, from which interfaces they are, whether its time
-/// runs on. `replay` learns it while it indexes the log, `check` by reading it once.
+/// Statistics of a whole candump log: how many of its frames the bus layout decodes, their interfaces, and whether its time
+/// always advances. `replay` collects them while it indexes the log, `check` by reading it once.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace tedavis::host_sim {
 
-/// Frames by CanFrame::channel; those of more interfaces than a source tells apart come last.
+/// Number of frames by CanFrame::channel; the last entry counts the frames of all further interfaces.
 using InterfaceFrames = std::array<std::uint64_t, bus::kMaxLogInterfaces + 1>;
 
 struct LogInterface {
@@ -25,23 +25,24 @@ struct LogFacts {
     bus::BusCounters counters;
     bus::DecoderCounts decoder;
     bus::LogLineCounts lines;
-    std::uint64_t broken_lines = 0;        ///< begun like a frame and none
+    std::uint64_t broken_lines = 0;        ///< lines that begin like a frame and are none
     std::vector<bus::LineReport> reports;  ///< the first of them
     std::vector<LogInterface> interfaces;  ///< in order of appearance
     bool has_position = false;             ///< a latitude and a longitude were received
 };
 
-/// Of a log that was read to its end, every frame of it fed to the assembler.
+/// Returns the statistics of a log that was read to its end, with every frame given to the assembler.
 [[nodiscard]] LogFacts facts_of(const bus::CandumpLogSource& source, const bus::StateAssembler& assembler,
                                 const InterfaceFrames& frames, base::Time first);
 
-/// True where `convert` says beside the log (LOG.json) that its geometric heights are pressure altitudes, --assume-geometric.
+/// True if the file LOG.json of `convert` states --assume-geometric: the log's geometric heights are pressure altitudes.
 [[nodiscard]] bool assumes_heights(const std::string& log);
 
 /// Reads a log that may be gzip-compressed. Throws UserError where no line of it is a frame.
 [[nodiscard]] LogFacts read_log_facts(const std::string& log, const bus::BusSettings& settings);
 
-/// What a flight cannot be shown from, or only wrongly. `bus`: as the user named its file.
+/// Returns the defects of a log with which a flight cannot be shown, or not correctly. `bus` is the bus file as the user named
+/// it.
 [[nodiscard]] Findings log_findings(const std::string& log, const std::string& bus, const LogFacts& facts);
 
 }  // namespace tedavis::host_sim

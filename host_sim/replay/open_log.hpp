@@ -1,4 +1,5 @@
-/// A recorded log as bytes to read anywhere in: the file itself, or what a gzip-compressed one holds, which lies in memory then.
+/// A recorded log with random access to its bytes: the file itself or, for a gzip-compressed one, its content, unpacked into
+/// memory.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// Compressed files are told by their first bytes. Throws UserError where the file cannot be opened or unpacked.
+/// Compressed files are recognized by their first bytes. Throws UserError where the file cannot be opened or unpacked.
 [[nodiscard]] std::unique_ptr<base::ByteSource> open_log(const std::string& path);
 
 }  // namespace tedavis::host_sim

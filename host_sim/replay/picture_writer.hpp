@@ -1,4 +1,4 @@
-/// Writes pictures while the next ones are drawn: a thread of its own encodes them, in the order in which they came.
+/// Writes pictures while the next ones are drawn: a thread of its own encodes them, in the order of add().
 ///
 /// A picture appears whole or not at all (png_file.hpp), and has the bytes that write_png gives it.
 #pragma once
@@ -17,12 +17,13 @@ namespace tedavis::host_sim {
 class PictureWriter {
 public:
     PictureWriter() : thread_([this] { run(); }) {}
-    /// Pictures that still wait are written; a failure is not reported here.
+    /// Writes the pictures in the queue; does not report failures.
     ~PictureWriter();
     PictureWriter(const PictureWriter&) = delete;
     PictureWriter& operator=(const PictureWriter&) = delete;
 
-    /// Copies the picture; waits while kMaxWaiting pictures wait. Throws UserError where an earlier one could not be written.
+    /// Copies the picture into the queue; blocks while kMaxWaiting pictures are in it. Throws UserError where an earlier one
+    /// could not be written.
     void add(const std::string& path, const RgbaView& view);
     /// Returns when every picture is written. Throws UserError where one could not be.
     void finish();
@@ -42,7 +43,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Waiting> waiting_;  ///< the first one is being written
-    std::exception_ptr failure_;   ///< of the first picture that could not be written; no later one is
+    std::exception_ptr failure_;   ///< error of the first picture that could not be written; later ones are not written
     bool ends_ = false;
     std::thread thread_;  ///< last: it uses all others
 };

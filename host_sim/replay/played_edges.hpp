@@ -1,4 +1,4 @@
-/// The edges of a recorded panel as a source, which can be read on from any of them.
+/// The edges of a recorded panel as a switch source that can be read from any edge.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@ namespace tedavis::host_sim {
 
 class PlayedEdges final : public bus::SwitchSource {
 public:
-    /// `next`: of the edges, which are in order of time; reading moves it on. Both must outlive the source and may change.
+    /// `next` is the index of the next edge, which read() advances; the edges ascend in time. Both must outlive the source and
+    /// may change.
     PlayedEdges(const std::vector<bus::SwitchEdge>& edges, std::size_t& next) : edges_(edges), next_(next) {}
 
     [[nodiscard]] std::size_t read(base::Time until, base::Span<bus::SwitchEdge> out) override;

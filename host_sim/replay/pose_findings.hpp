@@ -1,5 +1,4 @@
-/// What is wrong with a pose of which a picture was drawn: it lies outside the terrain, below the ground, or no terrain is in
-/// view.
+/// Checks the pose of a picture: it may lie outside the terrain or below the ground, or no terrain may be in view.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// `terrain`: as the user named it; nothing is found where the display has none.
+/// `terrain` is the database as the user named it. There are no findings where the display has no terrain.
 [[nodiscard]] Findings pose_findings(const AircraftPose& pose, const display::FrameRecord& record, const std::string& terrain,
                                      display::Display& display);
 

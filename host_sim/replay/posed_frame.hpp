@@ -1,4 +1,4 @@
-/// One picture from a given pose, with all the terrain that it asks for.
+/// Draws one picture from a given pose, after all the terrain that it requests is loaded.
 #pragma once
 
 #include "host_sim/replay/display_session.hpp"
@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// Settles, plans and draws; the pixels stay in the session.
+/// Loads the terrain, plans and draws; the pixels stay in the session.
 [[nodiscard]] FrameResult posed_frame(DisplaySession& session, const AircraftPose& pose, const flight::PhaseStatus& phase);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Switch logs as files: their text, their edges by a panel, and what is wrong with them.
+/// Reads the files of switch logs: their text, the edges of a panel's lines, and defects.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace tedavis::host_sim {
 
-/// The text of a switch log; throws UserError where the file is none.
+/// Returns the text of a switch log. Throws UserError where the file is no switch log.
 [[nodiscard]] std::string read_switch_log(const std::string& path);
 
-/// A switch log as a panel reads it.
+/// A switch log read with the lines of a panel.
 struct PanelReading {
     std::vector<bus::SwitchEdge> edges;  ///< in order of time
     bus::SwitchStatistics statistics;
@@ -20,12 +20,12 @@ struct PanelReading {
 };
 [[nodiscard]] PanelReading read_panel(std::string_view log_text, const bus::SwitchConfig& panel);
 
-/// Lines that the panel does not have or that are broken, and lines of the panel that the log never states. `log`, `panel_name`:
-/// as the user named them.
+/// Returns findings about malformed lines, lines that the panel does not have, and lines of the panel that the log never states.
+/// `log` and `panel_name` are the files as the user named them.
 [[nodiscard]] Findings switch_findings(const std::string& log, std::string_view log_text, const std::string& panel_name,
                                        const bus::SwitchConfig& panel, const PanelReading& reading);
 
-/// Edges that no instant of the flight can show.
+/// Returns a finding about edges outside the time of the flight.
 [[nodiscard]] Findings switch_time_findings(const std::string& log, const std::vector<bus::SwitchEdge>& edges, base::Time first,
                                             base::Time last);
 

@@ -6,8 +6,8 @@
 
 namespace tedavis::host_sim {
 
-/// What the file says and its bases add; with the same name and in the same folder it is the same design, based on none. Throws
-/// UserError with file and line.
+/// Returns the keys of the file and of the designs that it inherits from. Written to a file of the same name and folder, they are
+/// the same design, without inheritance. Throws UserError with file and line.
 [[nodiscard]] nlohmann::ordered_json resolved_design(const std::string& path);
 
 }  // namespace tedavis::host_sim

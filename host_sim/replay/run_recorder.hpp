@@ -1,4 +1,4 @@
-/// Draws instants of a flight and keeps what a run's folder holds: records, hashes, pictures, summary and report.
+/// Draws frames of a flight and writes the folder of a run: records, hashes, pictures, summary and report.
 ///
 /// The batch replay and the window draw through this one class, so that both show the same pictures.
 #pragma once
@@ -26,7 +26,7 @@
 
 namespace tedavis::host_sim {
 
-/// Returns the picture that is kept instead of the session's, which shows the frame of `result`; it may add to `result`.
+/// Returns the picture to keep instead of the session's, which is that of `result`; it may add to `result`.
 using PictureOverlay = std::function<RgbaPicture(DisplaySession& session, FrameResult& result)>;
 
 class RunRecorder {
@@ -35,18 +35,18 @@ public:
     /// Throws UserError where the folder cannot be written.
     RunRecorder(const ReplayOptions& options, DisplaySession& session, FlightPlayer& player);
 
-    /// Draws over the pictures from now on; what hashes and records say of a frame stays that of the display's own picture.
+    /// Draws over the pictures from now on. Hashes and records stay those of the picture without the overlay.
     void set_overlay(PictureOverlay overlay) { overlay_ = std::move(overlay); }
 
     /// The pictures that are kept from now on are added to the film, which finish() ends. It must outlive the recorder.
     void set_video(VideoFile& video) { video_ = &video; }
-    /// Instants of frames that show a closest point: their pictures go into the report.
+    /// Sets the times of frames that show a closest point, whose pictures go into the report.
     void set_closest(const std::vector<base::Time>& instants) { closest_.set_shown(instants); }
 
-    /// From now on this legend is shown, whatever switches and bus ask for.
+    /// Shows this legend from now on, overriding switches and bus.
     void ask_legend(flight::LegendShow legend) { legend_ = legend; }
 
-    /// Plays the flight to the instant, plans, draws and reads the picture back.
+    /// Plays the flight to `time`, plans and draws the frame, and reads the picture back.
     [[nodiscard]] const FrameResult& draw(base::Time time);
     /// The input of the frame drawn last.
     [[nodiscard]] const flight::FrameInput& input() const { return input_; }
@@ -54,13 +54,13 @@ public:
     [[nodiscard]] const FrameResult& result() const { return result_; }
     /// Adds the frame drawn last to the run.
     void keep();
-    /// A sentence for the summary.
+    /// Adds a sentence to the notes of the summary.
     void note(const std::string& message) { notes_.push_back(message); }
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
-    /// Writes the records, the summary and the report, and states the command's result and what was found. Once, at the end.
-    /// Returns the exit code: kInterruptedExitCode, 2 where the terrain database failed during the run, 1 where a GL call was
-    /// made that the device does not have or with --strict where there are findings, else 0.
+    /// Writes the records, the summary and the report, and prints the command's result and findings. To be called once, at the
+    /// end. Returns the exit code: kInterruptedExitCode, 2 where the terrain database failed during the run, 1 where a GL call
+    /// was made that the device does not have, or where there are findings and --strict is given, else 0.
     [[nodiscard]] int finish(bool interrupted, Console& console);
 
 private:
@@ -79,7 +79,7 @@ private:
     std::unique_ptr<ClearanceMeter> clearance_;  ///< null: there is no terrain
     PictureOverlay overlay_;
     VideoFile* video_ = nullptr;
-    RgbaPicture overlaid_;  ///< the picture of `result_`, where there is an overlay
+    RgbaPicture overlaid_;  ///< the picture of `result_` with the overlay, if there is one
     std::vector<double> total_ms_;
     DeadlineTally deadline_;
     std::vector<std::string> notes_;

@@ -1,4 +1,4 @@
-/// The places of a whole recorded flight, for what needs them before a display is opened.
+/// The positions of a whole recorded flight, for uses before a display is started.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// A moment with a valid position.
+/// A time with a valid position.
 struct ScannedPlace {
     base::Time time;  ///< of the log
     double latitude_rad = 0, longitude_rad = 0;
@@ -20,13 +20,13 @@ struct ScannedPlace {
 struct ScannedFlight {
     std::string log;
     base::Time first, last;  ///< of the log
-    base::Duration ahead;    ///< UTC minus the log's time; 0 where the date is not known
+    base::Duration ahead;    ///< UTC minus the log's time; 0 where UTC is not known
     bool is_dated = false;
     std::vector<ScannedPlace> places;  ///< in the order of time
 };
 
-/// A place each second, or at most kMaxScannedPlaces of a long flight. Reads the log without terrain, twice. Throws UserError
-/// where it cannot be read, or its pressure heights need the geoid's grid and that is not installed; Interrupted.
+/// Scans a place each second, but at most kMaxScannedPlaces. Reads the log twice, without terrain. Throws UserError where it
+/// cannot be read, or its pressure heights need the geoid's grid and that is not installed; Interrupted.
 inline constexpr std::size_t kMaxScannedPlaces = 10'000;
 [[nodiscard]] ScannedFlight scan_flight(const PlayerFiles& files, Console& console);
 

@@ -1,4 +1,4 @@
-/// The pack that a replay was started from, once its files are open.
+/// Checks the pack from which a replay was started, once its files are open.
 #pragma once
 
 #include <string>

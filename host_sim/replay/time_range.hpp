@@ -13,7 +13,7 @@ struct TimeRange {
     [[nodiscard]] bool contains(base::Time time) const { return time >= from && time <= to; }
 };
 
-/// In order of time, without a common instant.
+/// Ascending and disjoint.
 using TimeRanges = std::vector<TimeRange>;
 
 [[nodiscard]] inline bool contains(const TimeRanges& ranges, base::Time time) {

@@ -20,14 +20,15 @@ struct VideoSettings {
     double step_s = 1.0 / 30;  ///< above 0: of the flight, between two pictures
     std::string title;         ///< in the file
     base::Time begin;          ///< of the flight, at the first picture: the file's creation time and date
-    /// Names of encoders by libav, the first that it has is taken.
+    /// Libav's names of encoders; the first one that is installed is used.
     std::vector<std::string> encoders = {"libx264", "mpeg4"};
 };
 
-/// As TemporaryFolder for a file: without a commit nothing appears.
+/// Writes the film; without commit() no file appears.
 class VideoFile {
 public:
-    /// Throws UserError where the file cannot be written, no encoder is there, or it takes no pictures of this size and rate.
+    /// Throws UserError where the file cannot be written, no encoder is installed, or none accepts pictures of this size and
+    /// rate.
     explicit VideoFile(const VideoSettings& settings);
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;

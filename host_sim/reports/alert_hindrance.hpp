@@ -1,6 +1,6 @@
 /// Why no terrain alert could be given in a frame, by its record.
 ///
-/// Where the aircraft stands, taxis or lands, the alert is inhibited by its rules: that is no hindrance.
+/// Where the aircraft stands, taxis or lands, the alert's rules inhibit it; this is no hindrance.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ enum class AlertHindrance : std::uint8_t {
 };
 inline constexpr std::size_t kAlertHindranceCount = static_cast<std::size_t>(AlertHindrance::count_);
 
-/// The first that holds, in the order above; none where the frame has an alert.
+/// Returns the first hindrance that applies, in the order above; none where the frame has an alert.
 [[nodiscard]] AlertHindrance hindrance_of(const display::FrameRecord& record);
 /// "outside", as in summary.json.
 [[nodiscard]] const char* name_of(AlertHindrance hindrance);

@@ -1,10 +1,10 @@
 /// Counts the terrain alerts of a run, and how many of them the flight did not confirm.
 ///
-/// An alert lasts over consecutive frames that have one. A posteriori it is false where no frame of it was right: the track that
-/// was truly flown afterwards, within 60 s (a warning: within 30 s), was never lower over the true ground than the clearance that
-/// the frame required. What is flown after a landing, or where the alert is inhibited, does not count; what lies beyond the end
-/// of the run is not known, and counts as clear. Pilots who turn away make alerts false, so that most of these are no needless
-/// ones.
+/// An alert is a sequence of consecutive frames with a caution or warning. A frame of it is confirmed if the track that was flown
+/// afterwards, within 60 s (for a warning within 30 s), was lower over the true surface than the clearance that the frame
+/// required. An alert without a confirmed frame is false. Track after a landing, or where the alert is inhibited, does not count;
+/// track beyond the end of the run is taken as clear. A pilot who turns away makes an alert false, so most false alerts were not
+/// needless.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ namespace tedavis::host_sim {
 struct TerrainAlertCounts {
     double hours = 0;  ///< of the run
     double seconds_caution = 0, seconds_warning = 0;
-    std::uint64_t count = 0, false_count = 0;        ///< alerts, of whatever level
-    std::uint64_t warnings = 0, false_warnings = 0;  ///< alerts of which frames warned
+    std::uint64_t count = 0, false_count = 0;        ///< alerts of either level
+    std::uint64_t warnings = 0, false_warnings = 0;  ///< alerts with a frame of level warning
 
-    /// By AlertHindrance: `none` is where alerts were possible. The frames are those that were added, the hours those of `hours`.
+    /// Frames and hours by AlertHindrance; with `none`, alerts were possible. The sum of `hours_by` is `hours`.
     std::array<std::uint64_t, kAlertHindranceCount> frames_by{};
     std::array<double, kAlertHindranceCount> hours_by{};
     bool has_gaps = false;  ///< frames are so far apart that `hours` is not the whole run
@@ -36,7 +36,7 @@ struct TerrainAlertCounts {
 
 class AlertTally {
 public:
-    /// Frames in the order of their times; others are ignored.
+    /// Adds a frame. A frame that is not later than the one before is ignored.
     void add(const display::FrameRecord& record);
     [[nodiscard]] TerrainAlertCounts counts() const;
 

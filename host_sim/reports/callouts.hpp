@@ -1,4 +1,4 @@
-/// A picture whose parts are named in margins to both sides: each name has a thin line to the place that it names.
+/// Adds margins to a picture in which its parts are named, each with a thin line from the name to the part.
 #pragma once
 
 #include <string>
@@ -14,23 +14,23 @@ struct Callout {
     draw::Point at;  ///< in the picture, pixels from the top left corner
 };
 
-/// Where a name stands in the larger picture, and the line to its place.
+/// The position of a name in the picture with margins, and the line to its part; pixels from the top left corner.
 struct PlacedCallout {
     draw::Point text;  ///< left end of the baseline
     draw::Point from, to;
     bool is_left = false;
 };
 struct CalloutLayout {
-    std::uint32_t margin_px = 0;  ///< to either side
+    std::uint32_t margin_px = 0;  ///< width of each margin
     float text_px = 0;
-    std::vector<PlacedCallout> placed;  ///< as the callouts are given
+    std::vector<PlacedCallout> placed;  ///< in the order of the callouts
 };
 
-/// The left half of the places has its names to the left. On each side the names are in the order of the places' heights, so that
-/// few lines cross, and never overlap.
+/// The leftmost half of the parts get their names in the left margin. In each margin the names are in the vertical order of the
+/// parts, so that few lines cross, and they never overlap.
 [[nodiscard]] CalloutLayout lay_out_callouts(const std::vector<Callout>& callouts, std::uint32_t width, std::uint32_t height);
 
-/// The picture between white margins, as high as it is.
+/// Returns the picture between white margins of its height.
 [[nodiscard]] RgbaPicture draw_callouts(const RgbaPicture& picture, const std::vector<Callout>& callouts);
 
 }  // namespace tedavis::host_sim

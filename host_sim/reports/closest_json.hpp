@@ -42,7 +42,7 @@ struct ClosestReport {
 [[nodiscard]] std::string when_text(const StatedClosest& closest);
 /// "none", "caution", "warning".
 [[nodiscard]] const char* alert_level_text(policy::TerrainAhead level);
-/// Null where it was not searched.
+/// Null where is_searched is false.
 [[nodiscard]] nlohmann::ordered_json closest_json(const ClosestReport& report);
 
 }  // namespace tedavis::host_sim

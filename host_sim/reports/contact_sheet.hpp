@@ -13,7 +13,7 @@ struct SheetBox {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Where everything goes; text sizes and gaps follow the pictures' width.
+/// The positions of all parts; text sizes and gaps are proportional to the pictures' width.
 struct ContactSheetLayout {
     std::uint32_t width = 0, height = 0;
     SheetBox title;
@@ -25,7 +25,7 @@ struct ContactSheetLayout {
     std::vector<Group> groups;
 };
 
-/// Every picture of a sheet has the size of its first one. A sheet holds at least one.
+/// All pictures of a sheet have the same size; a sheet has at least one.
 [[nodiscard]] ContactSheetLayout lay_out_contact_sheet(const DrawnSheet& sheet);
 /// Labels hold the title and, smaller, the caption or else the design's name.
 [[nodiscard]] RgbaPicture draw_contact_sheet(const DrawnSheet& sheet);

@@ -1,4 +1,4 @@
-/// Counts how a run held its frames' deadline: by the model, by measured times, and the changes of quality level.
+/// Counts the frames of a run that met their deadline, by modelled and by measured times, and the changes of quality level.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace tedavis::host_sim {
 
 struct DeadlineSummary {
-    double deadline_ms = 0;  ///< 0: none was held
+    double deadline_ms = 0;  ///< 0: the run had none
     std::uint64_t frames = 0, within_modelled = 0, within_measured = 0;
     std::uint64_t changes = 0;
     std::optional<double> least_s_between_changes;  ///< nothing: fewer than two
@@ -31,7 +31,7 @@ private:
 };
 
 /// "; deadline 33 ms: 99.80 % of frames within by the model, 97.10 % as measured, 14 changes at least 2.0 s apart"; empty where
-/// none was held.
+/// the run had none.
 [[nodiscard]] std::string deadline_text(const DeadlineSummary& summary);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// The parts of the display by their names, what each one shows, and where it stands in a picture of example_approach.
+/// The parts of the display with their names, contents, and positions in a picture of example_approach.
 ///
 /// The table is written into render_core/draw/symbology/README.md; a test compares both.
 #pragma once
@@ -20,7 +20,7 @@ struct DrawnSymbology {
 struct DisplayPart {
     std::string_view name;                        ///< in the picture
     std::string_view shows;                       ///< one or two sentences
-    draw::Point (*place)(const DrawnSymbology&);  ///< on the part; pixels from the top left corner
+    draw::Point (*place)(const DrawnSymbology&);  ///< a point of the part; pixels from the top left corner
 };
 /// From the top down, left to right.
 [[nodiscard]] base::Span<const DisplayPart> display_parts();

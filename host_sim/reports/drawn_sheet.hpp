@@ -19,13 +19,13 @@ inline constexpr char kSheetJsonName[] = "sheet.json";
 struct DrawnSheet {
     struct Picture {
         std::string title, design;
-        std::string caption;  ///< a sentence; empty: the design's name says enough
+        std::string caption;  ///< a sentence; empty: the label has the design's name alone
         std::string file;     ///< name in the sheet's folder
         FrameResult result;
         RgbaPicture pixels;
         std::vector<std::uint8_t> layers;  ///< layer of each pixel (replay/drawn_layers.hpp); empty where not requested
         std::optional<AspectMeasures> measures;
-        std::optional<double> flight_s;  ///< of a picture of a flight: since that began
+        std::optional<double> flight_s;  ///< of a picture of a flight: seconds since the begin of the flight
     };
     struct Group {
         std::string title;
@@ -34,7 +34,7 @@ struct DrawnSheet {
     std::string name, title;
     std::string terrain;  ///< the raster or database that was shown
     std::string device;
-    std::string gl;                    ///< what drew it
+    std::string gl;                    ///< GL and renderer that drew it
     std::optional<AircraftPose> pose;  ///< nothing: pictures of a flight
     std::uint32_t columns = 1;
     std::vector<Group> groups;

@@ -1,5 +1,5 @@
-/// Counts how often the frames of a flight asked for each effect, and what they did with it: drew it, drew another in its place,
-/// or left it out, and why.
+/// Counts the frames of a flight that requested each effect, and whether they drew it, replaced it, or left it out, with the
+/// reasons.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,18 @@ struct EffectCount {
     std::string name;
     std::uint64_t asked = 0, run = 0, replaced = 0, skipped = 0;  ///< frames
     std::vector<EffectReason> reasons;                            ///< of the frames without it
-    std::uint64_t skipped_work = 0;  ///< draws, passes and bytes to the GPU that frames without it did for it: 0
-    double bound = 0;                ///< the greatest of the frames without it: a share of full scale, or pixels for geometry
+    std::uint64_t skipped_work = 0;  ///< draws, passes and uploaded bytes for it in frames that skipped it; 0 is expected
+    /// Greatest upper bound of its contribution in frames that skipped it: a share of full scale, or pixels for geometry.
+    double bound = 0;
 
-    /// A frame that asked for it.
+    /// Adds a frame that requested the effect.
     void add(const display::EffectRecord& record);
 };
 
 class EffectTally {
 public:
     void add(const display::FrameRecord& record);
-    /// Of the effects that a frame asked for, in the order in which they were first asked for.
+    /// Counts of the requested effects, in the order of their first request.
     [[nodiscard]] const std::vector<EffectCount>& counts() const { return counts_; }
 
 private:

@@ -23,11 +23,11 @@ public:
 
     /// Frames that show terrain.
     [[nodiscard]] std::uint64_t frames_with_terrain() const { return with_terrain_; }
-    /// Of these, without a height of the ground below.
+    /// Of these frames, the number without a height of the ground below.
     [[nodiscard]] std::uint64_t frames_over_void() const { return terrain_over_void_; }
-    /// Upper bound of the terrain's error in all frames but those at a start.
+    /// Upper bound of the terrain's error, pixels, in all frames except those at a start.
     [[nodiscard]] double worst_error_px() const { return worst_error_px_; }
-    /// The same for the frames at a start: from the first one with terrain, or with terrain again, while chunks still arrive, for
+    /// The same for the frames at a start: the first ones with terrain, or with terrain again, while chunks are still loaded, for
     /// two seconds at most and only where chunks can be read.
     [[nodiscard]] double worst_start_error_px() const { return worst_start_error_px_; }
 
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] Findings findings(const std::string& terrain, const terrain::TerrainDatabase* database) const;
 
 private:
-    /// Consecutive frames inside the terrain, in seconds; backwards where the run goes so.
+    /// Times of consecutive frames inside the terrain; descending in a run that goes backwards.
     struct Span {
         double first_s = 0, last_s = 0;
     };

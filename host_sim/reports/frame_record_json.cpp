@@ -212,16 +212,18 @@ Json flags_json(const display::FrameRecord& record) {
 }
 
 Json terrain_json(const display::TerrainRecord& terrain) {
-    return {{"tau_px", terrain.tau_px},
-            {"tau_reached_px", terrain.tau_reached_px},
-            {"limit", text(terrain.limit.view())},
-            {"worst_error_px", terrain.worst_error_px},
-            {"worst_chunk", text(terrain.worst_chunk.view())},
-            {"triangles", terrain.triangles},
-            {"chunks", terrain.chunks},
-            {"pending", terrain.pending},
-            {"renderer", text(terrain.renderer.view())},
-            {"renderer_reason", text(terrain.renderer_reason.view())}};
+    Json json{{"tau_px", terrain.tau_px},
+              {"tau_reached_px", terrain.tau_reached_px},
+              {"limit", text(terrain.limit.view())},
+              {"worst_error_px", terrain.worst_error_px},
+              {"worst_chunk", text(terrain.worst_chunk.view())},
+              {"triangles", terrain.triangles},
+              {"chunks", terrain.chunks},
+              {"pending", terrain.pending},
+              {"renderer", text(terrain.renderer.view())},
+              {"renderer_reason", text(terrain.renderer_reason.view())}};
+    if (terrain.rays_ms > 0) json["renderer_ms"] = {{"raster", terrain.triangles_ms}, {"trace", terrain.rays_ms}};
+    return json;
 }
 
 const char* level_text(policy::TerrainAhead level) {

@@ -8,7 +8,8 @@
 
 namespace tedavis::host_sim {
 
-/// Degrees. Across the antimeridian it is as wide as its longitudes are apart, so that it is too large rather than too small.
+/// Degrees. A region across the antimeridian spans from its least to its greatest longitude, so it is too large rather than too
+/// small.
 struct GeoExtent {
     double south_deg = 90, north_deg = -90, west_deg = 180, east_deg = -180;
 
@@ -21,7 +22,7 @@ struct GeoExtent {
 [[nodiscard]] GeoExtent extent_of(const terrain::TerrainDatabase& database);
 [[nodiscard]] GeoExtent extent_of(const scene::Scene& scene);
 
-/// True where more than so many degrees lie between two extents, of which neither is empty.
+/// True if neither extent is empty and the gap between them is more than `degrees`.
 [[nodiscard]] bool are_apart(const GeoExtent& a, const GeoExtent& b, double degrees);
 
 }  // namespace tedavis::host_sim

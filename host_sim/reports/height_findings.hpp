@@ -1,4 +1,4 @@
-/// Checks whether heights are plausible for ground, to warn of rasters and databases of something else.
+/// Checks whether heights are plausible for ground, to warn of rasters and databases with other data.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-/// `report.html`: a run on one self-contained page: pictures as data URIs, charts as inline SVG, no scripts, no network;
-/// readable on a phone. Printed, it leaves out what is folded away: legends, files, memory.
+/// `report.html`: a run on one self-contained page: pictures as data URIs, charts as inline SVG, no scripts, no network; readable
+/// on a phone. In print, folded parts (legends, files, memory) and all but eight pictures of the film strip are left out.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace tedavis::host_sim {
 
-/// `terrain`, below the track on the map: null where the run had none.
+/// `terrain`: its relief is drawn under the track on the map; null: the run had none.
 [[nodiscard]] std::string html_report(const RunSummary& summary, const RunStory& story, const base::BudgetTable& memory,
                                       const terrain::TerrainDatabase* terrain = nullptr);
 

@@ -9,10 +9,10 @@ namespace tedavis::host_sim {
 struct ChartCurve {
     std::string name, color;
     std::vector<double> values;  ///< one for each time; NaN leaves a gap
-    bool dashed = false;         ///< told apart without its colour
+    bool dashed = false;         ///< dashed, to be distinct without colour
 };
 
-/// An area between two values, behind the curves: of what is not sure.
+/// An area between two values, behind the curves, for an uncertainty.
 struct ChartBand {
     std::string color;
     std::vector<double> low, high;  ///< one for each time; NaN leaves a gap
@@ -23,10 +23,10 @@ struct ChartSpan {
     std::string label, color;
 };
 
-/// A place on a curve, with a short label over it; labels that would touch stand in rows.
+/// A point of a curve with a short label above; labels that would overlap are stacked in rows.
 struct ChartMark {
     double time_s = 0, value = 0;
-    std::string label, link, description;  ///< `link`: what a click leads to, such as "#peak-a"
+    std::string label, link, description;  ///< `link` is the target of a click, such as "#peak-a"
 };
 
 struct LineChart {
@@ -34,7 +34,7 @@ struct LineChart {
     std::vector<double> times_s;
     std::vector<ChartCurve> curves;
     std::vector<ChartSpan> spans;
-    std::string description = {};  ///< what the chart shows, in a sentence, for who does not see it
+    std::string description = {};  ///< the chart in a sentence, for readers who cannot see it
     std::vector<ChartMark> marks = {};
     double width = 480,
            height = 230;  ///< of the drawing; by default narrow: on a phone it is shown nearly 1:1, on a desk it grows
@@ -42,10 +42,10 @@ struct LineChart {
     std::string x_unit = "s";  ///< of `times_s`, which may be distances
 };
 
-/// Scales with its container; text stays readable where that is three quarters of the drawing's width. Of many more values than
-/// the drawing has columns, the least and the greatest of each column are drawn.
+/// Returns an SVG that scales with its container; its text stays readable down to three quarters of the drawing's width. If there
+/// are many more values than pixel columns, the least and the greatest of each column are drawn.
 [[nodiscard]] std::string line_chart_svg(const LineChart& chart);
-/// Where frames lie much farther apart than usual, as between two spans over the terrain, no line joins them.
+/// Breaks the curves where frames are much farther apart in time than usual, as between two spans over the terrain.
 [[nodiscard]] LineChart with_gaps(LineChart chart);
 /// Text safe inside HTML and attributes.
 [[nodiscard]] std::string escaped_html(const std::string& text);

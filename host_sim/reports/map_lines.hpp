@@ -1,4 +1,4 @@
-/// Lines of a drawing that end at its border.
+/// Clips lines at the border of a drawing.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ struct MapPoint {
 /// Points that are joined, in order.
 using MapLine = std::vector<MapPoint>;
 
-/// What of the lines lies within 0 .. `width` and 0 .. `height`, the border included: a line that leaves and comes back becomes
-/// two. Of less than two points nothing is left.
+/// Returns the parts of the lines within 0 .. `width` and 0 .. `height`, the border included: a line that leaves and comes back
+/// becomes two. Lines of less than two points are left out.
 [[nodiscard]] std::vector<MapLine> lines_within(const std::vector<MapLine>& lines, double width, double height);
 [[nodiscard]] bool is_within(const MapPoint& point, double width, double height);
 

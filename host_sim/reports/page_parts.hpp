@@ -1,5 +1,5 @@
-/// What the pages of runs have in common: their look, sections, tables and figures. Each page needs nothing but itself: pictures
-/// are data URIs, there are no scripts, and nothing is fetched.
+/// The common parts of the pages of runs: style, sections, tables and figures. Each page is self-contained: pictures are data
+/// URIs, and there are no scripts and no network requests.
 #pragma once
 
 #include <string>

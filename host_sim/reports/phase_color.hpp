@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// "#d98c1f" of "takeoff.first_climb". Never the only sign: names stand beside.
+/// "#d98c1f" of "takeoff.first_climb". Reports always state the phase's name as well.
 [[nodiscard]] inline std::string phase_color(const std::string& phase) {
     constexpr std::array<std::pair<const char*, const char*>, 6> kColors = {{{"ground", "#9a9a9a"},
                                                                              {"takeoff", "#d98c1f"},

@@ -13,11 +13,11 @@ struct PictureTextStyle {
     std::array<std::uint8_t, 3> color{};
 };
 
-/// The style, smaller where `text` would be wider than `room_px`.
+/// Returns the style, with a smaller size if `text` would be wider than `room_px`.
 [[nodiscard]] PictureTextStyle fitted(std::string_view text, PictureTextStyle style, float room_px);
 
-/// Draws UTF-8 text from the pen at x on the baseline y, pixels from the top left corner; what lies outside is cut off.
-/// The colour covers what is there; alpha becomes opaque with it.
+/// Draws UTF-8 text from the pen at x on the baseline y, pixels from the top left corner; what lies outside is cut off. The text
+/// is blended over the picture by its coverage; drawn pixels become opaque.
 void draw_text(RgbaPicture& picture, std::string_view text, float x, float baseline_y, const PictureTextStyle& style);
 
 }  // namespace tedavis::host_sim

@@ -26,11 +26,11 @@ struct RunDifference {
     std::uint64_t line = 0;                 ///< of frames.jsonl, from 1
     std::vector<RecordDifference> entries;  ///< empty when one run simply has more frames
     bool a_ended = false, b_ended = false;
-    std::optional<PixelDifference> pixels;  ///< when the hashes differ
+    std::optional<PixelDifference> pixels;  ///< where the hashes differ
 };
 
-/// Compares line by line; `ms` is ignored. Nothing when all is the same. Throws UserError for a folder without sound
-/// records.
+/// Compares the records line by line; ignores `ms`. Returns nothing where all are equal. Throws UserError for a folder without
+/// valid records.
 [[nodiscard]] std::optional<RunDifference> first_difference(const std::string& folder_a, const std::string& folder_b);
 
 }  // namespace tedavis::host_sim

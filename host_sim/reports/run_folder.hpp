@@ -17,7 +17,7 @@ inline constexpr char kWindowSwitchesName[] = "window.switches";
 /// "<folder>/frames/000123.png".
 [[nodiscard]] std::string frame_picture_path(const std::string& folder, std::uint64_t frame);
 
-/// A run has a report of its own, which must stay: throws UserError where the folder of -o holds one.
+/// Throws UserError if the folder of -o is that of a run, whose report would be overwritten.
 void require_no_run(const std::string& output);
 
 }  // namespace tedavis::host_sim

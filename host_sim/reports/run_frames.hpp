@@ -1,4 +1,4 @@
-/// The frames of a run, in the order of time: what every reader of its records needs of each.
+/// Reads the frames of a run, ascending in time, with the entries that every reader of its records needs.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,17 @@ struct RunFrame {
     std::uint64_t frame = 0;
     double time_s = 0;    ///< since the log's first frame
     std::string phase;    ///< "approach.final"; empty where the record has none
-    std::string picture;  ///< path; of read_run_frame() also where there is no such file
+    std::string picture;  ///< path of the picture; read_run_frame() does not check that the file exists
 };
 
 /// "approach.final" of a record; empty where it has none.
 [[nodiscard]] std::string phase_of_record(const RunRecords::Json& record);
 
-/// Of the record that was read last. Throws UserError where it has no time.
+/// Converts the record that `records` has read last. Throws UserError where it has no time.
 [[nodiscard]] RunFrame read_run_frame(const RunRecords::Json& record, const RunRecords& records, const std::string& folder);
 
-/// `Frame` is derived from RunFrame. `read(record, frame)` adds to each what else is needed of its record. Throws UserError where
-/// the folder holds no run, and what `read` throws.
+/// Reads all frames. `Frame` is derived from RunFrame; `read(record, frame)` fills in its further members from the record. Throws
+/// UserError where the folder holds no run, and what `read` throws.
 template <class Frame, class Read>
 [[nodiscard]] std::vector<Frame> frames_of_run(const std::string& folder, Read read) {
     std::vector<Frame> frames;
@@ -43,9 +43,10 @@ template <class Frame, class Read>
 /// `summary.json`, null where there is none, as in a run that was interrupted. Throws UserError where it is no object.
 [[nodiscard]] RunRecords::Json summary_of_run(const std::string& folder);
 
-/// A file that the summary names, such as the terrain. What `fly` wrote lies in the folder of the run, which may have been moved
-/// since. A relative name was given in the folder in which the run was made: it is looked for in that of the run, in those above
-/// it, and in the working folder; an absolute one in the folder of the run and where it was. Nothing where it is in none of them.
+/// Finds a file that the summary names, such as the terrain. Files that `fly` wrote lie in the folder of the run, which may have
+/// been moved since. A relative name is relative to the working folder of that time, so it is searched in the folder of the run,
+/// in those above it, and in the working folder; an absolute one in the folder of the run and at its path. Nothing where there is
+/// no such file.
 [[nodiscard]] std::optional<std::string> file_of_run(const std::string& folder, const std::string& name);
 
 }  // namespace tedavis::host_sim

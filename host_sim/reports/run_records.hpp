@@ -16,9 +16,9 @@ public:
     /// Throws UserError where the folder has no records, or none in them.
     explicit RunRecords(const std::string& folder);
 
-    /// Each has `frame` and `hash`. Nothing at the end; throws UserError where a line is no record.
+    /// Returns the next record, which has `frame` and `hash`; nothing at the end. Throws UserError where a line is no record.
     [[nodiscard]] std::optional<Json> next();
-    /// Of the record read last, from 1.
+    /// Line number of the last record, from 1.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     [[nodiscard]] const std::string& path() const { return path_; }
 

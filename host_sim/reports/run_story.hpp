@@ -23,7 +23,7 @@ public:
     struct PhaseSpan {
         double begin_s = 0, end_s = 0;
         std::string phase, source;
-        std::string design, first;  ///< the design that the display showed, and the aspect that came first in it
+        std::string design, first;  ///< the design that the display showed, and the aspect with the highest priority in it
     };
     /// UTC at the first and the last frame that knew it; `is_confirmed`: the bus stated it then.
     struct Utc {
@@ -40,7 +40,7 @@ public:
         double time_s = 0;
         std::string phase, png;
     };
-    /// A frame of a design with the whole legend, as large as the display.
+    /// A frame of a design with the whole legend, in the size of the display.
     struct Legend {
         std::string design;
         bool is_whole = true;  ///< false: the display is too small for more than the key
@@ -51,7 +51,8 @@ public:
 
     explicit RunStory(base::Time origin) : origin_(origin) {}
 
-    /// `height_above_terrain_m` may be NaN. True when the story wants this frame's picture: give it to `add_picture`.
+    /// Adds a frame. `height_above_terrain_m` may be NaN. Returns true if the picture of this frame is to be given to
+    /// add_picture().
     [[nodiscard]] bool add(const FrameResult& result, double height_above_terrain_m, double ground_speed_mps);
     void add_picture(const FrameResult& result, const RgbaView& view);
     void add_legend(const std::string& design, bool is_whole, const FrameResult& result, const RgbaView& view);

@@ -16,7 +16,8 @@
 
 namespace tedavis::host_sim {
 
-/// Frames on the bus by what became of them, and lines of the log that are no frames: begun like one, or not even that.
+/// Frames of the bus by their result in the decoder, and lines of the log that are no frames: `broken_lines` begin like one,
+/// `other_lines` do not.
 struct CanCounts {
     std::uint64_t frames = 0, decoded = 0, alien = 0, errors = 0, dropped = 0;
     std::uint64_t broken_lines = 0, other_lines = 0;
@@ -40,11 +41,11 @@ struct RunSummary {
     std::string costs;  ///< file of measured costs, or empty
     std::string gl;     ///< surface and the driver's own name
     CanCounts can;
-    std::vector<EffectCount> effects;   ///< that frames of the run asked for
+    std::vector<EffectCount> effects;   ///< that frames of the run requested
     std::vector<ShownGhost> ghosts;     ///< other flights that its pictures show
-    bool has_accuracy_overlay = false;  ///< its pictures show how accurate they are
+    bool has_accuracy_overlay = false;  ///< its pictures have the accuracy overlay
     bool interrupted = false;
-    std::vector<std::string> notes;  ///< what the reader should know: broken lines, synthetic data
+    std::vector<std::string> notes;  ///< notes for the reader, such as broken lines or synthetic data
     Findings warnings;
 };
 
@@ -59,7 +60,7 @@ struct FrameTimes {
 /// "; while its first chunks arrived, 35.20 px"; empty where all had arrived with the first picture.
 [[nodiscard]] std::string start_error_text(const RunSummary& summary);
 
-/// Every key of the contract, in a fixed order, with the budget table as `memory`.
+/// Returns the JSON with all keys in a fixed order and the budget table as `memory`.
 [[nodiscard]] std::string run_summary_json(const RunSummary& summary, const base::BudgetTable& memory);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// What a run was and what the display showed in it, in sentences for somebody who has never seen one.
+/// Describes a run and what the display showed, in sentences for readers who have not seen one before.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ namespace tedavis::host_sim {
 [[nodiscard]] std::string duration_words(double seconds);
 /// "Flight of 2020-04-12, 09:47:00 to 12:40:12 UTC", or the log's name where no date is known.
 [[nodiscard]] std::string run_title(const RunSummary& summary, const RunStory& story);
-/// A second of the run as the time of day, "12:46:05", or as it is, "312.5 s", where no date is known.
+/// Returns a time of the run as UTC, "12:46:05", or in seconds, "312.5 s", where no date is known.
 [[nodiscard]] std::string time_words(double time_s, const RunStory& story);
-/// One sentence each: what was flown, phases, what came first, terrain, terrain alerts.
+/// Returns one sentence each on the flight, its phases, the aspect with the highest priority, the terrain, and terrain alerts.
 [[nodiscard]] std::vector<std::string> run_sentences(const RunSummary& summary, const RunStory& story);
 
 }  // namespace tedavis::host_sim

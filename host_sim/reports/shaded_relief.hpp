@@ -1,6 +1,6 @@
 /// A map of the terrain as a picture: tints by height under a light from the north-west, north up.
 ///
-/// Latitude and longitude are linear in rows and columns. Sea is blue; what the database does not know is grey.
+/// Latitude and longitude are linear in rows and columns. Sea is blue; places without a height are grey.
 #pragma once
 
 #include "host_sim/png_file.hpp"
@@ -9,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// `width` and `height` at least 2. All grey where the extent lies outside the database.
+/// `width` and `height` are at least 2 pixels. The picture is grey where the extent lies outside the database.
 [[nodiscard]] RgbaPicture shaded_relief(const terrain::TerrainDatabase& database, const GeoExtent& extent, std::uint32_t width,
                                         std::uint32_t height);
 

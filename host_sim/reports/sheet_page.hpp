@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// One page that needs nothing but itself: pictures as data URIs, no scripts, no network; readable on a phone and printable.
+/// Returns a self-contained page: pictures as data URIs, no scripts, no network; readable on a phone and printable.
 [[nodiscard]] std::string sheet_page(const DrawnSheet& sheet);
 /// Keys that scripts may rely on: `pictures` [{`group`, `title`, `design`, `file`, `hash`, `triangles`, `flags`, `effects`}],
 /// the last two as in `frames.jsonl`, and `weights`; of sheets that measure aspects also `measures` {`edge_density`,

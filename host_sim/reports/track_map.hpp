@@ -1,5 +1,5 @@
 /// Tracks on a map, as inline SVG: shaded terrain below, marks, a scale. North is up. The track of one run has each phase in its
-/// color; several tracks have a color each. A label that has no room beside its place is left out; its title stays.
+/// color; several tracks have a color each. A label without room beside its place is left out, but its tooltip stays.
 #pragma once
 
 #include <string>
@@ -26,24 +26,25 @@ struct MapTrack {
     std::string name, color;
     double width = 2.5;         ///< of the line; 1.5 to 6
     std::vector<Place> places;  ///< in the order of time
-    /// False: places that are much farther apart in time than is usual have a gap between them, too.
+    /// False: there is also a gap between places that are much farther apart in time than usual.
     bool states_gaps = false;
 };
 
-/// What a map of a run shows of another flight's track.
+/// The part of another flight's track that the map of a run shows.
 struct MapTrackView {
     bool is_shown = false;  ///< a part of it lies on the map
     bool is_cut = false;    ///< a part of it lies beyond the map
     bool has_gaps = false;  ///< one of its gaps begins or ends on the map
 };
 
-/// Of the samples with a valid position; empty where there are fewer than two. `terrain`: null where the run had none. `beside`:
-/// other flights' tracks, below that of the run; those of less than two places are left out. The map shows the run: it grows by a
-/// quarter of its size at each side for other tracks, which end at its border.
+/// Returns the map of the samples with a valid position; empty where there are fewer than two. `terrain` is null where the run
+/// had none. `beside` are other flights' tracks, drawn below that of the run; those of less than two places are left out. For
+/// them the map is extended by up to a quarter of its size at each side; they are clipped at its border.
 [[nodiscard]] std::string track_map_svg(const RunStory& story, const terrain::TerrainDatabase* terrain,
                                         const std::vector<MapMark>& marks = {}, const std::vector<MapTrack>& beside = {});
 [[nodiscard]] MapTrackView view_of_track(const RunStory& story, const std::vector<MapTrack>& beside, std::size_t number);
-/// Tracks of less than two places are left out; empty where none is left. A later one is drawn over an earlier one.
+/// Returns a map of several tracks, later ones above earlier ones. Tracks of less than two places are left out; empty where none
+/// is left.
 [[nodiscard]] std::string tracks_map_svg(const std::vector<MapTrack>& tracks, const terrain::TerrainDatabase* terrain,
                                          const std::vector<MapMark>& marks = {});
 

@@ -7,7 +7,7 @@
 namespace tedavis::host_sim {
 
 [[nodiscard]] AircraftPose example_approach_pose();
-/// The display has terrain below the pose.
+/// The display must have terrain below the pose.
 [[nodiscard]] flight::FrameInput example_approach(display::Display& display);
 
 }  // namespace tedavis::host_sim

@@ -7,13 +7,14 @@
 
 namespace tedavis::host_sim {
 
-/// What every generated layer says of its source.
+/// The source that every generated layer states.
 inline constexpr const char* kGeneratedOrigin = "generated for demonstrations; not for navigation";
 
-/// Without values, by point. `full_sigma`: the standard deviation that counts as 1, in the unit; 0: it states none.
+/// Returns an attribute of points without values. `full_sigma` is the standard deviation with level 1, in the unit; 0: no
+/// uncertainty.
 [[nodiscard]] AttributeDraft generated_attribute(const std::string& name, const std::string& title, const std::string& unit,
                                                  double full_sigma);
-/// A value with its standard deviation; of attributes that state one.
+/// Adds a value with its standard deviation, for attributes with uncertainty.
 void add_value(AttributeDraft& attribute, double value, double sigma);
 
 }  // namespace tedavis::host_sim

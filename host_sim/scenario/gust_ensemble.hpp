@@ -1,12 +1,13 @@
 /// A generated ensemble forecast of gusts near the ground round the strip: the layer "gusts", for the start and the two hours
-/// after it. Only the members know how the gusts may lie; their mean and spread are the attribute's values and uncertainty.
+/// after it. Possible distributions of gusts are in the members alone; their mean and spread are the attribute's values and
+/// uncertainty.
 ///
 /// Member m at the distance d from the strip and the time t is
 ///     max(0, kGustFactor * wind speed + sigma * (kAlike * o_m + sqrt(1 - kAlike^2) * w_m)),
 ///     sigma = gust_spread_mps * (1 + d / kGustDistance_m + t / 1 h)
-/// with a drawn offset o_m of the whole member and smooth drawn waves w_m that drift with the wind; each has the mean 0 and the
-/// variance 1. The members stand in the order of their means, as a scene file's do (scene_builder/ensemble.hpp).
-/// Attribute "gust" (m/s); kFullGustSpread_mps counts as 1.
+/// with a random offset o_m of the whole member and smooth random waves w_m that drift with the wind; each has the mean 0 and the
+/// variance 1. The members are in the order of their means, as those of a scene file (scene_builder/ensemble.hpp). The attribute
+/// is "gust" (m/s); kFullGustSpread_mps is level 1 of its uncertainty.
 #pragma once
 
 #include "host_sim/scenario/scenario.hpp"

@@ -11,10 +11,10 @@ class LegPilot {
 public:
     LegPilot(const Scenario& scenario, const FlownAir& air);
 
-    /// The aircraft at the strip's beginning, standing.
+    /// The current state; at first the aircraft stands at the strip's beginning.
     [[nodiscard]] const ScenarioFlight::State& state() const { return state_; }
     void begin(const Leg& leg);
-    /// One step of kScenarioStep_s; true when the leg has ended.
+    /// Advances by kScenarioStep_s; returns true when the leg has ended.
     [[nodiscard]] bool step(const Leg& leg);
 
 private:

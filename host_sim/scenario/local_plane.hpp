@@ -1,5 +1,5 @@
-/// A plane of metres round a place, for what a scenario generates near its strip: east and north are divided by the ellipsoid's
-/// radii of curvature there, as grids and the display's moving cells do. Tens of kilometres, not hundreds.
+/// A local plane in metres around a place, for data that a scenario generates near its strip: east and north are divided by the
+/// ellipsoid's radii of curvature there, as for grids and the display's moving cells. For tens of kilometres, not hundreds.
 #pragma once
 
 namespace tedavis::host_sim {
@@ -13,7 +13,7 @@ public:
     LocalPlane(double latitude_rad, double longitude_rad);
 
     [[nodiscard]] PlanePlace at(double east_m, double north_m) const;
-    /// Radians a metre.
+    /// Radians per metre.
     [[nodiscard]] double longitude_per_m() const { return longitude_per_m_; }
     [[nodiscard]] double latitude_per_m() const { return latitude_per_m_; }
 

@@ -1,8 +1,8 @@
 /// The planned path of a generated flight: the layer "flight", one line with a point every kPlanStep_s with its time, heights
 /// above mean sea level.
 ///
-/// The plan is the less sure the farther ahead, but every flight passes the strip: 95 % of flights are within
-///     position_accuracy = kPlanPosition_m + the less of (kPlanPositionShare x way flown since the start,
+/// The plan is less certain farther ahead, but every flight passes the strip: 95 % of flights are within
+///     position_accuracy = kPlanPosition_m + the less of (kPlanPositionShare x distance flown since the start,
 ///                                                        kStripPositionShare x distance from the strip's middle)
 /// and within height_accuracy, which is made in the same way. These are attributes of the points (m) and state no uncertainty of
 /// their own. "height" (m), "ground_speed" and "vertical_speed" (m/s) have standard deviations: of heights their accuracy as that

@@ -16,7 +16,7 @@ struct AircraftPose {
     double heading_deg = 0, pitch_deg = 0, roll_deg = 0;
     base::Time time = kPosedTime;
     FlownHistory flown{};         ///< the flight before the pose
-    flight::FlightPhase phase{};  ///< that a flight has there; unknown: none is stated
+    flight::FlightPhase phase{};  ///< stated phase; unknown: none
 };
 
 /// Returns the pose in SI units, without time and history.

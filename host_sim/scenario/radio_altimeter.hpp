@@ -1,7 +1,7 @@
-/// What a radio altimeter reads on a generated flight: the height of the wheels above the ground below.
+/// The reading of a radio altimeter on a generated flight: the height of the wheels above the ground below.
 ///
-/// The ground is that of a raster, bilinear between its posts, and the strip where the aircraft is on it: the strip is level, and
-/// from its edges the ground runs straight to the raster's within 150 m. Metres; the altitude is above mean sea level.
+/// The ground is that of a raster, bilinear between its posts, except the level strip; from the strip's edges the ground changes
+/// linearly to the raster's within 150 m. Metres; the altitude is above mean sea level.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,11 @@ namespace tedavis::host_sim {
 
 class RadioAltimeter {
 public:
-    /// Reads the raster; throws UserError where it is none.
+    /// Reads the raster. Throws UserError where it cannot be read.
     RadioAltimeter(const RadioAltimeterSettings& settings, const LandingStrip& strip);
 
-    /// Nothing beyond its range, and where the ground is not known. `wheels_msl_m` is the altitude of the wheels.
+    /// Returns the height; nothing beyond the range, and where the ground is not known. `wheels_msl_m` is the altitude of the
+    /// wheels.
     [[nodiscard]] std::optional<double> height_m(double latitude_rad, double longitude_rad, double wheels_msl_m) const;
 
 private:

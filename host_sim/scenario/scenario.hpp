@@ -19,12 +19,12 @@ namespace tedavis::host_sim {
 /// A straight landing strip.
 struct LandingStrip {
     double latitude_rad = 0, longitude_rad = 0;  ///< of its centre
-    double heading_rad = 0;                      ///< in which take-off and landing go
+    double heading_rad = 0;                      ///< direction of take-off and landing
     double elevation_msl_m = 0;
     double length_m = 1000, width_m = 30;
 };
 
-/// The air; the seed moves each value within its spread.
+/// The atmosphere; the seed varies each value within its spread.
 struct Environment {
     double qnh_pa = 101325, qnh_spread_pa = 0;
     double temperature_deviation_k = 0, temperature_spread_k = 0;  ///< from the standard atmosphere
@@ -34,7 +34,7 @@ struct Environment {
     double turbulence = 0;              ///< 0 calm .. 1 rough: scale of small random motions of the attitude
 };
 
-/// What the simulated aircraft can do.
+/// Performance limits of the simulated aircraft.
 struct AircraftLimits {
     double antenna_height_m = 2.5;  ///< of the reference point above the wheels
     double bank_rad = 0.6;
@@ -51,7 +51,7 @@ enum class LegKind : std::uint8_t {
     land,       ///< glide path, flare, touchdown, braking to a stop
 };
 
-/// Who tells the display about the phase of a leg.
+/// The source by which the phase of a leg is stated to the display.
 enum class PhaseStatedBy : std::uint8_t { nobody, can, switches };
 
 struct Leg {
@@ -70,17 +70,17 @@ struct Leg {
     double flaps = 0;                                           ///< lever, share of full travel
 };
 
-/// What the aircraft states of guidance; the rest follows from the legs.
+/// Guidance data that the aircraft sends; others are derived from the legs.
 struct Guidance {
-    double decision_height_m = 0;  ///< above ground
+    double decision_height_m = 0;  ///< height above ground
     double minimum_msl_m = 0;      ///< true altitude; stated as the altimeter shows it
     double flaps_travel_s = 0;     ///< from up to full
 };
 
-/// An altimeter by radio that the aircraft has.
+/// The aircraft's radio altimeter.
 struct RadioAltimeterSettings {
-    std::string terrain;  ///< path of the raster that it measures
-    double range_m = 0;   ///< it states no greater height
+    std::string terrain;  ///< path of the raster of the ground
+    double range_m = 0;   ///< greatest height that it measures
 };
 
 struct Scenario {
@@ -91,15 +91,16 @@ struct Scenario {
     Environment environment;
     AircraftLimits aircraft;
     std::string switch_config;  ///< shipped name or path
-    std::string scene;          ///< path of the scene file whose layers stand round the flight; empty: none
+    std::string scene;          ///< path of the scene file for the data around the flight; empty: none
     std::optional<WeatherSettings> weather;
-    std::optional<Guidance> guidance;  ///< nothing: the bus carries none
+    std::optional<Guidance> guidance;  ///< nothing: none is sent
     std::optional<RadioAltimeterSettings> radio_altimeter;
     std::vector<TrafficSettings> traffic;  ///< other aircraft
     std::vector<Leg> legs;
 };
 
-/// `file_name` is how messages call the file, and where relative names of scene files start from. Throws UserError with its line.
+/// `file_name` is the path of the file, for messages and for the names in it, which are relative to its folder. Throws UserError
+/// with the line.
 [[nodiscard]] Scenario parse_scenario(std::string_view text, const std::string& file_name);
 
 }  // namespace tedavis::host_sim

@@ -18,7 +18,7 @@
 
 namespace tedavis::host_sim {
 
-/// The air of one flight: the scenario's values moved by the seed.
+/// The atmosphere of one flight: the scenario's values as varied by the seed.
 struct FlownAir {
     double qnh_pa = 0, temperature_deviation_k = 0, wind_speed_mps = 0, wind_from_rad = 0;
 };
@@ -32,7 +32,7 @@ public:
         double north_mps = 0, east_mps = 0, up_mps = 0;
         double airspeed_mps = 0;
         double heading_rad = 0, pitch_rad = 0, roll_rad = 0;  ///< heading unwrapped
-        double wind_share = 0;                                ///< of the free wind, 0 on the ground
+        double wind_share = 0;                                ///< fraction of the free wind, 0 on the ground
     };
     struct FlownLeg {
         double begin_s = 0, end_s = 0;

@@ -1,10 +1,9 @@
-/// What the pilot of a generated flight has selected and what its receivers state: derived from the scenario's legs and the flown
+/// The pilot's selections and the receivers' signals of a generated flight, derived from the scenario's legs and the flown
 /// states, so that the guidance always leads along the flight.
 ///
 /// On legs to a point the navigation source is GNSS, on final and landing the first radio receiver, until the touchdown zone is
-/// reached; otherwise there is none.
-/// The localizer stands kLocalizerBeyond_m behind the strip's far end, the glide path begins at the touchdown zone. The flight
-/// director asks for the attitude that is flown kDirectorLead_s later.
+/// reached; otherwise there is none. The localizer is kLocalizerBeyond_m beyond the strip's far end, the glide path begins at the
+/// touchdown zone. The flight director commands the attitude that is flown kDirectorLead_s later.
 #pragma once
 
 #include <vector>
@@ -16,14 +15,14 @@ namespace tedavis::host_sim {
 inline constexpr double kLocalizerBeyond_m = 300;
 inline constexpr double kDirectorLead_s = 1.5;
 
-/// The altimeter's view of a true altitude, and the airspeed indicator's of a true airspeed, in the air of one flight.
+/// Converts true altitudes to indicated ones, and true airspeeds to calibrated ones, in the atmosphere of one flight.
 struct AirInstruments {
     double field_msl_m = 0, qnh_pa = 0, temperature_deviation_k = 0;
 
-    /// m above MSL; exact at the field.
+    /// Indicated altitude, m; exact at the field's elevation.
     [[nodiscard]] double baro_altitude_m(double altitude_msl_m) const;
     [[nodiscard]] double outside_temperature_k(double altitude_msl_m) const;
-    /// Calibrated over true airspeed, far below the speed of sound.
+    /// Ratio of calibrated to true airspeed, for speeds far below that of sound.
     [[nodiscard]] double airspeed_ratio(double altitude_msl_m) const;
 };
 
@@ -33,7 +32,7 @@ public:
     ScenarioGuidance(const Scenario& scenario, const ScenarioFlight& flight, const AirInstruments& instruments)
         : scenario_(scenario), guidance_(*scenario.guidance), flight_(flight), instruments_(instruments) {}
 
-    /// Adds what is known `time_s` after the flight's begin; what is not selected stays absent.
+    /// Adds the guidance at `time_s` after the flight's begin; values that are not selected stay absent.
     void add(double time_s, SignalSample& sample) const;
 
 private:

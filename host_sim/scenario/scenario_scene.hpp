@@ -1,10 +1,10 @@
-/// The spatial data round a generated flight: the layers of the scene file that the scenario names, the planned flight, and the
-/// weather that is drawn from the seed.
+/// The spatial data around a generated flight: the layers of the scene file that the scenario names, the planned flight, and the
+/// random weather of the seed.
 ///
-/// Generated layers ("flight"; with a section [weather] also "wind", "storm", "radar" and "gusts") stand in for those of the
-/// scene file that have their names. Where the scene has a layer "wind" of wind, the flight's points have "wind_speed",
-/// "head_wind" and "cross_wind" from it, with its uncertainty. Wind and storm have random numbers of their own, so that neither
-/// changes the other or the flight.
+/// Generated layers ("flight"; with a section [weather] also "wind", "storm", "radar" and "gusts") replace those of the same
+/// names in the scene file. Where the scene has a layer "wind" of wind, the flight's points have "wind_speed", "head_wind" and
+/// "cross_wind" from it, with its uncertainty. Wind and storm have independent random numbers, so that neither changes the other
+/// or the flight.
 #pragma once
 
 #include "host_sim/scenario/scenario.hpp"

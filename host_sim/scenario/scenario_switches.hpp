@@ -9,9 +9,9 @@
 
 namespace tedavis::host_sim {
 
-/// The log's text: levels of all lines at the start, then one change for each leg whose phase the panel states; on the
-/// other legs the panel stands at its pattern for "unknown". While the knob turns (18 ms) neither contact is closed.
-/// Throws UserError where the panel has no pattern for a leg's phase or its scenario, or none for "unknown".
+/// Returns the log's text: levels of all lines at the start, then one change for each leg whose phase the panel states; on the
+/// other legs the panel has its pattern for "unknown". During a change (18 ms) neither contact is closed. Throws UserError where
+/// the panel has no pattern for a leg's phase or its scenario, or none for "unknown".
 [[nodiscard]] std::string scenario_switch_log(const Scenario& scenario, const ScenarioFlight& flight,
                                               const bus::SwitchConfig& config);
 

@@ -1,14 +1,14 @@
 /// Other aircraft of a scenario, which the receiver on board reports: on a straight line or a circle, at constant speed and
-/// climb; or standing, until they move so.
+/// climb; or standing first.
 ///
 ///     [[traffic]]
 ///     callsign = "N172TD"            letters and digits, at most eight; may be left out
 ///     address = "A0F12B"             of its transponder, hexadecimal
-///     latitude_deg, longitude_deg, altitude_msl_m     where it is, within spread_m to each side (the seed says where),
-///     at_s = 60                      so long after the start
+///     latitude_deg, longitude_deg, altitude_msl_m     position, varied by the seed within spread_m to each side,
+///     at_s = 60                      time of this position after the start
 ///     track_deg, speed_mps, climb_mps
 ///     turn_dps = 0                   right positive
-///     stands_before = false          it stands where it is until at_s, and moves only then
+///     stands_before = false          it stands at this position until at_s
 ///     position_deviation_m, height_deviation_m        standard deviations that it states; 0: it states none
 ///     received_from_s = 0, received_until_s = 400
 #pragma once
@@ -41,13 +41,13 @@ public:
     /// `geoid` must outlive it.
     ScenarioTraffic(const std::vector<TrafficSettings>& settings, base::Time start, std::uint64_t seed, const GeoidEgm96& geoid);
 
-    /// What is received at a time; numbers are places in the settings.
+    /// Returns the aircraft received at a time; their numbers are indices in the settings.
     [[nodiscard]] std::vector<ReceivedAircraft> at(base::Time time) const;
 
 private:
     [[nodiscard]] flight::TrafficReport report_of(const TrafficSettings& aircraft, base::Time time) const;
 
-    std::vector<TrafficSettings> aircraft_;  ///< where the seed has them
+    std::vector<TrafficSettings> aircraft_;  ///< with the positions of the seed
     base::Time start_;
     const GeoidEgm96& geoid_;
 };

@@ -14,7 +14,8 @@ public:
     static constexpr std::size_t kWaves = 16;
     static constexpr double kMax = 5.66;  ///< the square root of twice the number of waves
 
-    /// Lengths of waves over the ground lie between the two. `height_m`: over which height phases turn by half a circle at most.
+    /// Wavelengths over the ground lie between `shortest_m` and `longest_m`. `height_m` is the height over which phases change by
+    /// at most half a circle.
     SeededWaves(SeededRandom& random, double shortest_m, double longest_m, double height_m);
 
     [[nodiscard]] double at(double east_m, double north_m, double up_m) const;

@@ -1,9 +1,9 @@
-/// Generated thunderstorm cells: blobs of echo that move straight on, each with a speed and a direction of its own.
+/// Generated thunderstorm cells: areas of radar echo that move straight on, each with a speed and a direction of its own.
 ///
-/// At the bearing b from its middle a cell's outline is r (1 + 0.18 cos 2(b - b2) + 0.08 cos 3(b - b3)) away. The echo falls
-/// with the square of the distance, by kOutlineDrop_db at the outline, where a smooth texture of kTexture_db (a standard
-/// deviation that is nothing in the middle) makes it ragged; texture and outline move with the cell.
-/// Units    metres east and north of the strip; dBZ. Pure after the draw.
+/// At the bearing b from a cell's centre, its outline is at the distance r (1 + 0.18 cos 2(b - b2) + 0.08 cos 3(b - b3)). The
+/// echo falls with the square of the distance, by kOutlineDrop_db at the outline, where a smooth random texture of standard
+/// deviation kTexture_db, which is 0 at the centre, makes it irregular; texture and outline move with the cell.
+/// Units    metres east and north of the strip; dBZ. Pure after the random values are drawn.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ namespace tedavis::host_sim {
 inline constexpr double kStormBaseSpread_m = 200, kStormTopSpread_m = 1000;
 inline constexpr double kOutlineDrop_db = 12;
 inline constexpr double kTexture_db = 1;
-inline constexpr double kNoEcho_dbz = -10;  ///< where a radar looks and there is none
+inline constexpr double kNoEcho_dbz = -10;  ///< value within a radar's range without an echo
 
 class StormCell {
 public:
@@ -30,9 +30,9 @@ public:
     double speed_mps, toward_rad;
     double base_msl_m, top_msl_m;
 
-    /// Of the outline from the middle.
+    /// Distance of the outline from the centre.
     [[nodiscard]] double outline_m(double bearing_rad) const;
-    /// At a place, so long after the start. Not below kNoEcho_dbz.
+    /// Echo at a place and a time after the start; at least kNoEcho_dbz.
     [[nodiscard]] double echo_dbz(double east_m, double north_m, double time_s) const;
 
 private:
@@ -42,8 +42,9 @@ private:
 
 [[nodiscard]] std::vector<StormCell> draw_storm_cells(const StormSettings& settings, SeededRandom& random);
 
-/// The layer "storm": an area a cell, at its place at the start, with "intensity" (dBZ; standard deviation), "speed" (m/s;
-/// standard deviation), "toward" (rad), "floor" and "ceiling" (m, MSL), which state none. Valid for an hour.
+/// Returns the layer "storm": an area for each cell, at its position at the start, with "intensity" (dBZ; standard deviation),
+/// "speed" (m/s; standard deviation), "toward" (rad), "floor" and "ceiling" (m, MSL), which have no uncertainty. It is valid for
+/// an hour.
 [[nodiscard]] LayerDraft make_storm_layer(const std::vector<StormCell>& cells, const LocalPlane& plane, base::Time start);
 
 }  // namespace tedavis::host_sim

@@ -1,8 +1,8 @@
-/// The section [weather] of a scenario file: what is drawn from the seed, and within which spreads.
+/// The section [weather] of a scenario file: random quantities and their spreads.
 ///
 ///     reach_m                          half a side of the square round the strip that wind and radar cover
 ///     wind_variation_mps               standard deviation of the wind from place to place, away from the strip
-///     wind_sigma_mps                   how unsure the wind is at the strip at the start (standard deviation)
+///     wind_sigma_mps                   standard deviation of the wind's error at the strip at the start
 ///     storm_cells                      how many; 0: none
 ///     storm_bearing_deg, storm_distance_m, storm_spread_m
 ///                                      where they stand at the start: the middle from the strip, and how far about it
@@ -50,7 +50,7 @@ struct WeatherSettings {
     GustSettings gust;
 };
 
-/// Faults are the reader's.
+/// Reports faults to the reader of the section.
 [[nodiscard]] WeatherSettings read_weather(base::ConfigSection section);
 
 }  // namespace tedavis::host_sim

@@ -1,12 +1,12 @@
 /// A generated forecast of the wind round the strip: the layer "wind", for the start and the two hours after it.
 ///
-/// At the strip, kWindReference_m above it, it is the flight's own wind. With the height h above the strip the speed goes as
-/// (h / kWindReference_m)^(1/7), the power law of a neutral boundary layer, and the direction turns as in Ekman's spiral, by
-/// kVeer_rad (exp(-kWindReference_m / kVeerHeight_m) - exp(-h / kVeerHeight_m)), to the right in the north and to the left in the
-/// south. Away from the strip smooth seeded variations are added to both parts of it, by 1 - exp(-(d / kStationReach_m)^2) of
-/// their strength at the distance d; they drift with the wind. How unsure it is grows with distance and time:
+/// At the strip, kWindReference_m above it, it is the flight's own wind. With the height h above the strip the speed is
+/// proportional to (h / kWindReference_m)^(1/7), the power law of a neutral boundary layer, and the direction turns as in Ekman's
+/// spiral, by kVeer_rad (exp(-kWindReference_m / kVeerHeight_m) - exp(-h / kVeerHeight_m)), to the right in the north and to the
+/// left in the south. Away from the strip, smooth random variations are added to both components, scaled by 1 - exp(-(d /
+/// kStationReach_m)^2) at the distance d; they drift with the wind. The uncertainty grows with distance and time:
 ///     sigma = wind_sigma_mps (1 + d / kSigmaDistance_m + t / 1 h)
-/// Attributes "east", "north" and "speed" (m/s), a standard deviation each, of which kFullWindSigma_mps counts as 1.
+/// The attributes are "east", "north" and "speed" (m/s), with standard deviations, of which kFullWindSigma_mps is level 1.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ inline constexpr double kVeer_rad = base::radians(25), kVeerHeight_m = 1000;
 inline constexpr double kStationReach_m = 8'000, kSigmaDistance_m = 15'000;
 inline constexpr double kFullWindSigma_mps = 4;
 
-/// Where the wind blows to at a height above the strip, m/s.
+/// The wind vector (direction in which it blows) at a height above the strip, m/s.
 struct MeanWind {
     double east_mps = 0, north_mps = 0;
 };

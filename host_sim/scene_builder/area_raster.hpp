@@ -7,10 +7,10 @@
 
 namespace tedavis::host_sim {
 
-/// A layer of areas, with attributes by feature, as posts `cell_m` apart over the rectangle round them, or over the part of it
-/// that lies in the region. A post has the values of the last area that covers it (even-odd: a ring that is walked back to leaves
-/// a hole), and none where there is no area. Names are lost. Throws UserError, beginning with the layer's name, where that cannot
-/// be.
+/// Converts a layer of areas, with attributes by feature, to a grid of posts `cell_m` apart over its bounding rectangle, or over
+/// the part of that in the region. A post has the values of the last area that covers it by the even-odd rule (a ring that is
+/// traversed back leaves a hole), and is missing where there is no area. Names are lost. Throws UserError, beginning with the
+/// layer's name, where a grid is not possible.
 [[nodiscard]] LayerDraft rasterized(const LayerDraft& areas, double cell_m, const std::optional<RegionRecipe>& region);
 
 }  // namespace tedavis::host_sim

@@ -26,7 +26,7 @@ public:
     }
     [[nodiscard]] const std::string& str() const { return text_; }
 
-    /// Digits enough for a float.
+    /// With as many digits as a float needs.
     [[nodiscard]] static std::string number_text(double value) { return printed("%.9g", value); }
 
 private:

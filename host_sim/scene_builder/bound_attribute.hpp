@@ -1,4 +1,4 @@
-/// Binds a source's values to an attribute, as a recipe states.
+/// Converts values of a source to those of an attribute, as its recipe states.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"
@@ -8,13 +8,15 @@ namespace tedavis::host_sim {
 /// Makes an attribute without values.
 [[nodiscard]] AttributeDraft bind_attribute(const AttributeRecipe& recipe);
 
-/// What the source states, in its unit: NaN where that means that there is none, and the value of what was looked for in vain.
+/// Returns the value in the source's unit: NaN for numbers that mean "no value", and the recipe's undetected_value for the number
+/// that means "nothing detected".
 [[nodiscard]] double stated_value(const AttributeRecipe& recipe, double stated);
 /// Returns a value as the layer stores it; NaN where it is missing or not one of the classes.
 [[nodiscard]] float bound_value(const AttributeRecipe& recipe, double stated);
-/// A level from what is stated of one value (the spread of its members, the variable of the recipe), in the attribute's unit; the
-/// recipe's own number goes before it. Unknown where the recipe says nothing, and for what is no number or beyond its range:
-/// below 0, more than 100 percent, a quality or a class above `full`. A deviation or an interval above it is the least sure.
+/// Returns the level of uncertainty from what the source states for one value (the spread of its members, or the variable of the
+/// recipe), in the attribute's unit; a number in the recipe overrides it. Unknown where the recipe states nothing, and for NaN
+/// and numbers out of range: below 0, more than 100 percent, a quality or a class above `full`. A deviation or an interval above
+/// `full` has level 1.
 [[nodiscard]] scene::Uncertainty bound_uncertainty(const AttributeRecipe& recipe, double stated);
 
 }  // namespace tedavis::host_sim

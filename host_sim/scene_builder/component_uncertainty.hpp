@@ -5,7 +5,7 @@
 
 namespace tedavis::host_sim {
 
-/// What an attribute says of its uncertainties (scene/sdb_format.hpp).
+/// Kind and scale of an attribute's uncertainties (scene/sdb_format.hpp).
 struct UncertaintyScale {
     scene::UncertaintyKind kind = scene::UncertaintyKind::none;
     double full = 0, growth_per_hour = 0;
@@ -16,12 +16,12 @@ struct UncertaintyScale {
     return kind == scene::UncertaintyKind::standard_deviation || kind == scene::UncertaintyKind::interval;
 }
 
-/// One on which neither is more certain than it was: the finer one, growing as the faster. Of two kinds there is none: nobody
-/// knows.
+/// Returns a scale on which neither becomes more certain: the finer of both, with the faster growth. For two different kinds it
+/// has kind none.
 [[nodiscard]] UncertaintyScale shared_scale(const UncertaintyScale& a, const UncertaintyScale& b);
 
-/// The level of the less sure of two, each on its own scale, on `shared`. Unknown where one of them is, and where there is no
-/// kind.
+/// Returns the greater of two uncertainties, each on its own scale, as a level on `shared`. Unknown where one of them is, and
+/// where `shared` has kind none.
 [[nodiscard]] scene::Uncertainty worse_on(const UncertaintyScale& shared, scene::Uncertainty a, const UncertaintyScale& of_a,
                                           scene::Uncertainty b, const UncertaintyScale& of_b);
 

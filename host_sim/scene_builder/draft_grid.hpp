@@ -1,4 +1,4 @@
-/// The layer of a grid that is still a draft, as readers of scenes see it. The draft must outlive it, unchanged.
+/// Presents the draft of a grid layer as a scene::Layer. The draft must outlive this object, unchanged.
 #pragma once
 
 #include <string_view>
@@ -16,7 +16,7 @@ public:
     DraftGrid& operator=(const DraftGrid&) = delete;
 
     [[nodiscard]] const scene::Layer& layer() const { return layer_; }
-    /// Null where it has none of that name.
+    /// Null where the layer has no attribute of that name.
     [[nodiscard]] const scene::Attribute* find(std::string_view name) const;
 
 private:

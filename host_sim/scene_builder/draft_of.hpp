@@ -1,4 +1,4 @@
-/// A scene that was read, as a draft again: for a scene that is to have more layers than its file.
+/// Converts a scene that was read back to a draft, so that layers can be added.
 #pragma once
 
 #include "host_sim/scene_builder/scene_draft.hpp"

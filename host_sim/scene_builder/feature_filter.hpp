@@ -1,4 +1,4 @@
-/// Which features of a file a layer shows.
+/// Selects the features of a file for a layer.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"
@@ -6,15 +6,15 @@
 
 namespace tedavis::host_sim {
 
-/// What features of a role are made of; other shapes do not show it. Roles without a shape of their own are points where a
-/// feature is one, else what the first feature is (cables between masts are obstacles too).
+/// Returns the shape of a role's features; features of other shapes are left out. A role without a fixed shape has points if any
+/// feature is a point, else the shape of the first feature (cables between masts are obstacles, too).
 [[nodiscard]] scene::LayerShape shape_of(scene::LayerRole role, const std::vector<SourceFeature>& features);
 
-/// True where the box round a feature and the region have something in common. Both may lie across the antimeridian; a feature
-/// goes from point to point by the shorter way.
+/// True if the bounding box of a feature intersects the region. Both may extend across the antimeridian; a feature goes from
+/// point to point by the shorter way.
 [[nodiscard]] bool reaches(const SourceFeature& feature, const RegionRecipe& region);
 
-/// Takes points that are not of the time asked for out of a feature, with their values. Points without a time stay.
+/// Removes the points outside the times from a feature, with their values. Points without a time stay.
 void keep_times(SourceFeature& feature, std::optional<std::int64_t> from_ns, std::optional<std::int64_t> until_ns);
 
 }  // namespace tedavis::host_sim

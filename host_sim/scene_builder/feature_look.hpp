@@ -1,4 +1,4 @@
-/// What a table, a map or a recorded flight holds, as a scene file would name it.
+/// Examines the content of a table, a map or a recorded flight, with the names that a scene file uses.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace tedavis::host_sim {
 
 enum class ColumnKind : std::uint8_t { number, time, text };
 
-/// Something that the file states of features, or of each of their points.
+/// A field that the file states for features, or for each of their points.
 struct ColumnLook {
     std::string name;  ///< for `variable` of an attribute, or `name_variable`, `time_variable`, `height_variable`
     ColumnKind kind = ColumnKind::text;
@@ -31,12 +31,12 @@ struct FeatureLook {
     std::string format, system;
     std::size_t points = 0, lines = 0, areas = 0;
     std::size_t places = 0;                                           ///< points of all features
-    double west_deg = 0, south_deg = 0, east_deg = 0, north_deg = 0;  ///< of these; east may be beyond 180
-    std::optional<ValueRange> height_m;                               ///< of these, where the format states heights
-    std::optional<std::int64_t> first_ns, last_ns;                    ///< times of these, or of the whole file
+    double west_deg = 0, south_deg = 0, east_deg = 0, north_deg = 0;  ///< extent of these points; east may be beyond 180
+    std::optional<ValueRange> height_m;                               ///< heights of these points, where the format states them
+    std::optional<std::int64_t> first_ns, last_ns;                    ///< times of these points, or of the whole file
     std::vector<ColumnLook> columns;
     std::vector<std::string> aircraft;  ///< of recorded flights: names for `aircraft`
-    std::vector<std::string> notes;     ///< what the reader leaves out
+    std::vector<std::string> notes;     ///< features that the reader leaves out, for the user
     std::vector<AttributeRecipe> usual_attributes;
     scene::HeightDatum height_datum = scene::HeightDatum::msl;
 };

@@ -12,10 +12,11 @@ namespace tedavis::host_sim {
 
 struct FeatureSource {
     SourceFeatures features;
-    std::vector<AttributeRecipe> usual_attributes;  ///< shown where the recipe binds none
+    std::vector<AttributeRecipe> usual_attributes;  ///< used if the recipe states none
 };
 
-/// `kind` is that of the file at `path`, and no grid. Of the recipe `aircraft`, `crs` and `raster_m` count. Throws UserError.
+/// Reads the file at `path`, which is of `kind` and no grid. Of the recipe it uses `aircraft`, `crs` and `raster_m`. Throws
+/// UserError.
 [[nodiscard]] FeatureSource read_feature_source(SourceKind kind, const LayerRecipe& recipe, const std::string& path);
 
 }  // namespace tedavis::host_sim

@@ -8,7 +8,7 @@
 
 namespace tedavis::host_sim {
 
-/// Stated values that could not be taken, and the first of them.
+/// Number of stated values that could not be converted, and the first of them.
 struct Misfits {
     std::size_t count = 0;
     std::string first;
@@ -20,17 +20,17 @@ struct Misfits {
 
 /// True when a feature states the variable, or the file has a column for it.
 [[nodiscard]] bool is_stated(const SourceFeatures& source, const std::string& variable);
-/// True when a feature states it of each point.
+/// True if a feature states the variable for each point.
 [[nodiscard]] bool is_of_points(const SourceFeatures& source, const std::string& variable);
 
-/// The attribute's value: a number, or the number of the class that the text names, whose case does not matter. NaN where nothing
-/// is stated, and where the text is neither, which `misfits` counts.
+/// Returns the attribute's value: a number, or the number of the class that the text names, ignoring case. NaN where nothing is
+/// stated, and where the text is neither, which `misfits` counts.
 [[nodiscard]] float feature_value(const AttributeRecipe& recipe, const SourceFeature& feature, Misfits& misfits);
-/// The same of one of its points; what is only stated of the feature holds for all of them.
+/// The same for one of its points; a value that is stated for the feature holds for all its points.
 [[nodiscard]] float point_value(const AttributeRecipe& recipe, const SourceFeature& feature, std::size_t point, Misfits& misfits);
 
-/// How unsure these are, from the recipe's number or from its variable; of classes of certainty the first is certain and the last
-/// is wholly unsure.
+/// Return the uncertainties of these values, from the recipe's number or variable; of classes of certainty the first is certain
+/// and the last is fully uncertain.
 [[nodiscard]] scene::Uncertainty feature_uncertainty(const AttributeRecipe& recipe, const SourceFeature& feature,
                                                      Misfits& misfits);
 [[nodiscard]] scene::Uncertainty point_uncertainty(const AttributeRecipe& recipe, const SourceFeature& feature, std::size_t point,

@@ -1,5 +1,5 @@
-/// Attributes that the display reads by their names, as places and motion: in which unit. Their values are drawn as such whatever
-/// a scene file calls them.
+/// Units of attributes that the display reads by their names, such as positions and motion. The display interprets their values
+/// in these units, whatever a scene file states.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace tedavis::host_sim {
 
-/// "m", "m/s" or "rad"; empty where attributes of this name and role mean what the scene file says.
+/// Returns "m", "m/s" or "rad"; empty if the scene file states the unit of attributes of this name and role.
 [[nodiscard]] std::string_view fixed_unit(scene::LayerRole role, std::string_view attribute);
 
-/// How many of `to` one `from` is, of the units that tables are often in (ft, km, NM, kt, km/h, ft/min, deg ...).
+/// Returns the factor that converts `from` to `to`, for common units of tables (ft, km, NM, kt, km/h, ft/min, deg ...); nothing
+/// for others.
 [[nodiscard]] std::optional<double> factor_between(std::string_view from, std::string_view to);
 
 }  // namespace tedavis::host_sim

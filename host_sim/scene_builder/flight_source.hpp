@@ -1,11 +1,11 @@
 /// Recorded flights as lines in space and time: IGC, GPX, ADS-B JSON and CSV, as `tedavis convert` reads them.
 ///
-/// Fixes that cannot have been flown are taken out (fix_cleaner.hpp), and gaps end a line; the next one begins behind them.
-/// Heights are above mean sea level (EGM96): GNSS heights, where a flight has none the pressure altitude; both smoothed as for
-/// replays. All of this is noted. Of each point: ground_speed, vertical_speed (m/s) and track (rad, true). Fields: name (the
-/// callsign, else the identity), aircraft, callsign, and of a line's last point last_time (s since 1970 UTC), last_latitude_deg,
-/// last_longitude_deg, last_height (m), last_ground_speed, last_vertical_speed and last_track; is_latest is 1 on the last line of
-/// an aircraft.
+/// Fixes that cannot have been flown are removed (fix_cleaner.hpp); a gap ends a line, and the next one begins after it. Heights
+/// are above mean sea level (EGM96): GNSS heights, or the pressure altitude of a flight without them; both smoothed as for
+/// replays. The notes state all of this. Of each point: ground_speed, vertical_speed (m/s) and track (rad, true). Fields: name
+/// (the callsign, else the identity), aircraft, callsign, and of a line's last point last_time (s since 1970 UTC),
+/// last_latitude_deg, last_longitude_deg, last_height (m), last_ground_speed, last_vertical_speed and last_track; is_latest is 1
+/// on the last line of an aircraft.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@
 
 namespace tedavis::host_sim {
 
-/// `aircraft`: identity or callsign of the only one that is wanted; empty: all. Throws UserError where the file is no flight or
-/// holds none of that name.
+/// `aircraft` is the identity or callsign of the only aircraft to read; empty: all. Throws UserError where the file is no flight
+/// or has no aircraft of that name.
 [[nodiscard]] SourceFeatures read_flight_file(const std::string& path, const std::string& aircraft);
 
-/// What a layer of flights shows where its recipe binds nothing: the values of points.
+/// Attributes of a layer of flights whose recipe states none: the values of points.
 [[nodiscard]] std::vector<AttributeRecipe> usual_attributes_of_flights();
 
 }  // namespace tedavis::host_sim

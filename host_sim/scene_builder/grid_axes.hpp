@@ -18,20 +18,20 @@ struct GridAxes {
     [[nodiscard]] std::size_t level_count() const { return levels.empty() ? 1 : levels.size(); }
 };
 
-/// What of a file's planes is wanted.
+/// The selection of a file's planes.
 struct PlaneChoice {
     std::optional<std::int64_t> from_ns, until_ns;  ///< both included
     std::vector<double> levels;                     ///< as the file states them; empty: all
-    bool has_members = false;                       ///< planes of one time and level belong together
+    bool has_members = false;                       ///< planes of the same time and level are members of an ensemble
 };
 
-/// When they were measured or computed. Of planes of several times the last time for which the file states that one of them was
-/// computed then; where it states none they are of their own times, and this is the last. A single time is that for which the
-/// plane holds, as its age counts from there. Empty: the file states none.
+/// Returns the time at which the data were measured or computed. For several times it is the last time of computation that the
+/// file states, else the last of the times. For a single time it is this time, from which the age counts. Nothing where the file
+/// states none.
 [[nodiscard]] std::optional<std::int64_t> data_time_of(const GridAxes& axes);
 
-/// Throws UserError, beginning with `file`, where none is left, a level is missing at a
-/// time, or several planes share one while the recipe wants no members; the sentence names the levels and times that there are.
+/// Throws UserError, beginning with `file`, where no plane is selected, a level is missing at a time, or several planes have the
+/// same time and level although the recipe has no members; the message names the existing levels and times.
 [[nodiscard]] GridAxes sort_planes(const std::vector<GridPlane>& planes, const PlaneChoice& choice, const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -7,16 +7,16 @@
 
 namespace tedavis::host_sim {
 
-/// Posts of one attribute of a grid, over all levels and times.
+/// Largest number of posts of one attribute of a grid, over all levels and times.
 inline constexpr std::uint64_t kMaxGridPosts = 1U << 26U;
 
-/// A layer, and sentences about what the user should know of it; each begins with the layer's name.
+/// A layer, and notes for the user; each begins with the layer's name.
 struct GridLayer {
     LayerDraft draft;
     std::vector<std::string> notes;
 };
 
-/// `folder`: what relative names of files start from. Throws UserError, one sentence that names the layer and the file.
+/// Relative names of files are relative to `folder`. Throws UserError, one sentence that names the layer and the file.
 [[nodiscard]] GridLayer make_grid_layer(const LayerRecipe& recipe, const std::string& folder);
 
 }  // namespace tedavis::host_sim

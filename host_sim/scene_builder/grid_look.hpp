@@ -1,4 +1,4 @@
-/// What a raster file holds, as a scene file would name it.
+/// Examines the content of a raster file, with the names that a scene file uses.
 #pragma once
 
 #include <cstdint>
@@ -37,10 +37,10 @@ struct GridLook {
     bool is_assumed = false;  ///< the file states no reference system
     bool is_warped = false;   ///< its values are interpolated in longitude and latitude
     std::vector<VariableLook> variables;
-    std::size_t more_variables = 0;  ///< that the file has and this list does not
+    std::size_t more_variables = 0;  ///< number of further variables of the file
 };
 
-/// More variables than these are counted only.
+/// Variables beyond this number are only counted.
 inline constexpr std::size_t kMaxVariablesLooked = 64;
 
 /// Throws UserError where the file is no raster or has no place on the Earth.

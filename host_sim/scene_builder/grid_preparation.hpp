@@ -16,11 +16,12 @@ struct PreparedPlane {
 };
 
 /// Missing posts no farther than `reach_cells` from known ones get their mean, weighted by 1 / distance^2 (Shepard 1968). They
-/// are marked as interpolated, and are as unsure as the least sure of those, plus `level_per_cell` for each cell to the nearest.
+/// are marked as interpolated; their uncertainty is the greatest of the known ones used, plus `level_per_cell` for each cell to
+/// the nearest.
 void fill_gaps(PreparedPlane& plane, double reach_cells, double level_per_cell);
 
-/// A Gaussian of standard deviation `cells`, over known posts only; missing ones stay missing, and uncertainties are averaged
-/// with the same weights, for nothing is known of how their errors hang together.
+/// Filters with a Gaussian of standard deviation `cells`, over known posts only. Missing posts stay missing. Uncertainties are
+/// averaged with the same weights, since the correlation of the errors is not known.
 void smooth(PreparedPlane& plane, double cells);
 
 }  // namespace tedavis::host_sim

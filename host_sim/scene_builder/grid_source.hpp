@@ -1,8 +1,8 @@
 /// A variable of a raster file as planes over one lattice: times, levels and members of what GDAL calls bands.
 ///
 /// Reads GeoTIFF, netCDF, GRIB 1 and 2, HDF5 and whatever else GDAL does. A lattice that is not in longitude and latitude is
-/// warped to it. Geographic systems on other ellipsoids or spheres count as WGS84, as weather data mean them. Rows run from north
-/// to south and columns from west to east, whatever the file's order; longitudes of 0..360 become -180..180.
+/// warped to it. Geographic systems on other ellipsoids or spheres are taken as WGS84, as usual for weather data. Rows run from
+/// north to south and columns from west to east, whatever the file's order; longitudes of 0..360 become -180..180.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct GridPlane {
     std::string variable = {};                     ///< its name, where a band states one (GRIB, netCDF)
 };
 
-/// What the file says of a plane in words; empty where it says nothing.
+/// Texts of the file about a plane; empty where it has none.
 struct PlaneTexts {
     std::string description, unit;              ///< of its values
     std::string level_unit, level_kind;         ///< "hPa", "Isobaric surface"
@@ -43,7 +43,8 @@ public:
 
     [[nodiscard]] const GridPlaces& places() const { return places_; }
     [[nodiscard]] const std::vector<GridPlane>& planes() const { return planes_; }
-    /// Values with scale and offset applied, row by row; NaN where the file says that there is none, by a number or by a mask.
+    /// Returns the values with scale and offset applied, row by row; NaN where a number or a mask of the file marks a missing
+    /// value.
     [[nodiscard]] std::vector<float> read(const GridPlane& plane) const;
     /// True where neither file nor recipe names a reference system or its units, and the file's numbers can be degrees.
     [[nodiscard]] bool is_assumed() const { return is_assumed_; }
@@ -54,7 +55,7 @@ public:
     [[nodiscard]] const std::string& system() const { return system_; }
     /// GDAL's name of the file's format.
     [[nodiscard]] const std::string& format() const { return format_; }
-    /// True where the file lies in another system and its values are interpolated in longitude and latitude.
+    /// True if the file has another coordinate system, so that its values are interpolated in longitude and latitude.
     [[nodiscard]] bool is_warped() const { return unwarped_ != nullptr; }
 
 private:

@@ -1,6 +1,5 @@
 /// The speed of wind at the posts of a grid: `variable = "derived:wind_speed"` beside the attributes 'east' and 'north' of its
-/// own layer. Missing where one of them is; as unsure as the less sure of the two, unknown where these state two kinds of
-/// uncertainty.
+/// own layer. Missing where one of them is. Its uncertainty is the greater of theirs, unknown if these are of two kinds.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"

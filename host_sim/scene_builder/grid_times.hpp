@@ -24,21 +24,21 @@ class GridTimes {
 public:
     /// `file` is what the dataset was opened from; it must outlive this.
     GridTimes(GDALDataset& dataset, const std::string& file);
-    /// For which the band holds. Empty where the file does not say.
+    /// The time for which the band is valid; nothing where the file does not state it.
     [[nodiscard]] std::optional<std::int64_t> of(GDALRasterBand& band) const;
-    /// When it was computed, as GRIB and the CF conventions (forecast_reference_time) state of forecasts and of analyses. Empty
-    /// where the file does not say.
+    /// The time at which it was computed, which GRIB and the CF conventions (forecast_reference_time) state for forecasts and
+    /// analyses; nothing where the file does not state it.
     [[nodiscard]] std::optional<std::int64_t> reference_of(GDALRasterBand& band) const;
 
 private:
     [[nodiscard]] std::optional<std::int64_t> axis_time_of(GDALRasterBand& band) const;
-    /// How far ahead the band looks.
+    /// The lead time of the band's forecast, ns.
     [[nodiscard]] std::optional<std::int64_t> lead_of(GDALRasterBand& band) const;
 
     GDALDataset& dataset_;
     std::optional<TimeUnit> unit_;
     std::optional<std::int64_t> all_ns_, reference_ns_;  ///< of the whole file
-    bool times_are_references_ = false;                  ///< the axis of times says when forecasts were computed
+    bool times_are_references_ = false;                  ///< the time axis has the times at which forecasts were computed
 };
 
 }  // namespace tedavis::host_sim

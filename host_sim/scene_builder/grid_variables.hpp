@@ -1,4 +1,4 @@
-/// What a raster file holds, as far as the file says it: its variables by name, quantity and unit.
+/// Lists the variables of a raster file with name, quantity and unit as the file states them.
 #pragma once
 
 #include <cstdint>

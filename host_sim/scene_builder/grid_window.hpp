@@ -1,4 +1,4 @@
-/// The posts of a grid that a region holds.
+/// The posts of a grid within a region.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,11 @@ struct GridWindow {
     double west_deg = 0, north_deg = 0;
 };
 
-/// Those in the region and one beyond each of its sides, so that all of it lies between posts. Empty vectors where none is in it.
+/// Returns the columns and rows in the region and one beyond each of its sides, so that all of it lies between posts. Empty
+/// vectors where the grid has no post in it.
 [[nodiscard]] GridWindow window_of(const GridPlaces& places, const std::optional<RegionRecipe>& region);
 
-/// Of a plane of the source.
+/// Returns the values of the window from a plane of the source.
 [[nodiscard]] std::vector<float> cut(const std::vector<float>& plane, const GridPlaces& places, const GridWindow& window);
 
 }  // namespace tedavis::host_sim

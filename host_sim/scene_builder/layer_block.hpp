@@ -1,4 +1,4 @@
-/// A table [[layer]] with which a scene file can begin to use a source: the scene builder accepts it as it is.
+/// Writes a table [[layer]] for a source, as a start for a scene file: the scene builder accepts it without changes.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace tedavis::host_sim {
 
-/// `file` becomes an absolute name, so that the table holds in any folder. `crs` as it was given for a file that states none.
+/// `file` is written as an absolute path, so that the table is valid in any folder. `crs` is the coordinate system given for a
+/// file that states none.
 [[nodiscard]] std::string grid_block(const std::string& file, const std::string& crs, const GridLook& look);
 [[nodiscard]] std::string feature_block(const std::string& file, const std::string& crs, SourceKind kind,
                                         const FeatureLook& look);
 
-/// Small letters, digits and underscores, at most `longest` bytes, as names in scene files are usual.
+/// Converts a text to lower-case letters, digits and underscores, at most `longest` bytes, as is usual for names in scene files.
 [[nodiscard]] std::string plain_name(const std::string& text, std::size_t longest);
 
 }  // namespace tedavis::host_sim

@@ -10,7 +10,7 @@ namespace tedavis::host_sim {
 
 class OpenScene {
 public:
-    /// Throws UserError: what is wrong, at which offset, and what to do.
+    /// Throws UserError with the fault, its offset, and what to do.
     explicit OpenScene(const std::string& path);
 
     /// Lives as long as this object.

@@ -2,7 +2,7 @@
 ///
 /// Fields: class (AC), type (AY), name (AN), floor and ceiling in metres with floor_datum and ceiling_datum: msl, ground or
 /// standard (flight levels, above the 1013.25 hPa surface). Circles and arcs become polygons whose chords stay within a hundredth
-/// of their radius. Files underspecify: an airspace ends where the next AC begins.
+/// of their radius. As files do not mark the end of an airspace, it ends at the next AC.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace tedavis::host_sim {
 /// Throws UserError with `name`, the line and what to do.
 [[nodiscard]] SourceFeatures read_openair(std::string_view text, const std::string& name);
 
-/// What a layer of airspaces shows where its recipe binds nothing: floor and ceiling with what they are above.
+/// Attributes of a layer of airspaces whose recipe states none: floor and ceiling with their datums.
 [[nodiscard]] std::vector<AttributeRecipe> usual_attributes_of_airspaces();
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// A layer whose role could show nothing of its source is refused, instead of a scene with an empty layer.
+/// Refuses a layer whose role cannot show its source, which would give an empty layer.
 #pragma once
 
 #include "host_sim/scene_builder/scene_recipe.hpp"
@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Throws UserError, which says what the role needs, where the source is of another kind or attributes are not bound.
+/// Throws UserError, with the needs of the role, where the source is of another kind or required attributes are missing.
 void require_what_role_needs(const LayerRecipe& recipe, SourceKind kind);
 
 }  // namespace tedavis::host_sim

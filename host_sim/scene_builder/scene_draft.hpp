@@ -19,12 +19,12 @@ struct AttributeDraft {
     std::vector<float> values;                      ///< NaN where missing
     std::vector<scene::Uncertainty> uncertainties;  ///< empty: all have uncertainty_all
     std::vector<scene::ValueState> states;          ///< empty: none is interpolated
-    std::vector<std::vector<float>> members;        ///< of an ensemble, as many values each; NaN where missing
+    std::vector<std::vector<float>> members;        ///< values of the members of an ensemble, as many each; NaN where missing
     scene::Uncertainty uncertainty_all;
     scene::UncertaintyKind uncertainty_kind = scene::UncertaintyKind::none;
     scene::UncertaintyScope uncertainty_scope = scene::UncertaintyScope::value;
-    std::string derived_from;                     ///< the layer whose values it was made of; empty: its own
-    std::optional<std::int64_t> derived_time_ns;  ///< of those values; nothing: each is of its point's own time
+    std::string derived_from;                     ///< the layer from whose values it was computed; empty: its own
+    std::optional<std::int64_t> derived_time_ns;  ///< time of those values; nothing: each is of its point's own time
     double uncertainty_full = 0;
     double uncertainty_growth_per_hour = 0;
 };
@@ -43,11 +43,11 @@ struct LayerDraft {
     std::int64_t data_time_ns = scene::kNoTime;
     std::int64_t valid_from_ns = INT64_MIN, valid_until_ns = INT64_MAX;
     double position_accuracy_m = 0, height_accuracy_m = 0;
-    scene::GridShape grid{};             ///< of a grid; its points stay empty
+    scene::GridShape grid{};             ///< of a grid, whose `points` are empty
     std::vector<float> levels_m;         ///< empty: one level, at any height
     std::vector<std::int64_t> times_ns;  ///< empty: one time, at any time
     std::vector<scene::ScenePoint> points;
-    std::vector<std::uint32_t> starts;  ///< of lines and areas
+    std::vector<std::uint32_t> starts;  ///< of lines and areas: index of the first point of each, and the number of points
     std::vector<std::string> names;     ///< of features; empty: none has one
     ModelDraft model;
     std::vector<AttributeDraft> attributes;

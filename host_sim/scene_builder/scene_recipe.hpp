@@ -75,7 +75,7 @@ struct LayerRecipe {
     double raster_m = 0;            ///< for areas: spacing of the grid into which they are converted, m; 0: they remain areas
     std::vector<double> levels;     ///< for rasters: levels to be read, in the source's unit (pressures in hPa); empty: all
     std::vector<double> heights_m;  ///< for rasters: heights of the levels, if no variable states them
-    std::string model;              ///< for points: file of the 3D model that stands at each; empty: none
+    std::string model;              ///< for points: file of the 3D model that is drawn at each; empty: none
     std::string wind_layer;         ///< for lines: grid layer from which derived wind is taken
     std::optional<std::int64_t> wind_time_ns;  ///< UTC of that wind; else the time of each point
     std::string members;                       ///< "bands": the bands of one time are the members of an ensemble

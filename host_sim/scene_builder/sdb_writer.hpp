@@ -8,8 +8,8 @@
 
 namespace tedavis::host_sim {
 
-/// The bytes of a .sdb. Throws UserError where a layer, attribute or class is one too many, or a text does not fit its field;
-/// such a sentence begins with the layer's name.
+/// Returns the bytes of a .sdb. Throws UserError where there are too many layers, attributes or classes, or a text does not fit
+/// its field; the message begins with the layer's name.
 [[nodiscard]] std::vector<std::uint8_t> sdb_bytes(const SceneDraft& draft);
 
 }  // namespace tedavis::host_sim

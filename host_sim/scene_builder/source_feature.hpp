@@ -25,14 +25,14 @@ struct SourceFeature {
     std::map<std::string, std::vector<double>> point_values;  ///< one a point; NaN: not stated
 };
 
-/// What a file holds, and what was left out of it and why: sentences for the user.
+/// The features of a file, and notes for the user on what was left out and why.
 struct SourceFeatures {
     std::vector<SourceFeature> features;
-    std::set<std::string> columns;  ///< that fields may have, stated or not; formats without columns have none
+    std::set<std::string> columns;  ///< names of the columns, also of empty ones; formats without columns have none
     scene::HeightDatum height_datum = scene::HeightDatum::msl;
     std::optional<std::int64_t> data_time_ns;  ///< of a file that states one for all of it
     std::vector<std::string> notes;
-    std::string file;    ///< that was read; empty: not from a file
+    std::string file;    ///< path of the file; empty: not from a file
     std::string format;  ///< GDAL's name of it; empty: a format that GDAL does not read here
     std::string system;  ///< reference system as the file states it; empty: none, or a format that is always in degrees
 };

@@ -1,4 +1,5 @@
-/// What a source of a scene is, told by its content; its name and its role in the scene only where that leaves a choice.
+/// The kind of a source of a scene, detected by its content, and by its name and its role in the scene only where the content is
+/// ambiguous.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@ enum class SourceKind : std::uint8_t {
     runways,  ///< OurAirports
     dof,      ///< the FAA's obstacles
     flight,   ///< IGC, GPX, ADS-B JSON or CSV
-    vector,   ///< what is none of these; GDAL may read it as a table or map
+    vector,   ///< none of these; GDAL may read it as a table or map
 };
 
-/// Tables and XML with flights in them are flights to trajectories and traffic only. Throws UserError where there is no such
+/// Tables and XML with flights are flights only for the roles trajectories and traffic. Throws UserError where there is no such
 /// file.
 [[nodiscard]] SourceKind source_kind(const std::string& path, scene::LayerRole role);
 

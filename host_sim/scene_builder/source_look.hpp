@@ -1,4 +1,4 @@
-/// What a file holds that a scene can take as a source, and a table [[layer]] with which a scene file can begin to use it.
+/// Examines a file that can be a source of a scene, and writes a table [[layer]] for it.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct SourceLook {
     std::string layer;                    ///< the table, as text
 };
 
-/// `crs`: the coordinate system of a file that states none; empty: not given. Throws UserError, one sentence, for a file that no
-/// scene can take.
+/// `crs`: the coordinate system of a file that states none; empty: not given. Throws UserError, one sentence, for a file that
+/// cannot be a source.
 [[nodiscard]] SourceLook look_at_source(const std::string& file, const std::string& crs);
 
 /// "grid", "airspaces", "runways", "obstacles", "recorded flight", "table or map".

@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Relative names start from the scene file's folder.
+/// Resolves a name; relative names are relative to `folder`, that of the scene file.
 [[nodiscard]] inline std::string source_path(const std::string& folder, const std::string& name) {
     const std::filesystem::path path(name);
     return path.is_absolute() ? name : (std::filesystem::path(folder) / path).lexically_normal().string();

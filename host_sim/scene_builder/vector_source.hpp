@@ -10,17 +10,16 @@
 
 namespace tedavis::host_sim {
 
-/// What becomes of holes in areas.
+/// The treatment of holes in areas.
 enum class Holes : std::uint8_t {
-    left_out,  ///< and noted
-    joined,    ///< the ring goes to each, round it and back the same way: even-odd rules see holes, and nothing else may look
+    left_out,  ///< left out, with a note
+    joined,  ///< the outer ring is extended to each hole, round it and back the same way, so that only even-odd rules find holes
 };
 
-/// Parts of multipart geometries become features of their own. Places of a CSV stand in
-/// columns whose names begin with lon or x, and with lat or y. Throws UserError where the file is none, or a feature has no
-/// place.
+/// Parts of multipart geometries become features of their own. The coordinates of a CSV are in columns whose names begin with lon
+/// or x, and with lat or y. Throws UserError where GDAL cannot read the file, or a feature has no position.
 [[nodiscard]] SourceFeatures read_vector_file(const std::string& file, const std::string& crs, Holes holes = Holes::left_out);
-/// Rows of a CSV: what each states, by column. Throws UserError where the file is none.
+/// Returns the rows of a CSV, each as texts by column. Throws UserError where the file is no CSV.
 [[nodiscard]] std::vector<std::map<std::string, std::string>> read_table_file(const std::string& file);
 
 }  // namespace tedavis::host_sim

@@ -21,15 +21,15 @@ struct SweptPlace {
 
 struct SweepJob {
     PictureOptions picture;                ///< with terrain
-    std::string terrain_name, scene_name;  ///< how messages and results call them
+    std::string terrain_name, scene_name;  ///< their names in messages and results
     std::optional<SweptPlace> place;       ///< nothing: the middle of the terrain
-    double radius_m = 250;                 ///< how far the place reaches
+    double radius_m = 250;                 ///< radius of the place
     SweepRings rings;
     flight::PhaseStatus phase;
     base::Time time = kPosedTime;
-    bool layers = false;               ///< leaves masks beside the pictures
-    std::string folder;                ///< is there; gets the pictures, and all views of those that stand out
-    std::function<bool()> is_stopped;  ///< asked before each picture
+    bool layers = false;               ///< writes layer masks beside the pictures
+    std::string folder;                ///< existing folder for the pictures, and for all views of those that stand out
+    std::function<bool()> is_stopped;  ///< called before each picture
 };
 
 /// Least height of a viewpoint above the ground; lower ones are not drawn.

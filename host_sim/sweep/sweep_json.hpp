@@ -1,4 +1,4 @@
-/// `sweep.json`, which is also what `sweep --json` says, and the table for people.
+/// `sweep.json`, which is also the output of `sweep --json`, and the same as text.
 ///
 /// `place` {`lat_deg`, `lon_deg`, `alt_msl_m`, `radius_m`}, `terrain`, `scene`, `design`, `device`, `gl`, `interrupted`; `views`
 /// [{`file`, `bearing_deg`, `distance_m`, `height_m`, `pose`, `hash`, `clutter`, `saliency_level`, `layer_shares`, `place`
@@ -16,7 +16,7 @@
 namespace tedavis::host_sim {
 
 [[nodiscard]] nlohmann::ordered_json sweep_json(const Sweep& sweep);
-/// A line a viewpoint, in columns, and what stands out.
+/// Returns one line per viewpoint, in columns, and the views that stand out.
 [[nodiscard]] std::string sweep_text(const Sweep& sweep);
 
 }  // namespace tedavis::host_sim

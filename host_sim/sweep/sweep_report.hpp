@@ -1,5 +1,5 @@
-/// `report.html` of a sweep: what stands out, and a table of small pictures, a ring of viewpoints a row. One file that needs
-/// nothing but itself; readable on a phone and on paper.
+/// `report.html` of a sweep: what stands out, and a table of small pictures, a ring of viewpoints a row. One self-contained file,
+/// readable on a phone and on paper.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// The true surface of a terrain database, asked by a sweep: how high it is, and whether it stands between an eye and a place.
+/// Queries the true surface of a terrain database for a sweep: its height, and whether it hides a place from a viewpoint.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ public:
     [[nodiscard]] terrain::HeightAnswer at(double latitude_rad, double longitude_rad) {
         return query_.at(latitude_rad, longitude_rad);
     }
-    /// Looks every eighth of a post, up to the last hundredth of the way: what stands on the ground is not hidden by it. Where
-    /// no height is known nothing hides.
+    /// Samples the line of sight every eighth of a post, except its last hundredth, so that ground does not hide a place on it.
+    /// Where no height is known nothing hides.
     [[nodiscard]] bool hides(const earth::Geodetic& place, const earth::Geodetic& eye);
     /// The middle of the lattice, at height 0.
     [[nodiscard]] earth::Geodetic middle() const;

@@ -1,4 +1,4 @@
-/// What a sweep of viewpoints found.
+/// The results of a sweep of viewpoints.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct SweptView {
     PictureMeasures measures;
     PlaceSight sight = PlaceSight::seen;
     PlaceInPicture place;
-    PlaceSaliency saliency;  ///< where the place lies in the picture, also behind terrain; without the symbology before it
+    PlaceSaliency saliency;  ///< if the place lies in the picture, also behind terrain; measured without symbology
     std::string small_png;   ///< of the picture, for the report
 };
 
@@ -51,10 +51,11 @@ struct Sweep {
     bool interrupted = false;               ///< later viewpoints are missing
 };
 
-/// Of views, which are not none: the first of those with the least or greatest clutter.
+/// Return the index of the first view with the least or greatest clutter; there must be at least one view.
 [[nodiscard]] std::size_t least_cluttered(const std::vector<SweptView>& views);
 [[nodiscard]] std::size_t most_cluttered(const std::vector<SweptView>& views);
-/// Of those from which the place is seen, the first in which it draws the eye most for its size; nothing where there is none.
+/// Returns the index of the first view with the greatest PlaceSaliency::times_mean() among those from which the place is seen;
+/// nothing where there is none.
 [[nodiscard]] std::optional<std::size_t> strongest_place(const std::vector<SweptView>& views);
 
 }  // namespace tedavis::host_sim

@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// Of a sweep: every distance with every height in every bearing.
+/// The viewpoints of a sweep: every distance with every height in every bearing.
 struct SweepRings {
     static constexpr std::size_t kMaxBearings = 72, kMaxSteps = 16;
     static constexpr double kMinDistance_m = 10, kMaxDistance_m = 100'000, kMaxHeight_m = 30'000;
@@ -21,16 +21,16 @@ struct SweepRings {
 
 struct Viewpoint {
     double bearing_deg = 0;  ///< from the place to it
-    double distance_m = 0;   ///< over the ellipsoid, within a ten-thousandth
+    double distance_m = 0;   ///< over the ellipsoid, with a relative error of at most 1e-4
     double height_m = 0;
     earth::Geodetic position;
-    AircraftPose pose;  ///< wings level, the nose on the place
-    std::string name;   ///< "h1500_d3000_b045": of its files
+    AircraftPose pose;  ///< wings level, the nose pointing at the place
+    std::string name;   ///< name of its files, "h1500_d3000_b045"
 };
 
 using GeoidBelowPlace = std::function<earth::GeoidUndulation(double latitude_rad, double longitude_rad)>;
 
-/// Height by height, in it distance by distance, in it bearing by bearing. Heights are differences of altitudes above mean sea
+/// Returns the viewpoints ordered by height, then distance, then bearing. Heights are differences of altitudes above mean sea
 /// level.
 [[nodiscard]] std::vector<Viewpoint> viewpoints_round(const earth::Geodetic& place, const GeoidBelowPlace& geoid,
                                                       const SweepRings& rings);

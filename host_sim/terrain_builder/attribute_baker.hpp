@@ -1,8 +1,8 @@
 /// The attribute stage of a build: pages of all chunks of level 1 and above, tile by tile, coarse before fine.
 ///
-/// A page of level k shows posts of pyramid level k-1. What a tile sees beyond its apron comes from the tile of the level
-/// above that holds it, which sees the same way: tiles are visited down the pyramid, and each worker keeps the far horizons
-/// of the tiles above the one at hand.
+/// A page of level k has the posts of pyramid level k-1. Horizons beyond a tile's apron come from the tile of the next coarser
+/// level that contains it, and so on. Tiles are therefore visited from coarse to fine, and each worker keeps the far horizons of
+/// the tiles above the current one.
 #pragma once
 
 #include <cstdint>
@@ -28,27 +28,27 @@ inline constexpr std::uint32_t kTilePosts = 128;
 
 struct BakedPage {
     terrain::ChunkKey chunk;
-    terrain::PartPlace place;         ///< its offset is still open where there are bytes
+    terrain::PartPlace place;         ///< without its offset where there are bytes
     std::vector<std::uint8_t> bytes;  ///< empty: in the store
 };
 
 class AttributeBaker {
 public:
-    /// `plan` is of the finest posts, `layout` of the coarse ones where there are insets.
+    /// `plan` is for the finest posts; with insets, `layout` is for the coarse ones. All references must outlive this object.
     AttributeBaker(const BuildPlan& plan, const TdbLayout& layout, const InsetCoverage& coverage, const HeightLevels& heights,
                    PartStore& store);
 
-    /// Tasks are independent of each other; together they make every page once.
+    /// Tasks are independent of each other; together they make each page once.
     [[nodiscard]] std::uint32_t task_count() const { return static_cast<std::uint32_t>(tasks_.size()); }
-    /// Pages of chunks that have children; a page whose place is known beforehand goes into the store. Any thread.
+    /// Makes the pages of chunks that have children; pages whose place is known beforehand are written to the store. Any thread.
     [[nodiscard]] std::vector<BakedPage> run(std::uint32_t task);
 
 private:
     struct Task {
         TileKey tile;
-        std::uint32_t last_level;  ///< tiles below it are made with it down to here
+        std::uint32_t last_level;  ///< the task also makes the tiles below, down to this level
     };
-    /// Far horizons of one tile a level.
+    /// Far horizons of one tile per level.
     struct Sight {
         struct Level {
             TileKey tile;

@@ -1,4 +1,4 @@
-/// What a VTP binary terrain file (.bt 1.0 to 1.3) says and GDAL leaves out. Format: Virtual Terrain Project, "BT (Binary
+/// Fields of a VTP binary terrain file (.bt 1.0 to 1.3) that GDAL does not return. Format: Virtual Terrain Project, "BT (Binary
 /// Terrain) File Format": a header of 256 bytes, little-endian.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace tedavis::host_sim {
 
 struct BinaryTerrainHeader {
     double metres_per_unit = 1;           ///< of the heights
-    bool projection_file_needed = false;  ///< its coordinate system stands in a .prj file beside it
+    bool projection_file_needed = false;  ///< its coordinate system is in a .prj file beside it
 };
 
 /// Empty where the file cannot be read or is no binary terrain.

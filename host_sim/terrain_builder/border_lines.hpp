@@ -1,5 +1,5 @@
-/// The borders of chunks as lines of the lattice: every 32nd row and column and the last ones, and at which levels their
-/// posts stay. Both chunks at a line, of whatever level, take their border vertices from here.
+/// The borders of chunks as lines of the lattice (every 32nd row and column and the last ones), with the levels up to which each
+/// of their posts is a vertex. Chunks of all levels on both sides of a line take their border vertices from here.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ public:
     /// Opens or makes the files `<folder>/rows` and `<folder>/columns`.
     BorderLines(const BuildPlan& plan, const std::string& folder);
 
-    /// Pieces of lines: what one task makes. Any thread, different pieces at once.
+    /// Number of pieces of lines, one per task. Different pieces may be built at once, on any thread.
     [[nodiscard]] std::uint32_t piece_count() const { return row_pieces() + column_pieces(); }
     void build_piece(const PostsFile& posts, std::uint32_t piece);
 

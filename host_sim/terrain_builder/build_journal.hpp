@@ -1,4 +1,4 @@
-/// How far a build has come, on disk: records that are only appended, each with a checksum; the last whole one counts.
+/// The progress of a build, on disk: appended records, each with a checksum, of which the last complete one is valid.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@ namespace tedavis::host_sim {
 /// Everything of stages before `stage` is done, and tasks 0..next-1 of it.
 struct BuildRecord {
     std::uint32_t stage = 0, next = 0;
-    std::uint64_t end = 0;  ///< of what was appended to the database
+    std::uint64_t end = 0;  ///< offset of the end of the appended parts in the database
     PostStatistics statistics;
 };
 
 class BuildJournal {
 public:
-    /// Opens the journal of a work folder. `key` names inputs and options: a folder of another key, or one whose journal
+    /// Opens the journal of a work folder. `key` identifies inputs and options: a folder with another key, or with a journal that
     /// cannot be read, is emptied. Throws UserError.
     BuildJournal(const std::string& folder, std::uint64_t key);
 
     [[nodiscard]] const BuildRecord& last() const { return last_; }
     [[nodiscard]] bool resumes() const { return records_ > 1; }
-    /// On disk when this returns; what it speaks of must be there already.
+    /// Appends a record, which is on disk when this returns; the results that it states as done must be on disk before.
     void append(const BuildRecord& record);
 
 private:

@@ -1,4 +1,4 @@
-/// Everything that a terrain build works on, in its work folder.
+/// All data of a terrain build, in its work folder.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace tedavis::host_sim {
 
-/// Writes parts where they belong.
+/// Writes parts to their places in the database.
 class DatabaseStore final : public PartStore {
 public:
     explicit DatabaseStore(WorkFile& database) : database_(database) {}
@@ -32,19 +32,19 @@ private:
 
 class BuildParts {
 public:
-    /// Opens or makes the folder; goes on where the journal of an equal build stands. Throws UserError.
+    /// Opens or makes the folder, and continues an interrupted build of the same inputs and options. Throws UserError.
     BuildParts(const TerrainSources& sources, const std::string& folder, const BuildOptions& options);
     BuildParts(const BuildParts&) = delete;
     BuildParts& operator=(const BuildParts&) = delete;
 
-    /// Appends what has no place beforehand; returns its offset. One thread, in the order of the tasks.
+    /// Appends a part whose place is not known beforehand; returns its offset. One thread, in the order of the tasks.
     std::uint64_t append(ChunkPart part, const terrain::ChunkKey& chunk, const terrain::PartPlace& place,
                          base::Span<const std::uint8_t> bytes);
-    /// Of the plans: what the posts have shown.
+    /// Sets the range of heights in the plans, once all posts have been read.
     void know_heights();
-    /// Everything is on the disk when this returns.
+    /// Writes all files to the disk.
     void sync();
-    /// What was written, opened as the display does. Any thread.
+    /// The written database, opened as by the display. Any thread.
     const OpenDatabase& written();
 
     const TerrainSources& sources;
@@ -63,7 +63,7 @@ public:
     EntriesFile coarse_entries, unproven_entries, changed_entries;
     EntryBook entries;
     CoarseProof proof, inset_proof;
-    const ChunkSources chunks;  ///< of the coarse posts
+    const ChunkSources chunks;  ///< sources of chunks of the coarse posts
     std::vector<std::unique_ptr<InsetRegion>> regions;
     InsetPyramid inset_pyramid;
     AttributeBaker baker;

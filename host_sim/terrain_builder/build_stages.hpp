@@ -1,4 +1,4 @@
-/// The stages of a terrain build in their order, as StagedRun does them.
+/// The stages of a terrain build in the order in which StagedRun runs them.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace tedavis::host_sim {
 
-/// `parts` must live as long. Stages depend on nothing but the parts' plan, so that a build that goes on has the same ones.
+/// `parts` must outlive the stages. Stages depend only on the plan of `parts`, so that a continued build has the same ones.
 [[nodiscard]] std::vector<BuildStage> build_stages(BuildParts& parts);
 
-/// A stage whose tasks leave nothing to be done in order. `cost` in microseconds of a processor, of all tasks.
+/// A stage whose tasks have no result to be processed in order. `cost` is the processor time of all tasks, microseconds.
 template <class Task>
 BuildStage plain_stage(std::string_view name, double cost, std::uint32_t count, Task task) {
     return {name, cost, [count] { return count; },

@@ -1,5 +1,5 @@
-/// Gives a chunk the form that the file has. Posts become vertices, whose positions are rounded to the vertex grid and counted
-/// from the chunk's centre; its box is made to hold them all.
+/// Converts a chunk to the form of the file: posts become vertices, whose positions are rounded to the vertex grid and relative
+/// to the chunk's centre, and its bounding box contains them all.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// How far rounding of its place and of its height moved a vertex, at most.
+/// Bounds of the displacement of a vertex by the rounding of its position and of its height.
 struct VertexRounding {
     double up_m = 0, sideways_m = 0;
 };
@@ -20,7 +20,7 @@ struct ChunkDraft {
     terrain::ChunkEntry entry{};
     std::vector<terrain::ChunkVertex> vertices;
     std::vector<std::uint16_t> triangles;
-    double rounding_m = 0;                  ///< how far a vertex can lie from its post by rounding
+    double rounding_m = 0;                  ///< bound of the distance of a vertex from its post by rounding
     std::vector<VertexRounding> roundings;  ///< of every vertex; empty where a chunk was read from a file
 };
 
@@ -29,10 +29,10 @@ public:
     ChunkAssembly(const BuildPlan& plan, const terrain::ChunkKey& key);
 
     void reserve(std::size_t vertices);
-    /// The window holds the post and, where they exist, its neighbours.
+    /// The window must contain the post and, where they exist, its neighbours.
     void add_border(const BorderPost& post, const LatticeWindow& window, const PostPlaces& places);
     void add_inner(std::uint32_t i, std::uint32_t j, const LatticeWindow& window, const PostPlaces& places);
-    /// Key, counts of vertices, centre, axes and the extent of the vertices are set.
+    /// Returns the draft with key, counts of vertices, centre, axes and bounding box of the vertices.
     [[nodiscard]] ChunkDraft finish();
 
 private:
@@ -47,7 +47,7 @@ private:
     ChunkDraft draft_;
 };
 
-/// Grows the box by what the true surface can lie outside the mesh.
+/// Extends the box by the distance of the true surface from the mesh.
 void grow_box(terrain::ChunkEntry& entry, double margin_m);
 
 }  // namespace tedavis::host_sim

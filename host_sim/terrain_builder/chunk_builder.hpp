@@ -10,25 +10,26 @@
 
 namespace tedavis::host_sim {
 
-/// Every 2^level-th post is a vertex. The window holds the chunk's posts and, where they exist, their neighbours.
+/// Makes a chunk of which every 2^level-th post is a vertex. The window must contain the chunk's posts and, where they exist,
+/// their neighbours.
 [[nodiscard]] ChunkDraft make_regular_chunk(const BuildPlan& plan, const LineLevels& lines, const terrain::ChunkKey& key,
                                             const LatticeWindow& window, const PostPlaces& places);
 
-/// The triangles that a regular chunk has without storing them.
+/// Returns the triangles of a regular chunk, which the file does not store.
 [[nodiscard]] std::vector<std::uint16_t> regular_triangles(const terrain::RegularGrid& grid);
 
-/// The triangulation of a chunk of level 1 or above. `border_posts` are those of chunk_border() with heights and classes;
-/// `candidates` and the result are relative to the chunk's corner. With `surface`, a window of all its posts, the mesh is held to
-/// the tolerance between posts as well.
+/// Triangulates a chunk of level 1 or above. `border_posts` are those of chunk_border() with heights and classes; `candidates`
+/// and the result are relative to the chunk's corner. With `surface`, a window of all its posts, the mesh also keeps the
+/// tolerance between posts.
 [[nodiscard]] Tin triangulate_chunk(const BuildPlan& plan, const Steepness& slopes, const terrain::ChunkKey& key,
                                     std::vector<TinPost> border_posts, std::vector<TinPost> candidates,
                                     const LatticeWindow* surface);
 
-/// Puts the triangles that touch a border vertex which does not always stay first; sets their counts.
+/// Sorts the triangles, first those with a border vertex that is absent beside a coarser neighbour, and sets the counts.
 void set_triangles(ChunkDraft& draft, std::vector<std::uint16_t> triangles);
 
-/// The file's bytes of a chunk; `lift` levels are added to those of the plan that it was made with, whose posts then lie 2^lift
-/// posts of the database apart.
+/// Returns the bytes of a chunk in the file. `lift` is added to the levels of the chunk's plan, whose posts are 2^lift posts of
+/// the database apart.
 [[nodiscard]] std::vector<std::uint8_t> payload_of(const ChunkDraft& draft, std::uint32_t lift);
 
 }  // namespace tedavis::host_sim

@@ -1,8 +1,8 @@
-/// The exhaustive signed error of a chunk: of its own mesh, and of what coarser neighbours make of it.
+/// The exhaustive signed error of a chunk: of its own mesh, and of its mesh beside coarser neighbours.
 ///
-/// Every triangle that can ever be drawn of the chunk is measured against every post under it; to that comes what flat
-/// triangles miss of the curved Earth and what rounding moves the vertices. Exact chunks have nothing else, which is stated cell
-/// by cell: with the rise of a cell, the slopes round it and where its own four vertices went.
+/// Every triangle of the chunk that can be drawn is compared with every post below it; added are bounds of the distance of flat
+/// triangles from the curved Earth and of the rounding of vertices. Exact chunks have only the latter two, which are bounded cell
+/// by cell from the rise of the cell, the slopes around it, and the displacements of its four vertices.
 #pragma once
 
 #include <array>
@@ -23,23 +23,24 @@ namespace tedavis::host_sim {
 /// given sides. Throws UserError where the mesh is not sound (a defect of the builder).
 [[nodiscard]] std::vector<std::uint16_t> strip_triangles(const ChunkDraft& draft, std::uint8_t sides);
 
-/// Errors with all that belongs to them, metres.
+/// Errors in metres.
 struct ChunkErrors {
     SignedError own, strips;
-    double shift_m = 0;  ///< how far the mesh can lie off sideways
+    double shift_m = 0;  ///< bound of the horizontal displacement of the mesh
 
     void include(const ChunkErrors& other);
-    /// Into the entry; its box grows by what the surface can lie outside the mesh.
+    /// Writes the errors to the entry and extends its box by the distance of the surface from the mesh.
     void state(terrain::ChunkEntry& entry) const;
 };
 
 class ChunkProof {
 public:
-    /// `surface_m` are the heights of the draft's vertices; `sides` where coarser neighbours can be.
+    /// `surface_m` are the heights of the draft's vertices; `sides`, as EdgeBits, those at which coarser neighbours can be.
     ChunkProof(const BuildPlan& plan, const Steepness& slopes, const ChunkDraft& draft, const std::vector<double>& surface_m,
                std::uint8_t sides);
 
-    /// Takes the posts of a window into account. Windows whose union is the chunk's domain, in any order, measure the chunk.
+    /// Compares with the posts of a window. The errors are complete after windows whose union is the chunk's domain, in any
+    /// order.
     void include(const PostWindowView& posts);
     [[nodiscard]] const ChunkErrors& errors() const { return errors_; }
 

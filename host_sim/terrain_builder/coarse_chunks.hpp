@@ -10,8 +10,8 @@
 
 namespace tedavis::host_sim {
 
-/// A chunk of a level above kUnitLevel; all chunks of the levels below have their entries. Errors, bounds and the payload's
-/// offset remain to be set. Any thread.
+/// Builds a chunk of a level above kUnitLevel; the entries of all chunks of the levels below must exist. Errors, bounds and the
+/// payload's offset are set later. Any thread.
 [[nodiscard]] IrregularChunk build_coarse_chunk(const ChunkSources& sources, const EntriesFile& entries,
                                                 const terrain::ChunkKey& key);
 
@@ -19,11 +19,11 @@ struct CoarseErrors {
     terrain::ChunkKey chunk;
     ChunkErrors errors;
 };
-/// What the posts of a unit say about the chunks above it; taken together over all units, their errors. Any thread.
+/// Returns the errors of the chunks above a unit at the unit's posts; their errors are the largest of all units. Any thread.
 [[nodiscard]] std::vector<CoarseErrors> measure_above(const ChunkSources& sources, const EntriesFile& entries,
                                                       std::uint32_t unit);
-/// What the fine posts of a block, a chunk of the base level that has children, say about that chunk and those above it: keys
-/// of the database. `entries` are the coarse ones. Any thread.
+/// Returns the errors of a block (a chunk of the base level that has children) and of the chunks above it at the block's fine
+/// posts, with keys of the database. `entries` are the coarse ones. Any thread.
 [[nodiscard]] std::vector<CoarseErrors> measure_inset_block(const ChunkSources& fine, const ChunkSources& coarse,
                                                             const EntriesFile& entries, const terrain::ChunkKey& block);
 

@@ -1,4 +1,4 @@
-/// The errors of chunks above the units while they are gathered, unit by unit; on disk between the records of a build.
+/// Collects the errors of chunks above the units, unit by unit; saved to disk with each record of the build.
 #pragma once
 
 #include <map>
@@ -11,13 +11,13 @@ namespace tedavis::host_sim {
 
 class CoarseProof {
 public:
-    /// Goes on from the file at `path`, where there is a whole one.
+    /// Loads the file at `path` if it exists and is complete.
     explicit CoarseProof(std::string path);
 
-    /// The same errors again change nothing.
+    /// Includes errors; to include the same ones twice changes nothing.
     void include(const std::vector<CoarseErrors>& errors);
     [[nodiscard]] const std::map<terrain::ChunkKey, ChunkErrors>& all() const { return all_; }
-    /// The file is the old one or the new one, never a part. Throws UserError.
+    /// Replaces the file as a whole. Throws UserError.
     void save() const;
 
 private:

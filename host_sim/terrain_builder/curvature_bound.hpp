@@ -1,4 +1,4 @@
-/// How far a flat triangle in space lies from the same triangle laid over the lattice.
+/// Bounds the distance between a flat triangle in space and the same triangle over the lattice.
 ///
 /// A triangle is drawn flat in ECEF; its error against the true surface is measured over the lattice, where heights are linear
 /// in longitude and latitude. With X(longitude, latitude, height) the place in ECEF and w the barycentric weights of a point,
@@ -18,7 +18,7 @@
 
 namespace tedavis::host_sim {
 
-/// Metres, none negative: drawn so much higher and lower at most, and so far off sideways.
+/// Bounds in metres, 0 or more: how much higher, lower, and horizontally displaced the flat triangle is drawn.
 struct CurvatureBound {
     double up_m = 0, down_m = 0, shift_m = 0;
 
@@ -29,8 +29,8 @@ struct CurvatureBound {
     }
 };
 
-/// Of triangles within `columns` cells across and the rows j0..j1 whose heights differ by `rise_m` at most. The bound also
-/// holds the bend of rows beside a pole, whose spacing is their own.
+/// Returns the bound for triangles within `columns` cells across and the rows j0..j1 whose heights differ by at most `rise_m`. It
+/// includes the curvature of the rows beside a pole, which have a spacing of their own.
 [[nodiscard]] CurvatureBound curvature_bound(const terrain::Lattice& lattice, std::uint32_t columns, std::uint32_t j0,
                                              std::uint32_t j1, double rise_m);
 

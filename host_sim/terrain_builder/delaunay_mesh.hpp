@@ -2,8 +2,8 @@
 /// Surface Interpolation", 1977), decided in exact integers (angle form of the circle test: Cline, Renka, "A storage-efficient
 /// method for construction of a Thiessen triangulation", Rocky Mountain J. Math. 14(1), 1984).
 ///
-/// Posts are whole, i east, j south, 0..kLastPost. Triangles are wound counter-clockwise seen from above and never degenerate.
-/// Of four posts on a circle, that diagonal is taken that lies nearer the true surface's, i + j = const.
+/// Posts are whole, i east, j south, 0..kLastPost. Triangles are wound counter-clockwise seen from above and never degenerate. Of
+/// four posts on a circle, the diagonal nearer to that of the true surface, i + j = const, is used.
 #pragma once
 
 #include <cstdint>
@@ -42,12 +42,12 @@ public:
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
     [[nodiscard]] MeshPost corner(std::uint32_t triangle, int k) const { return vertices_[triangles_[triangle].corner[k]]; }
 
-    /// The triangle that holds the post; of the two beside a side, that with the lower number. Found by walking from `start`;
-    /// the post lies in the rectangle.
+    /// Returns the triangle that contains the post, which must lie in the rectangle; on a side, that with the lower number. The
+    /// search begins at triangle `start`.
     [[nodiscard]] std::uint32_t locate(MeshPost post, std::uint32_t start) const;
 
-    /// Makes a vertex of a post that lies in `triangle`, on none of its corners and not on the rectangle's sides. star() then
-    /// names every triangle that is new or changed: those round the vertex, which is corner 0 of each.
+    /// Makes a vertex of a post that lies in `triangle`, on none of its corners and not on the rectangle's sides. star() then has
+    /// all new or changed triangles: those around the vertex, which is corner 0 of each.
     std::uint32_t insert(MeshPost post, std::uint32_t triangle);
     [[nodiscard]] const std::vector<std::uint32_t>& star() const { return star_; }
 
@@ -65,7 +65,7 @@ private:
     std::vector<MeshPost> vertices_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> star_;
-    std::vector<std::uint32_t> open_;  // star triangles whose side 1 has not been looked at
+    std::vector<std::uint32_t> open_;  // star triangles whose side 1 has not been checked
 };
 
 }  // namespace tedavis::host_sim

@@ -5,7 +5,7 @@
 
 namespace tedavis::host_sim {
 
-/// A database's chunks on the way into its directory: levels, chunks and pages as the database counts them.
+/// The chunks of a database before its directory is written, with levels, chunks and pages numbered as in the database.
 struct DirectorySources {
     const BuildPlan& plan;  ///< of the finest posts
     const InsetCoverage& coverage;
@@ -13,15 +13,15 @@ struct DirectorySources {
     EntryBook& entries;
 };
 
-/// Sets bound_m of an entry: its own errors, those of strips of finer chunks beside it, which are there because of it, and
-/// nowhere less than its children's; what it says of its posts follows its children. The level below must be whole. Any
-/// thread, different chunks of a level at once.
+/// Sets bound_m of an entry: the largest of its own errors, those of the strips of finer neighbours beside it, and its children's
+/// bounds; updates the summary of its posts from its children. The level below must be complete. Different chunks of a level may
+/// be finished at once, on any thread.
 void finish_entry(const DirectorySources& sources, const terrain::ChunkKey& key);
 
-/// Pages that have chunks are counted in the order of the page table. Any thread, different pages at once.
+/// Writes the n-th page that has chunks, in the order of the page table. Different pages may be written at once, on any thread.
 void write_page(const DirectorySources& sources, std::uint32_t page, WorkFile& database);
 
-/// Undulation, page table and header; `header` has counts and heights.
+/// Writes undulation, page table and header; `header` has counts and heights.
 void write_frame(const DirectorySources& sources, terrain::FileHeader header, WorkFile& database);
 
 }  // namespace tedavis::host_sim

@@ -20,12 +20,13 @@ namespace tedavis::host_sim {
 
 class DrapeSampler {
 public:
-    /// `plan` is of the coarse posts and must live as long. Throws UserError, also where the image does not meet the terrain.
+    /// `plan` is for the coarse posts and must outlive this object. Throws UserError, also where the image does not overlap the
+    /// terrain.
     DrapeSampler(const BuildPlan& plan, const DrapeOptions& options);
     ~DrapeSampler();
 
     [[nodiscard]] std::uint32_t finest_level() const { return finest_level_; }
-    /// A place in the image, whole numbers at the corners of pixels; NaN where there is none.
+    /// A place in the image, with whole numbers at the corners of pixels; NaN where the image has no such place.
     struct Pixel {
         double x = std::numeric_limits<double>::quiet_NaN(), y = std::numeric_limits<double>::quiet_NaN();
     };
@@ -48,7 +49,7 @@ private:
     const BuildPlan& plan_;
     const DrapeOptions options_;
     std::uint32_t finest_level_ = 0;
-    int block_columns_ = 1, block_rows_ = 1;  ///< pixels that are averaged before
+    int block_columns_ = 1, block_rows_ = 1;  ///< size of the blocks of pixels that are averaged first
     IdlePool<Reader> readers_;
 };
 

@@ -1,8 +1,7 @@
 /// The entries of all chunks of a database while it is built, by their keys in the database.
 ///
-/// A terrain without insets has one file. With insets the coarse chunks' file counts its levels from 0, where the database has
-/// the base level; each region has a file of its own for the levels below, and what its fine posts change of coarse entries
-/// lies in a second coarse file.
+/// A terrain without insets has one file. With insets, level 0 of the coarse chunks' file is the base level of the database; each
+/// region has a file of its own for the levels below; coarse entries that its fine posts change are in a second coarse file.
 #pragma once
 
 #include <memory>
@@ -36,7 +35,7 @@ private:
 
 class EntryBook {
 public:
-    /// `coarse` and `changed` are of the coarse lattice; both must live as long.
+    /// `coarse` and `changed` are for the coarse lattice. All arguments must outlive this object.
     EntryBook(const InsetCoverage& coverage, EntriesFile& coarse, EntriesFile& changed)
         : coverage_(coverage), coarse_(coarse), changed_(changed) {}
 
@@ -44,7 +43,7 @@ public:
 
     /// The chunk must exist.
     [[nodiscard]] terrain::ChunkEntry read(const terrain::ChunkKey& key) const;
-    /// As read() gave it, or new; a coarse entry that was read here is written as a changed one.
+    /// Writes an entry that read() returned, or a new one. Coarse entries are written to `changed`.
     void write(terrain::ChunkEntry entry);
     void sync();
 

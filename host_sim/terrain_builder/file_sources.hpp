@@ -1,4 +1,4 @@
-/// Raster files as the sources of one terrain: which of them are its ground, and which are finer insets in it.
+/// Divides raster files into those of the whole terrain and finer insets within it.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace tedavis::host_sim {
 
-/// Files at least half as dense again as the coarsest one that lie within the others are insets; all others are one raster, on
-/// the finest step of them. So are all files where the options speak of single ones (extent, encoding). `notes` gets sentences
-/// that the user should read. Throws UserError.
+/// Files that lie within the others and have posts at least 1.5 times as dense as the coarsest file are insets. All others form
+/// one raster with the finest step of them, as do all files if the options are for single files (extent, encoding). Sentences for
+/// the user are appended to `notes`. Throws UserError.
 [[nodiscard]] TerrainSources sources_of_files(const std::vector<std::string>& files, const RasterOptions& options,
                                               std::vector<std::string>& notes);
 

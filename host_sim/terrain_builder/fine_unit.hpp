@@ -11,7 +11,7 @@
 
 namespace tedavis::host_sim {
 
-/// What all chunks are made from.
+/// The sources of all chunks.
 struct ChunkSources {
     const BuildPlan& plan;
     const TdbLayout& layout;
@@ -19,12 +19,12 @@ struct ChunkSources {
     const LineLevels& lines;
     const Steepness& slopes;
     PartStore& store;
-    std::uint32_t lift = 0;  ///< of the plan's levels to those of the database
+    std::uint32_t lift = 0;  ///< difference between levels of the database and those of the plan
 };
 
-/// A chunk whose payload has no place of its own beforehand.
+/// A chunk whose place in the file is not known beforehand.
 struct IrregularChunk {
-    terrain::ChunkEntry entry{};  ///< its payload's offset is still open
+    terrain::ChunkEntry entry{};  ///< without its payload's offset
     std::vector<std::uint8_t> payload;
 };
 
@@ -33,11 +33,11 @@ struct FineUnit {
     std::vector<IrregularChunk> irregular;
 };
 
-/// Bounds and offsets of irregular payloads remain to be set. Any thread.
+/// Builds a unit. Bounds and offsets of irregular payloads are set later. Any thread.
 [[nodiscard]] FineUnit build_fine_unit(const ChunkSources& sources, std::uint32_t unit);
 
-/// The chunks below a chunk of the base level of a terrain with insets, those that exist; exact ones are regular. All of them
-/// are given back with their payloads. Any thread.
+/// Builds the existing chunks below a chunk of the base level of a terrain with insets; exact ones are regular. All are returned
+/// with their payloads. Any thread.
 [[nodiscard]] std::vector<IrregularChunk> build_inset_block(const ChunkSources& sources, const InsetCoverage& coverage,
                                                             const terrain::ChunkKey& block);
 

@@ -1,4 +1,4 @@
-/// Generated terrain as a GeoTIFF, written tile by tile: memory does not grow with its size.
+/// Writes generated terrain as a GeoTIFF, tile by tile, so that the memory does not depend on its size.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ enum class FractalNumbers { float32, int16 };  ///< int16: rounded to whole metr
 /// Called with work done and all; may throw to stop.
 using FractalProgress = std::function<void(std::uint64_t, std::uint64_t)>;
 
-/// A square of `posts` a side (kFewestFractalPosts..kMaxFractalPosts) of FractalTerrain in tiles of 256 by 256 posts,
-/// EPSG:4326, as BigTIFF where it needs one. The file appears whole or not at all (see AtomicFile). Equal arguments give
-/// equal posts on every machine. Throws UserError where the folder cannot take it.
+/// Writes a square of `posts` a side (kFewestFractalPosts..kMaxFractalPosts) of FractalTerrain in tiles of 256 by 256 posts,
+/// EPSG:4326, as BigTIFF where it needs one. The file appears complete or not at all (see AtomicFile). Equal arguments give equal
+/// posts on every machine. Throws UserError where the folder cannot be written.
 void write_fractal_geotiff(const std::string& path, std::uint32_t posts, std::uint64_t seed, FractalNumbers numbers,
                            const FractalProgress& progress = {});
 

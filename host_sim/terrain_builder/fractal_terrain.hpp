@@ -1,11 +1,11 @@
-/// Generated terrain without end: a fractional Brownian surface with ridges, as a sum of gradient noise octaves.
+/// Generated terrain without borders: a fractional Brownian surface with ridges, as a sum of gradient noise octaves.
 ///
-/// Each octave is gradient noise on a square lattice (Perlin, "Improving Noise", SIGGRAPH 2002) whose amplitude is
-/// proportional to its wavelength; the coarse ones are folded to ridges (Musgrave in Ebert et al., "Texturing and Modeling",
-/// 3rd ed., 2003, chapter 16). Lattice nodes get their gradients from a counter-based hash of seed, octave and place
-/// (Salmon et al., "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011; the mixing function is that of Steele, Lea and
-/// Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014). Lattices of neighbouring octaves are turned against
-/// each other by rational angles, so that their nodes do not coincide and every place is exact in integers.
+/// Each octave is gradient noise on a square lattice (Perlin, "Improving Noise", SIGGRAPH 2002) whose amplitude is proportional
+/// to its wavelength; the coarse ones are folded to ridges (Musgrave in Ebert et al., "Texturing and Modeling", 3rd ed., 2003,
+/// chapter 16). Lattice nodes get their gradients from a counter-based hash of seed, octave and place (Salmon et al., "Parallel
+/// Random Numbers: As Easy as 1, 2, 3", SC 2011; the mixing function is that of Steele, Lea and Flood, "Fast Splittable
+/// Pseudorandom Number Generators", OOPSLA 2014). Lattices of successive octaves are rotated against each other by angles with
+/// rational sines and cosines, so that their nodes do not coincide and every place is exact in integers.
 #pragma once
 
 #include <array>
@@ -15,13 +15,14 @@
 
 namespace tedavis::host_sim {
 
-/// Heights in metres, 0 to 4000; what would be lower is sea and exactly 0. A post is about 30 m wide. The height at a place
-/// depends on nothing but the seed and the place: equal bits from every window, on every machine.
+/// Heights in metres, 0 to 4000; lower heights are sea and exactly 0. Posts are about 30 m apart. The height at a place depends
+/// only on the seed and the place: equal bits from every window, on every machine.
 class FractalTerrain {
 public:
     explicit FractalTerrain(std::uint64_t seed);
 
-    /// Posts i..i+columns-1, j..j+rows-1, row by row into `heights_m`, which holds columns times rows. Any thread.
+    /// Writes the posts i..i+columns-1, j..j+rows-1, row by row, to `heights_m`, which has columns times rows elements. Any
+    /// thread.
     void read(std::int32_t i, std::int32_t j, std::uint32_t columns, std::uint32_t rows, base::Span<float> heights_m) const;
 
 private:

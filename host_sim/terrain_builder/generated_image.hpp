@@ -1,10 +1,10 @@
-/// An invented picture of the ground from above, for a terrain of which there is no free one: it shows what an image drape looks
-/// like, and nothing that exists. Whoever shows it says so.
+/// An invented aerial picture for a terrain without a free one. It shows what an image drape looks like, and nothing that exists;
+/// programs that show it must say so.
 ///
-/// From the heights: woods on slopes, lakes where the heights are level, a low sun from the north-west. Invented: districts of
-/// parcels with crops, roads between districts, villages. Equal heights give equal bits on every machine; chance comes from a
-/// counter-based hash of the place (mixing function of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators",
-/// OOPSLA 2014).
+/// Derived from the heights: woods on slopes, lakes where the heights are level, light from the north-west, 45 degrees high.
+/// Invented: districts of parcels with crops, roads between districts, villages. Equal heights give equal bits on every machine;
+/// random numbers come from a counter-based hash of the place (mixing function of Steele, Lea and Flood, "Fast Splittable
+/// Pseudorandom Number Generators", OOPSLA 2014).
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ class GeneratedImage {
 public:
     static constexpr int kPixelsPerPost = 4;  ///< as fine as drape pages can be
 
-    /// The raster must live as long.
+    /// The raster must outlive this object.
     explicit GeneratedImage(const Raster& raster);
 
     [[nodiscard]] int columns() const { return kPixelsPerPost * static_cast<int>(raster_.columns); }
     [[nodiscard]] int rows() const { return kPixelsPerPost * static_cast<int>(raster_.rows); }
-    /// RGB of a pixel; the first ones lie round the first post.
+    /// RGB of a pixel; the first kPixelsPerPost columns and rows are centred on the first post.
     [[nodiscard]] std::array<std::uint8_t, 3> pixel(int column, int row) const;
 
 private:
@@ -37,10 +37,10 @@ private:
     [[nodiscard]] double height(int i, int j) const;
 
     const Raster& raster_;
-    double east_m_, south_m_;  ///< of a post
+    double east_m_, south_m_;  ///< spacing of posts
 };
 
-/// The picture of a height raster as a GeoTIFF. Throws UserError.
+/// Writes the picture of a height raster as a GeoTIFF. Throws UserError.
 void write_generated_image(const std::string& raster, const std::string& path);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// Heights that a picture holds as colours.
+/// Decodes heights from the colours of a picture.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace tedavis::host_sim {
 
-/// Metres of one pixel; terrain_rgb with black means "no height" by convention and lies below every land.
+/// Returns the height of a pixel in metres. By convention black in terrain_rgb means "no height"; it decodes to a height below
+/// any land.
 [[nodiscard]] inline double decoded_height_m(HeightEncoding encoding, std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
     if (encoding == HeightEncoding::terrarium) return red * 256.0 + green + blue / 256.0 - 32768.0;
     return (red * 65536 + green * 256 + blue - 100000) / 10.0;

@@ -1,4 +1,4 @@
-/// Heights at halved resolutions over a whole database, wherever they come from: what attribute maps are made of.
+/// Interface to heights at halved resolutions over a whole database, from which attribute maps are made.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace tedavis::host_sim {
 
-/// Posts of level m stand 2^m posts apart. Unknown heights of levels above 0 are NaN; classes say what is shown there.
+/// Posts of level m are 2^m posts apart. Unknown heights of levels above 0 are NaN; the post's class states how it is drawn.
 class HeightLevels {
 public:
     virtual ~HeightLevels() = default;

@@ -1,6 +1,7 @@
 /// A pool of expensive objects, such as open files: each is used by one thread at a time and kept for the next one.
 ///
-/// Memory  as many as were ever in use at once. Thread  any. What is not given back (its user threw) is simply gone.
+/// Memory  as many objects as were in use at once. Thread  any. An object that is not given back (its user threw) is lost to the
+/// pool.
 #pragma once
 
 #include <memory>
@@ -13,13 +14,14 @@ namespace tedavis::host_sim {
 template <class T>
 class IdlePool {
 public:
-    /// An idle one, else what `make()` returns, a std::unique_ptr<T>; it is called outside the lock, and what it throws passes.
+    /// Returns an idle object, else the result of `make()`, a std::unique_ptr<T>. `make` is called outside the lock; its
+    /// exceptions are passed on.
     template <class Make>
     [[nodiscard]] std::unique_ptr<T> take(const Make& make) {
         if (std::unique_ptr<T> idle = take_idle()) return idle;
         return make();
     }
-    /// `thing` is not null.
+    /// `thing` must not be null.
     void give_back(std::unique_ptr<T> thing) {
         const std::lock_guard lock(mutex_);
         idle_.push_back(std::move(thing));

@@ -1,4 +1,4 @@
-/// One image file as GDAL opens it: where its pixels lie, and which of its bands are colours.
+/// One image file opened with GDAL: the position of its pixels, and which of its bands are colours.
 #pragma once
 
 #include <ogr_spatialref.h>
@@ -14,29 +14,29 @@
 
 namespace tedavis::host_sim {
 
-/// The image that a terrain is draped with, and what the user says about it.
+/// The image with which a terrain is draped, and the user's statements about it.
 struct DrapeOptions {
     std::string file;
     std::optional<std::string> crs;   ///< overrides the file's own
-    std::optional<MapExtent> extent;  ///< outer edges, where the file does not say where it lies; degrees without `crs`
+    std::optional<MapExtent> extent;  ///< outer edges of a file that is not georeferenced; degrees without `crs`
 };
 
 class ImageSource {
 public:
-    /// Throws UserError for what is no picture with a place on Earth: no raster, not georeferenced, no or an unknown coordinate
-    /// system, bands that are no 8-bit colours, grey values or palette entries.
+    /// Throws UserError for a file that is no raster, is not georeferenced, has no or an unknown coordinate system, or has bands
+    /// that are no 8-bit colours, grey values or palette entries.
     explicit ImageSource(const DrapeOptions& options);
 
     [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
     [[nodiscard]] const OGRSpatialReference& crs() const { return crs_; }  ///< horizontal; longitude or easting first
-    /// GDAL's: coordinates of `crs` to columns and rows, whole numbers at the corners of pixels.
+    /// GDAL's transform from coordinates of `crs` to columns and rows, with whole numbers at the corners of pixels.
     [[nodiscard]] const std::array<double, 6>& to_pixels() const { return to_pixels_; }
     [[nodiscard]] const std::array<double, 6>& transform() const { return transform_; }
 
-    /// RGBA, not multiplied, row by row, of pixels inside the image; alpha 0 where mask, alpha band or nodata value say so.
-    /// One thread at a time. Throws UserError where the file is damaged.
+    /// Reads RGBA, not premultiplied, row by row, of pixels inside the image; alpha is 0 where mask, alpha band or nodata value
+    /// mark missing pixels. One thread at a time. Throws UserError where the file is damaged.
     void read(int column, int row, int columns, int rows, std::uint8_t* rgba) const;
 
 private:

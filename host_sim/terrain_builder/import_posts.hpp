@@ -1,4 +1,5 @@
-/// The first stage of a build: every post of the sources, once, into the posts file; closing column and pole rows made.
+/// The first stage of a build: writes every post of the sources once to the posts file, and makes the closing column and the pole
+/// rows.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@ struct PostStatistics {
     void include(base::Span<const float> heights_m, base::Span<const terrain::PostClass> classes);
 };
 
-/// The source cut into blocks, band by band: what one task reads.
+/// Divides the source into blocks, band by band, one per task.
 class ImportBlocks {
 public:
     explicit ImportBlocks(const BuildPlan& plan);
@@ -43,7 +44,7 @@ public:
         : plan_(plan), blocks_(plan), open_(open), posts_(posts) {}
 
     [[nodiscard]] std::uint32_t block_count() const { return blocks_.count(); }
-    /// Any thread, different blocks at once.
+    /// Imports a block and returns its statistics. Different blocks may be imported at once, on any thread.
     [[nodiscard]] PostStatistics import(std::uint32_t block);
 
 private:
@@ -57,7 +58,8 @@ private:
     IdlePool<PostReader> readers_;
 };
 
-/// A pole row has one height: the mean of the valid posts of the row beside it, or of its own where the source has it.
+/// Fills the pole rows. A pole row has one height: the mean of the valid posts of the neighbouring row, or of its own where the
+/// source has it.
 void make_pole_rows(const BuildPlan& plan, PostsFile& posts);
 
 }  // namespace tedavis::host_sim

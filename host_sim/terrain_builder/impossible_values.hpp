@@ -1,5 +1,5 @@
-/// Values of a raster that no ground has, and that the file does not declare as void: marks of another kind of data, or of a void
-/// value that nobody stated.
+/// Values of a raster that are impossible for ground and that the file does not declare as void: signs of another kind of data,
+/// or of an undeclared void value.
 #pragma once
 
 #include "host_sim/terrain_builder/raster_source.hpp"
@@ -7,12 +7,12 @@
 namespace tedavis::host_sim {
 
 struct ImpossibleValues {
-    double share = 0;                    ///< of the values looked at
-    double lowest_m = 0, highest_m = 0;  ///< of those
+    double share = 0;                    ///< fraction of the sampled values
+    double lowest_m = 0, highest_m = 0;  ///< of the impossible values
 };
 
-/// By a sample of at most 64 x 64 posts, evenly over the raster. Nothing is found in heights that colours hold. Throws UserError
-/// where the file is damaged.
+/// Examines a sample of at most 64 x 64 posts, evenly over the raster. For heights coded in colours it finds none. Throws
+/// UserError where the file is damaged.
 [[nodiscard]] ImpossibleValues impossible_values(const RasterSource& source, const RasterOptions& options);
 
 }  // namespace tedavis::host_sim

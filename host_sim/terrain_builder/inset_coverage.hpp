@@ -1,8 +1,8 @@
-/// Which chunks exist where finer rasters lie in a coarse one: a tree of chunks that is balanced two to one.
+/// The chunks that exist where finer rasters lie in a coarse one: a quadtree in which neighbours differ by at most one level.
 ///
-/// The coarse raster's posts lie 2^base_level posts of the database apart; its own chunks begin at that level. Over each inset
-/// chunks go down to level 0; round it lie rings of chunks of every level between, at least one chunk wide. All children of a
-/// chunk exist, or none. Posts are those of the database, the fine ones.
+/// The coarse raster's posts are 2^base_level posts of the database apart; its own chunks begin at that level. Over each inset
+/// there are chunks down to level 0, and around it rings of chunks of every level between, at least one chunk wide. Either all
+/// children of a chunk exist, or none. Posts are those of the database, the fine ones.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,12 @@
 
 namespace tedavis::host_sim {
 
-inline constexpr std::uint32_t kMaxBaseLevel = 5;  ///< a chunk of it is a unit of work: posts 1 : 32 at most
+/// A chunk of this level is a unit of work; at most 32 fine posts to a coarse one.
+inline constexpr std::uint32_t kMaxBaseLevel = 5;
 
 class InsetCoverage {
 public:
-    /// None: everything exists, down to level 0.
+    /// Without insets: all chunks exist, down to level 0.
     InsetCoverage() = default;
     /// `footprints` are the posts that insets cover, inside the lattice; `base_level` is 1..kMaxBaseLevel.
     InsetCoverage(const terrain::Lattice& lattice, std::uint32_t base_level, const std::vector<terrain::PostRange>& footprints);
@@ -27,7 +28,7 @@ public:
     [[nodiscard]] bool has_children(const terrain::ChunkKey& key) const;
     [[nodiscard]] bool is_exact(const terrain::ChunkKey& key) const { return exists(key) && !has_children(key); }
 
-    /// Rectangles of whole chunks of the base level that hold all chunks below it; they do not touch each other.
+    /// Rectangles of whole chunks of the base level that contain all chunks of finer levels; they do not touch each other.
     [[nodiscard]] const std::vector<terrain::PostRange>& regions() const { return regions_; }
 
 private:

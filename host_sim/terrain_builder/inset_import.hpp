@@ -1,7 +1,7 @@
 /// The fine posts of a region: the coarse surface with the insets blended in.
 ///
-/// An inset's weight rises linearly from 0 at its rim, also at that of its voids, to 1 at kBlendPosts posts from it, along rows,
-/// columns or diagonals. So there is no step where it begins, whatever the heights differ by.
+/// An inset's weight rises linearly from 0 at its border, and at that of its voids, to 1 at kBlendPosts posts from it, along
+/// rows, columns or diagonals. So there is no step at its border, however much the heights differ.
 #pragma once
 
 #include <memory>
@@ -16,14 +16,14 @@ namespace tedavis::host_sim {
 
 inline constexpr std::uint32_t kBlendPosts = 32;
 
-/// Posts of an inset at posts of the database's lattice, interpolated bilinearly; void where a post it stands on is.
+/// Interpolates an inset bilinearly at posts of the database's lattice; the result is void where one of the posts used is.
 class InsetSampler {
 public:
     InsetSampler(const BuildPlan& fine, const PostReaderFactory& open) : fine_(fine), open_(open) {}
 
-    /// Heights and classes of the window; posts beyond the inset are void. Any thread.
+    /// Fills in heights and classes of the window; posts outside the inset are void. Any thread.
     void read(LatticeWindow& window);
-    /// The lattice's posts within the inset; empty (i1 < i0) where it has none.
+    /// Returns the lattice's posts within the inset; empty (i1 < i0) where there are none.
     [[nodiscard]] terrain::PostRange footprint();
 
 private:
@@ -40,16 +40,17 @@ private:
 
 class InsetImport {
 public:
-    /// Later insets lie over earlier ones.
+    /// Later insets override earlier ones. All references must outlive this object.
     InsetImport(std::vector<std::unique_ptr<InsetSampler>>& insets, InsetPosts& posts, const PostsFile& coarse,
                 std::uint32_t shift)
         : insets_(insets), posts_(posts), coarse_(coarse), shift_(shift) {}
 
-    /// Any thread, different blocks at once; the coarse posts must still be the raster's own. Returns what the block holds.
+    /// Imports a block and returns its statistics. The coarse posts must still be those of the raster. Different blocks may be
+    /// imported at once, on any thread.
     [[nodiscard]] PostStatistics import(const terrain::PostRange& block);
-    /// Coarse posts in the block become what the fine ones are. All blocks must have been imported.
+    /// Sets the coarse posts in the block to the fine ones at their places. All blocks must have been imported.
     void write_back(const terrain::PostRange& block, PostsFile& coarse) const;
-    /// Void posts get a height from the coarse ones, whose voids are filled.
+    /// Sets heights of void posts from the coarse ones, whose voids must be filled.
     void fill_voids(const terrain::PostRange& block);
 
 private:

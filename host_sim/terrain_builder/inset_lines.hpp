@@ -1,7 +1,7 @@
 /// The borders of chunks in a region of insets: every 32nd row and column of its posts.
 ///
-/// At the base level and above, borders are those of the coarse posts, also inside the region. Below, they keep close to the
-/// fine surface; beside an exact chunk of level m they have exactly every 2^m-th post, as it has.
+/// At the base level and above, borders are those of the coarse posts, also inside the region. At finer levels they approximate
+/// the fine surface; beside an exact chunk of level m they have exactly every 2^m-th post, as the chunk has.
 #pragma once
 
 #include <string>
@@ -19,11 +19,12 @@ public:
     InsetLines(const BuildPlan& plan, const InsetCoverage& coverage, const BorderLines& coarse, const InsetPosts& posts,
                const std::string& path);
 
-    /// All lines within a block, a chunk of the base level, its sides included. Any thread, different blocks at once.
+    /// Makes all lines within a block, a chunk of the base level, its sides included. Different blocks may be built at once, on
+    /// any thread.
     void build(const terrain::ChunkKey& block);
     void sync();
 
-    /// Within the region.
+    /// For lines within the region.
     [[nodiscard]] std::vector<std::uint8_t> along(LineDirection way, std::uint32_t line, std::uint32_t first,
                                                   std::uint32_t count) const override;
 
@@ -38,7 +39,7 @@ private:
     void stand_beside_exact(const Piece& piece, std::vector<std::uint8_t>& kept, std::vector<std::uint8_t>& most) const;
     [[nodiscard]] bool is_beside_exact(const Piece& piece, std::uint32_t level, std::uint32_t first) const;
     [[nodiscard]] LinePiece line_of(const Piece& piece) const;
-    /// Where a line's post is in its file.
+    /// The offset of a line's post in its file.
     [[nodiscard]] std::uint64_t place_of(LineDirection way, std::uint32_t line, std::uint32_t post) const;
 
     const BuildPlan& plan_;

@@ -1,4 +1,4 @@
-/// The posts of a region of insets: on disk where the region lies, interpolated from the coarse posts elsewhere.
+/// The posts of a region of insets: stored on disk within the region, interpolated from the coarse posts outside.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace tedavis::host_sim {
 
-/// Fills a window of posts 2^shift to a coarse one, linearly on the coarse posts' triangles; post (0, 0) is the same one. A post
-/// that stands on a void one is void. Beyond the coarse lattice posts are outside.
+/// Fills a window of posts, 2^shift to a coarse one, linearly on the coarse posts' triangles; post (0, 0) is the same in both. A
+/// fine post is void if a coarse post used is. Posts beyond the coarse lattice are outside.
 void interpolate_posts(const PostsFile& coarse, std::uint32_t shift, LatticeWindow& fine);
 
 class InsetPosts final : public PostWindows {
 public:
-    /// `region` in fine posts, its corners on coarse ones. Opens or makes `<path>.heights` and `<path>.classes`.
+    /// `region` is in fine posts, with its corners at coarse ones. Opens or makes `<path>.heights` and `<path>.classes`.
     InsetPosts(const PostsFile& coarse, std::uint32_t shift, const terrain::PostRange& region, const std::string& path);
 
     [[nodiscard]] const terrain::PostRange& region() const { return region_; }

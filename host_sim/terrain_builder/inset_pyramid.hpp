@@ -1,4 +1,4 @@
-/// The heights of a terrain with insets at halved resolutions: fine levels where the regions lie, interpolated elsewhere.
+/// The heights of a terrain with insets at halved resolutions: finer levels are stored in the regions and interpolated elsewhere.
 #pragma once
 
 #include <deque>
@@ -21,9 +21,9 @@ public:
     /// The level below must be whole. Any thread, different blocks at once.
     void build_block(std::uint32_t m, std::uint32_t block);
     void sync();
-    /// Of a level below the base level.
+    /// Reads a level below the base level.
     void read(std::uint32_t m, LatticeWindow& window) const;
-    /// Whether a window of a level lies in the region for the larger part.
+    /// Whether the middle of a window of a level lies in the region.
     [[nodiscard]] bool holds_middle(std::uint32_t m, const LatticeWindow& window) const;
 
 private:

@@ -1,4 +1,4 @@
-/// One region of insets while a terrain is built: everything that its chunks are made from.
+/// One region of insets while a terrain is built, with all sources of its chunks.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 namespace tedavis::host_sim {
 
 struct InsetRegion {
-    /// The coarse terrain's parts must live as long. Work files begin with `path`.
+    /// The coarse terrain's parts must outlive this object. The paths of its work files begin with `path`.
     InsetRegion(TerrainPlan& plan, const terrain::PostRange& region, const ChunkSources& coarse, const PostsFile& coarse_posts,
                 const BorderLines& coarse_lines, const SlopeMap& coarse_slopes, const std::string& path)
         : blocks(region, plan.coverage.base_level()),

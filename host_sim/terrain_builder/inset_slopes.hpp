@@ -11,14 +11,15 @@ namespace tedavis::host_sim {
 
 class InsetSlopes final : public Steepness {
 public:
-    /// `plan` is of the fine posts. Reads what is known already from the file at `path`; makes it where it does not exist.
+    /// `plan` is of the fine posts. Reads the slopes known so far from the file at `path`; makes the file where it does not
+    /// exist.
     InsetSlopes(const BuildPlan& plan, const SlopeMap& coarse, std::uint32_t shift, const InsetPosts& posts,
                 const std::string& path);
 
-    /// From all posts of a block. Any thread, different blocks at once.
+    /// Measures the slopes of a block from all its posts. Different blocks may be measured at once, on any thread.
     void measure(const terrain::ChunkKey& block);
     void sync() { file_.sync(); }
-    /// In fine posts.
+    /// `posts` and `margin_posts` are in fine posts.
     [[nodiscard]] double steepest(const terrain::PostRange& posts, std::uint32_t margin_posts) const override;
 
 private:

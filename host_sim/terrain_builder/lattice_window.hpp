@@ -9,7 +9,7 @@
 
 namespace tedavis::host_sim {
 
-/// May reach beyond the lattice: round the Earth it goes on, elsewhere posts are `outside`.
+/// It may extend beyond the lattice: a lattice round the Earth is continued, others have posts of class `outside` there.
 struct LatticeWindow {
     std::int64_t i0 = 0, j0 = 0;  ///< lattice coordinates of its first post
     std::uint32_t columns = 0, rows = 0;

@@ -1,5 +1,5 @@
-/// Tasks that run at the same time and whose results are taken one after the other, in the order of the tasks: what is made
-/// from them does not depend on the number of threads.
+/// Runs tasks in parallel and processes their results one after the other, in the order of the tasks, so that the outcome does
+/// not depend on the number of threads.
 #pragma once
 
 #include <condition_variable>
@@ -13,8 +13,8 @@
 
 namespace tedavis::host_sim {
 
-/// `work(index)` runs on any thread and returns a Result; `commit(index, Result&&)` runs for one index at a time, in rising
-/// order. The exception of the lowest index that fails is thrown again after every running task has ended.
+/// `work(index)` runs on any thread and returns a Result; `commit(index, Result&&)` is called for one index at a time, ascending.
+/// The exception of the lowest index that fails is thrown again after every running task has ended.
 template <class Work, class Commit>
 class OrderedTasks {
 public:
@@ -75,7 +75,7 @@ private:
     std::exception_ptr error_;
 };
 
-/// Indices first..end-1. Results that wait for their turn are at most as many as there are workers.
+/// Runs the tasks first..end-1. At most as many results wait for their turn as there are workers.
 template <class Work, class Commit>
 void run_in_order(base::Workers& workers, std::uint32_t first, std::uint32_t end, Work work, Commit commit) {
     OrderedTasks<Work, Commit> tasks(work, commit, first, workers.concurrency());

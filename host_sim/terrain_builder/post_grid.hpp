@@ -1,4 +1,4 @@
-/// Where the posts of a terrain lie, and what they come from.
+/// The lattice of a terrain's posts, and their sources.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct PostGrid {
     double west_deg = 0, north_deg = 0;  ///< of the north-west post
     double step_lon_deg = 0, step_lat_deg = 0;
     std::string source;  ///< names of the files, without folders
-    /// Of the files: ellipsoid where all of them have ellipsoidal heights. Heights of posts are above MSL in any case.
+    /// Datum of the files: ellipsoid if all of them have ellipsoidal heights. Heights of posts are always above MSL.
     VerticalDatum vertical_datum = VerticalDatum::egm96;
 };
 

@@ -1,8 +1,7 @@
-/// Heights of one raster at the posts of a lattice of longitude and latitude, whatever projection the raster is in.
+/// Interpolates the heights of one raster, in any projection, at the posts of a lattice of longitude and latitude.
 ///
-/// A post has a height where the raster's nearest post has one; it is bilinear between the posts around it that have one.
-/// Each place is transformed exactly, and a post's height does not depend on what else is asked for: equal bits from any
-/// window.
+/// A post has a height if the raster's nearest post has one; it is interpolated bilinearly between the surrounding posts that
+/// have one. Each place is transformed exactly, and a post's height has equal bits in every window.
 #pragma once
 
 #include <ogr_spatialref.h>
@@ -18,17 +17,17 @@ namespace tedavis::host_sim {
 
 class PostInterpolator {
 public:
-    /// Copies what it needs of the source and the lattice. Throws UserError where no transformation is known.
+    /// Copies the needed data of source and lattice. Throws UserError where no transformation is known.
     PostInterpolator(const RasterSource& source, const GeoLattice& lattice);
 
-    /// Where on the raster the posts of one block lie.
+    /// Positions of the posts of one block on the raster.
     struct Block {
         std::vector<double> column, row;  ///< 0 at the centre of the first pixel; NaN where the raster has no such place
-        PostWindow pixels;                ///< all that the block's posts lie between; no columns where none does
+        PostWindow pixels;                ///< all pixels that the block's posts need; no columns where there are none
     };
-    /// False where no post of the cell of kBlock by kBlock posts at i, j can have a height; costs next to nothing.
+    /// False if no post of the cell of kBlock by kBlock posts at i, j can have a height. Fast.
     [[nodiscard]] bool reaches(std::int64_t i, std::int64_t j) const;
-    /// Posts first_i.., first_j.. of the lattice; a block lies within one cell of kBlock by kBlock posts.
+    /// Locates the posts first_i.., first_j.. of the lattice; a block must lie within one cell of kBlock by kBlock posts.
     [[nodiscard]] Block locate(std::int64_t first_i, std::int64_t first_j, std::int64_t columns, std::int64_t rows) const;
     /// `heights`: those of block.pixels. NaN where there is none.
     [[nodiscard]] float height_at(const Block& block, std::size_t post, const std::vector<float>& heights) const;

@@ -1,4 +1,4 @@
-/// Places of posts in space, and the upright of the surface there, for a window of posts.
+/// Positions of a window's posts in ECEF, and the normals there.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace tedavis::host_sim {
 
-/// Sines and cosines of a window's rows and columns, computed once. Places are those of Lattice::position to the last bit.
+/// Sines and cosines of a window's rows and columns, computed once. Positions equal those of Lattice::position bit for bit.
 class PostPlaces {
 public:
-    /// The window may reach over the seam of a lattice round the Earth; other columns and rows outside are not requested.
+    /// The window may extend over the seam of a lattice round the Earth; other columns and rows outside must not be requested.
     PostPlaces(const terrain::Lattice& lattice, std::int64_t i0, std::int64_t j0, std::uint32_t columns, std::uint32_t rows);
 
     [[nodiscard]] earth::Ecef at(std::int64_t i, std::int64_t j, double surface_m) const;
-    /// Upright of the ellipsoid.
+    /// Normal of the ellipsoid.
     [[nodiscard]] glm::dvec3 up(std::int64_t i, std::int64_t j) const;
-    /// Unit normal of the full-resolution surface: central differences over valid neighbours; the ellipsoid's upright where
-    /// there are none.
+    /// Unit normal of the full-resolution surface: central differences over valid neighbours; the ellipsoid's normal where there
+    /// are none.
     [[nodiscard]] glm::dvec3 normal(const LatticeWindow& window, std::int64_t i, std::int64_t j) const;
 
 private:

@@ -1,12 +1,13 @@
-/// The posts of any rasters, read by windows: nothing holds a whole raster.
+/// The posts of any rasters, read by windows, without a whole raster in memory.
 ///
-/// The lattice: posts of one geographic file are taken as they are; several files or another projection are interpolated
-/// bilinearly on the finest geographic step of them, and where files overlap the later one counts. Heights come in metres
-/// above MSL (EGM96), whatever unit and datum the files have. Sea is where a height above MSL is exactly zero in the file.
+/// The lattice is that of a single geographic file, whose posts are used as they are. Several files, or another projection, are
+/// interpolated bilinearly on the finest geographic step of them; where files overlap, the later one is used. Heights are
+/// returned in metres above MSL (EGM96) for any unit and datum of the files. Sea is where a height above MSL is exactly zero in
+/// the file.
 ///
 /// A post has the same bits in every window. Memory: GDAL's block cache is bounded (for the whole process), and at most
-/// kMaxOpenFiles files are open in an object; the rest is a few windows of PostInterpolator::kBlock posts a side.
-/// Threads: one object a thread; objects of the same files agree to the bit.
+/// kMaxOpenFiles files are open in an object; the rest is a few windows of PostInterpolator::kBlock posts a side. Threads: one
+/// object per thread; objects of the same files return equal bits.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ public:
     static constexpr std::int64_t kBlockCacheBytes = 64 << 20;
     static constexpr std::size_t kMaxOpenFiles = 24;
 
-    /// Throws UserError, one sentence, for what cannot be terrain (see open_raster_source) or does not fit together.
+    /// Throws UserError, one sentence, for files that cannot be terrain (see open_raster_source) or cannot be combined.
     PostSource(const std::vector<std::string>& files, const RasterOptions& options);
 
     /// Its west_deg is within -180 and 180.

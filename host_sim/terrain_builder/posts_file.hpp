@@ -1,7 +1,7 @@
 /// All posts of a lattice on disk, row by row: heights and classes.
 ///
-/// Round the Earth a window may reach over the seam: column -1 is the last but one, which is the meridian before column 0.
-/// Any thread; posts that are being written must not be read.
+/// In a lattice round the Earth a window may extend over the seam: column -1 is the last but one, which is the meridian before
+/// column 0. Any thread; posts must not be read while they are written.
 #pragma once
 
 #include <cstdint>

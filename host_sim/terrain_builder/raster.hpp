@@ -1,4 +1,4 @@
-/// Rasters of any kind that GDAL reads, as one geographic lattice of posts in memory.
+/// Loads rasters of any kind that GDAL reads as one geographic lattice of posts in memory.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Raster : PostGrid {
     [[nodiscard]] std::size_t at(std::uint32_t i, std::uint32_t j) const { return std::size_t{j} * columns + i; }
 };
 
-/// All posts of a PostSource; its rules hold. Throws UserError, also where there are more than 2^30 posts or only voids.
+/// Loads all posts of a PostSource. Throws UserError, also where there are more than 2^30 posts or only voids.
 [[nodiscard]] Raster load_rasters(const std::vector<std::string>& files, const RasterOptions& options);
 
 }  // namespace tedavis::host_sim

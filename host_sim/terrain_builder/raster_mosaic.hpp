@@ -14,12 +14,12 @@ struct GeoLattice {
     std::int64_t columns = 0, rows = 0;
 };
 
-/// What a source covers, to the outer edges of its pixels; east may lie beyond 180. Throws UserError where the source cannot
-/// be brought to WGS84.
+/// Returns the area of a source, to the outer edges of its pixels; east may be beyond 180. Throws UserError where the source
+/// cannot be brought to WGS84.
 [[nodiscard]] GeoBounds area_of(const RasterSource& source);
 
-/// The lattice of all sources within the bounds of the options, as fine as the finest of them in each direction and on
-/// the posts of the first plain one. Throws UserError where a source cannot be brought to WGS84.
+/// Returns the lattice of all sources within the bounds of the options, with the finest step of them in each direction, aligned
+/// with the posts of the first plain one. Throws UserError where a source cannot be brought to WGS84.
 [[nodiscard]] GeoLattice plan_lattice(const std::vector<RasterSource>& sources, const RasterOptions& options);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// What the user says about the rasters that a terrain database is made of.
+/// The user's options for the rasters of a terrain database.
 #pragma once
 
 #include <optional>
@@ -6,10 +6,10 @@
 
 namespace tedavis::host_sim {
 
-/// What heights are above: the EGM96 geoid (mean sea level) or the WGS84 ellipsoid.
+/// The reference of heights: the EGM96 geoid (mean sea level) or the WGS84 ellipsoid.
 enum class VerticalDatum { egm96, ellipsoid };
 
-/// How colours hold heights, with R, G and B from 0 to 255.
+/// Codes of heights in colours, with R, G and B from 0 to 255.
 ///   terrain_rgb: -10000 m + (R * 65536 + G * 256 + B) * 0.1 m (Mapbox, "Terrain-RGB" tileset documentation)
 ///   terrarium:   (R * 256 + G + B / 256) m - 32768 m (Mapzen, "Terrain Tiles" documentation)
 enum class HeightEncoding { terrain_rgb, terrarium };
@@ -25,14 +25,14 @@ struct MapExtent {
 
 struct RasterOptions {
     std::optional<std::string> crs;               ///< overrides the files' own, e.g. "EPSG:21781"
-    std::optional<MapExtent> extent;              ///< of the one file that does not say where it lies; degrees without `crs`
+    std::optional<MapExtent> extent;              ///< of the one file that is not georeferenced; degrees without `crs`
     std::optional<GeoBounds> bounds;              ///< posts outside are left out
     std::optional<double> void_value;             ///< an additional value that means "no height"
-    std::optional<VerticalDatum> vertical_datum;  ///< without: what each file states, else EGM96
+    std::optional<VerticalDatum> vertical_datum;  ///< nothing: as each file states, else EGM96
     std::optional<HeightEncoding> encoding;       ///< of the files that are colour pictures
 };
 
-/// Heights outside count as void: no land lies there, and marks that a file does not declare do.
+/// Heights outside this range, metres, are void: no land has them, but undeclared void values do.
 inline constexpr double kLowestHeight_m = -500, kHighestHeight_m = 9000;
 
 }  // namespace tedavis::host_sim

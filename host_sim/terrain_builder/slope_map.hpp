@@ -1,4 +1,5 @@
-/// How steep the true surface is at most, by chunks of level 0: with it a sideways shift becomes a height.
+/// Upper bounds of the true surface's slope by chunks of level 0, by which a horizontal displacement is converted to a height
+/// error.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +11,19 @@
 
 namespace tedavis::host_sim {
 
-/// Of the steepest triangle in a rectangle of the window's posts; between valid ones.
+/// Returns the slope of the steepest triangle of valid posts in a rectangle of the window, metres per metre.
 [[nodiscard]] float steepest_slope(const BuildPlan& plan, const LatticeWindow& window, const terrain::PostRange& posts);
 
 class SlopeMap final : public Steepness {
 public:
-    /// Reads what is known already from the file at `path`; makes it where it does not exist.
+    /// Reads the slopes known so far from the file at `path`; makes the file where it does not exist.
     SlopeMap(const BuildPlan& plan, const std::string& path);
 
-    /// From all posts of a unit. Any thread, different units at once.
+    /// Measures the slopes of a unit from all its posts. Different units may be measured at once, on any thread.
     void measure(const PostsFile& posts, std::uint32_t unit);
     void sync() { file_.sync(); }
 
-    /// At the ring round a pole also whatever the heights of the ring differ by counts, over the distance of one row.
+    /// At the ring around a pole, the range of the ring's heights over the distance of one row is included.
     [[nodiscard]] double steepest(const terrain::PostRange& posts, std::uint32_t margin_posts) const override;
 
 private:

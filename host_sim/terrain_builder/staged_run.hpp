@@ -1,4 +1,4 @@
-/// The stages of a build, one after the other: tasks in parallel, results in order, the journal kept, progress told.
+/// Runs the stages of a build one after the other: tasks in parallel, results in order; writes the journal and reports progress.
 #pragma once
 
 #include <chrono>
@@ -12,25 +12,25 @@
 
 namespace tedavis::host_sim {
 
-/// Does a task on any thread and returns what is to be done with its result, which happens in the order of the tasks. Both
-/// must be such that doing them again changes nothing.
+/// Runs a task on any thread and returns a function that processes its result; these functions are called in the order of the
+/// tasks. Both must be idempotent.
 using StageTask = std::function<std::function<void()>(std::uint32_t)>;
 
 struct BuildStage {
     std::string_view name;
-    double cost = 0;                       ///< of all its tasks, in any unit that all stages share
-    std::function<std::uint32_t()> count;  ///< of its tasks; asked when the stages before are done
+    double cost = 0;                       ///< of all its tasks, in a unit that is common to all stages
+    std::function<std::uint32_t()> count;  ///< number of its tasks; called when the stages before are done
     StageTask task;
 };
 
 class StagedRun {
 public:
-    /// `record` is what the journal keeps, and is kept up to date; `sync` brings all work files to the disk.
-    /// `interval` is the time between records.
+    /// `record` is the record for the journal, which the run updates; `sync` writes all work files to the disk; `interval` is the
+    /// time between records. The references must outlive this object.
     StagedRun(BuildJournal& journal, BuildRecord& record, base::Workers& workers, BuildProgress progress,
               std::function<void()> sync, std::chrono::milliseconds interval);
 
-    /// From where the record stands. What a task or the progress throws ends the run after a last record.
+    /// Continues from the record. An exception of a task or of the progress function ends the run after a last record.
     void run(const std::vector<BuildStage>& stages);
 
 private:

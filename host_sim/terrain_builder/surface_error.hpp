@@ -1,4 +1,4 @@
-/// Exhaustive signed error of flat triangles against the true surface: the proof that a database carries.
+/// Exhaustive signed error of flat triangles against the true surface, on which the error bounds of a database are based.
 ///
 /// Two piecewise linear surfaces differ most at a vertex of their overlay: at posts inside the triangle, and where its sides
 /// cross rows, columns and diagonals of cells. All of them are visited. A cell with a void corner is not part of the true
@@ -34,7 +34,7 @@ struct SignedError {
     }
 };
 
-/// The error and a place where the larger of its two parts is met, in lattice coordinates. None: the first corner.
+/// The error and a place where the larger of its two parts occurs, in lattice coordinates; without an error the first corner.
 struct PlacedError {
     SignedError error;
     double i = 0, j = 0;
@@ -48,8 +48,8 @@ struct PlacedError {
     }
 };
 
-/// Over the part of the triangle inside the window's cells: windows that share their outermost posts cover a triangle
-/// together. Corners in any order, at most 32768 posts apart. Zero-area triangles have no error.
+/// Returns the error over the part of the triangle inside the window's cells; several windows that share their outermost posts
+/// can cover a triangle. Corners in any order, at most 32768 posts apart. Zero-area triangles have no error.
 [[nodiscard]] PlacedError placed_triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b,
                                                 const MeshCorner& c);
 [[nodiscard]] SignedError triangle_error(const PostWindowView& posts, const MeshCorner& a, const MeshCorner& b,

@@ -6,7 +6,7 @@
 
 namespace tedavis::host_sim {
 
-/// Fills the window's surface. A post has the same bits in every window; outside posts keep height 0.
+/// Fills in surface_m of the window. A post has the same bits in every window; posts outside keep height 0.
 void add_undulation(const BuildPlan& plan, LatticeWindow& window);
 
 }  // namespace tedavis::host_sim

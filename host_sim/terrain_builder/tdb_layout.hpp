@@ -1,4 +1,4 @@
-/// Where the parts of a database file lie. All but open parts have places that are known beforehand.
+/// The layout of a database file. The places of all parts except the open ones are known beforehand.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace tedavis::host_sim {
 
-/// Header, undulation, page table, directory pages, payloads of the finest coarse chunks, their ancestors' attribute pages; then
-/// the open parts in the order in which they are made: payloads of the other levels, and all parts of insets. Without insets the
-/// coarse lattice is the database's.
+/// The order is: header, undulation, page table, directory pages, payloads of the finest coarse chunks, attribute pages of their
+/// ancestors; then the open parts in the order in which they are made: payloads of the other levels, and all parts of insets.
+/// Without insets the coarse lattice is the database's.
 class TdbLayout {
 public:
     TdbLayout(const BuildPlan& coarse, const terrain::Lattice& database, const InsetCoverage& coverage);
@@ -25,9 +25,9 @@ public:
 
     std::uint64_t undulation = 0, page_table = 0, pages = 0, regular = 0, attributes = 0, open_parts = 0;
 
-    /// Of a chunk of level 0 of the coarse lattice: its payload's place, without checksum.
+    /// Place of the payload of a chunk of level 0 of the coarse lattice, without checksum.
     [[nodiscard]] terrain::PartPlace regular_place(std::uint32_t i, std::uint32_t j) const;
-    /// Of a chunk of level 1 and above of the coarse lattice.
+    /// Place of the attribute page of a chunk of level 1 or above of the coarse lattice.
     [[nodiscard]] terrain::PartPlace attribute_place(const terrain::ChunkKey& key) const;
 
 private:
@@ -38,7 +38,7 @@ private:
     std::uint64_t first_attribute_[terrain::kMaxLevels + 1]{};
 };
 
-/// Chunks of all levels of a lattice, and where a chunk stands among them: level by level, row by row.
+/// The order of all chunks of a lattice: level by level, row by row.
 class ChunkOrder {
 public:
     explicit ChunkOrder(const terrain::Lattice& lattice);

@@ -1,4 +1,4 @@
-/// Builds a terrain database, streaming: the memory does not grow with the terrain.
+/// Builds a terrain database in bounded memory for any size of the terrain.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace tedavis::host_sim {
 
-/// Work files lie in the folder `<output>.part`; the database appears whole at `output` or not at all. The same build goes on
-/// where it was interrupted. Equal posts and options give equal bytes, whatever the number of threads and however often it was
-/// interrupted. Throws UserError, and what options.progress throws.
+/// Work files are in the folder `<output>.part`; the database appears complete at `output` or not at all. An interrupted build of
+/// the same sources and options is continued. Equal posts and options give equal bytes, whatever the number of threads and
+/// however often it was interrupted. Throws UserError, and exceptions of options.progress.
 void build_terrain(const TerrainSources& sources, const std::string& output, const BuildOptions& options);
 
 }  // namespace tedavis::host_sim

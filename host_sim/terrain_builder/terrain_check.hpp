@@ -24,11 +24,11 @@ struct TerrainCheck {
 };
 inline constexpr std::size_t kMaxReported = 1000;
 
-/// A database with a drape is checked with or without the image: without it only the drape's checksums are.
+/// Checks a database. A drape is compared with its image if `sources` has it; without it only the drape's checksums are verified.
 /// Finds damaged checksums, vertices, classes, triangles and attributes that differ from the rasters (also where checksums were
-/// rewritten to match), and errors that are larger than stated. Streams; work files lie in the folder `<database>.check`, as
-/// large as a build's, and are removed. Throws UserError when the file is no database or was not built from posts of this
-/// lattice.
+/// rewritten to match), and errors that are larger than stated. Needs bounded memory; work files are in the folder
+/// `<database>.check`, are as large as a build's, and are removed. Throws UserError when the file is no database or was not built
+/// from posts of this lattice.
 [[nodiscard]] TerrainCheck check_terrain(const std::string& database, const TerrainSources& sources, const BuildOptions& options);
 
 }  // namespace tedavis::host_sim

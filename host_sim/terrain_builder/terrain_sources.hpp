@@ -1,4 +1,4 @@
-/// What a terrain is built from: a raster over all of it, finer ones over parts of it, and an image to drape it with.
+/// The sources of a terrain: a raster over all of it, finer ones over parts of it, and an image for its drape.
 #pragma once
 
 #include <memory>
@@ -15,22 +15,23 @@ namespace tedavis::host_sim {
 
 struct TerrainSources {
     PostReaderFactory open;
-    std::vector<PostReaderFactory> insets;  ///< later ones lie over earlier ones
-    std::optional<DrapeOptions> drape;      ///< the image over it
+    std::vector<PostReaderFactory> insets;  ///< later ones override earlier ones
+    std::optional<DrapeOptions> drape;      ///< nothing: no drape
 
     TerrainSources(PostReaderFactory whole) : open(std::move(whole)) {}  // a raster alone is a terrain. NOLINT(*-explicit-*)
     TerrainSources(PostReaderFactory whole, std::vector<PostReaderFactory> parts)
         : open(std::move(whole)), insets(std::move(parts)) {}
 };
 
-/// Plans of the coarse posts and of the finest ones, and where chunks of the latter are. Without insets both are the same.
+/// Plans of the coarse posts and of the finest ones, and the coverage of the finer chunks. Without insets both plans are the
+/// same.
 struct TerrainPlan {
     BuildPlan coarse, fine;
     InsetCoverage coverage;
     std::vector<std::unique_ptr<InsetSampler>> insets;
 
-    /// The fine posts lie 2, 4 ... 32 to a coarse one: as dense as the finest inset, or nearly so. Throws UserError where insets
-    /// cannot lie in the raster.
+    /// There are 2, 4 ... 32 fine posts to a coarse one: as dense as the finest inset, or nearly so. Throws UserError where
+    /// insets do not fit into the raster.
     TerrainPlan(const TerrainSources& sources, const BuildOptions& options);
     TerrainPlan(const TerrainPlan&) = delete;
     TerrainPlan& operator=(const TerrainPlan&) = delete;

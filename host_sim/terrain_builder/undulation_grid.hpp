@@ -1,4 +1,4 @@
-/// The geoid's height above the ellipsoid over one lattice: the nodes that a database carries, and bilinear values at posts.
+/// The geoid's height above the ellipsoid over one lattice: the nodes stored in a database, and bilinear values at posts.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,17 @@ struct UndulationGrid {
     /// Nodes over a rectangle, with at least two columns and rows.
     [[nodiscard]] static UndulationGrid covering(double west_deg, double south_deg, double east_deg, double north_deg,
                                                  const GeoidEgm96& geoid);
-    /// Places outside take the nearest node's.
+    /// Outside the grid, the value of the nearest border point.
     [[nodiscard]] double at(double latitude_deg, double longitude_deg) const;
 };
 
-/// The undulation at posts of a window: the same bits for a post, whichever window it is asked in.
+/// The undulation at posts of a window; a post has the same bits in every window.
 class PostUndulation {
 public:
     PostUndulation(const UndulationGrid& grid, const terrain::Lattice& lattice) : grid_(grid), lattice_(lattice) {}
 
-    /// Of `columns` posts of row j, from column i0 on. Columns may lie beyond the lattice; round the Earth they go on.
+    /// Computes the undulation of `columns` posts of row j, from column i0 on, metres. Columns may be beyond the lattice; a
+    /// lattice round the Earth is continued.
     void row(std::int64_t i0, std::uint32_t columns, std::uint32_t j, std::vector<double>& undulation_m) const;
 
 private:

@@ -1,4 +1,4 @@
-/// What a file says about its heights: above what, and in which unit.
+/// The vertical datum and unit that a file states for its heights.
 #pragma once
 
 #include <gdal_priv.h>
@@ -13,21 +13,22 @@ namespace tedavis::host_sim {
 
 struct VerticalReference {
     std::optional<VerticalDatum> datum;  ///< empty where nothing is stated
-    std::string name;                    ///< as the file calls it
+    std::string name;                    ///< name in the file
     bool is_depth = false;               ///< positive downwards
     std::string unit;                    ///< of the heights; empty where nothing is stated
 };
 
-/// The vertical part of a coordinate system: compound ones have one, those of three dimensions are ellipsoidal.
+/// Returns the vertical part of a coordinate system: compound systems have one, three-dimensional ones are ellipsoidal.
 [[nodiscard]] VerticalReference vertical_reference(const OGRSpatialReference& crs);
 
-/// What netCDF variables (CF conventions), USGS DEM headers and ESRI projection files say beside the coordinate system.
+/// Returns the statements of netCDF variables (CF conventions), USGS DEM headers and ESRI projection files that are not in the
+/// coordinate system.
 [[nodiscard]] VerticalReference vertical_reference_of_band(GDALDataset& dataset);
 
-/// True of a datum that the sea defines and that may differ from EGM96 by more than the heights' noise.
+/// True for a sea-level datum that may differ from EGM96 by more than the heights' noise.
 [[nodiscard]] bool is_other_sea_level(const VerticalReference& reference);
 
-/// Without the vertical part: transformations of places must not touch heights.
+/// Returns the system without its vertical part, since transformations of places must not change heights.
 [[nodiscard]] OGRSpatialReference horizontal_part(const OGRSpatialReference& crs);
 
 /// Length of a unit in metres by its name ("", "m", "ft", "US survey foot", ...); nothing for what is no length.

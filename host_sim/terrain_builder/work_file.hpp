@@ -1,4 +1,4 @@
-/// A file for intermediate and final results: positioned reads and writes of whole pieces, from any thread.
+/// A file for intermediate and final results, with reads and writes at offsets, from any thread.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace tedavis::host_sim {
 
-/// The disk failed or is full: with that mended, the same work can go on.
+/// The disk failed or is full; once this is repaired, the same build can be continued.
 class WorkFileError : public UserError {
 public:
     using UserError::UserError;
@@ -19,9 +19,9 @@ public:
 class WorkFile {
 public:
     WorkFile() = default;
-    /// Opens it for reading and writing; makes it where it does not exist. Throws UserError.
+    /// Opens the file for reading and writing; makes it where it does not exist. Throws UserError.
     explicit WorkFile(std::string path);
-    /// For reading only; the file must exist. Throws UserError.
+    /// Opens an existing file for reading only. Throws UserError.
     [[nodiscard]] static WorkFile existing(std::string path);
     ~WorkFile();
     WorkFile(WorkFile&& other) noexcept;
@@ -31,7 +31,7 @@ public:
     void read(std::uint64_t offset, void* destination, std::size_t count) const;
     void write(std::uint64_t offset, const void* source, std::size_t count);
     void resize(std::uint64_t bytes);
-    /// What was written survives a power loss afterwards.
+    /// Writes all changes to the disk, so that they survive a power failure.
     void sync();
 
     [[nodiscard]] std::uint64_t size() const;

@@ -1,8 +1,8 @@
-/// A picture of the ground whose settings are chosen region by region from what they cost, under a deadline or for a quality
+/// A picture of the ground whose settings are chosen for each region by their cost, for a deadline or a quality
 /// (render_core/raytrace/picture/choose_settings.hpp).
 ///
-/// Every level is drawn once, for its time and its error against the best one. Then pictures follow as on a display: the last one
-/// says which regions are near and lit, its time corrects the costs, and the next one's settings are chosen.
+/// Every level is drawn once, for its time and its error against the best one. Then frames follow as on a display: from the last
+/// one it is known which regions are near and lit, its time corrects the costs, and the settings of the next one are chosen.
 #pragma once
 
 #include "host_sim/tracing/traced_shot.hpp"
@@ -11,8 +11,8 @@ namespace tedavis::host_sim {
 
 struct ChoicePlan {
     double deadline_ms = 0;     ///< of a picture; 0: none
-    double most_error = 0;      ///< root mean square of linear light that is good enough; 0: as good as can be
-    std::uint32_t frames = 12;  ///< that follow; the last one is the picture. 1 or more
+    double most_error = 0;      ///< tolerated error, root mean square of linear light; 0: the best quality
+    std::uint32_t frames = 12;  ///< number of frames that follow, 1 or more; the last one is the picture
 };
 
 struct ChoiceLevel {
@@ -24,7 +24,7 @@ struct ChoiceLevel {
 struct ChosenFrame {
     double picture_ms = 0, expected_ms = 0;
     double error = 0;                    ///< against the best level's picture
-    std::vector<std::uint32_t> regions;  ///< how many have each level
+    std::vector<std::uint32_t> regions;  ///< number of regions with each level
     bool keeps_deadline = true;          ///< false: not even the cheapest level does
 };
 

@@ -12,11 +12,11 @@ namespace tedavis::host_sim {
 
 struct SunChoice {
     glm::dvec3 towards{0, 0, 1};  ///< of unit length
-    bool is_too_low = false;      ///< at that time: `towards` is the light without one
+    bool is_too_low = false;      ///< the sun is too low at that time, so `towards` is the default direction
 };
 
-/// Towards the sun, in metres along higher columns (east), higher rows (south) and up, at the pose. Without a time, and where the
-/// sun is lower than 3 degrees, it stands in the north-west, 45 degrees high, as relief is lit on maps.
+/// Returns the direction to the sun at the pose, along increasing columns (east), increasing rows (south) and up. Without a time,
+/// and where the sun is lower than 3 degrees, it is the default: north-west, 45 degrees high, as in shaded relief of maps.
 [[nodiscard]] SunChoice sun_at(const AircraftPose& pose, const std::optional<base::Time>& time);
 
 class GroundLook {

@@ -1,4 +1,4 @@
-/// Draws pictures of ground that is larger than the memory that it may take: chunks of heights are read as rays need them
+/// Draws pictures of ground that is larger than the allowed memory: chunks of heights are read when rays need them
 /// (render_core/raytrace/paged). The pixels equal those of the ground in memory, bit for bit.
 #pragma once
 
@@ -10,16 +10,16 @@ namespace tedavis::host_sim {
 
 class PagedDrawer {
 public:
-    /// The ground is_paged(), and require_pageable() holds for the settings. Throws UserError: its memory is too small for the
-    /// bounds of its chunks and one chunk for each worker, or the tracer cannot see from the pose.
+    /// ground.is_paged() must be true, and require_pageable() must hold for the settings. Throws UserError where the memory is
+    /// too small for the bounds of the chunks and one chunk for each worker, or the tracer cannot trace from the pose.
     PagedDrawer(const TracedGround& ground, const raytrace::TraceSettings& settings, const TracedShotPlan& plan,
                 base::Workers& workers);
     PagedDrawer(const PagedDrawer&) = delete;
     PagedDrawer& operator=(const PagedDrawer&) = delete;
 
-    /// Reads the bounds of chunks. Throws UserError: they are damaged.
+    /// Reads the bounds of chunks. Throws UserError where they are damaged.
     void build(const TracedGround& ground, base::Workers& workers);
-    /// As ShotDrawer::draw(). Throws UserError: chunks that rays need are damaged.
+    /// As ShotDrawer::draw(). Throws UserError where chunks that rays need are damaged.
     std::uint32_t draw(const raytrace::TraceLook& look, base::Span<const std::uint8_t> regions, bool is_direct,
                        base::Workers& workers);
     void tell(TracedShot& shot) const;

@@ -1,4 +1,4 @@
-/// What a traced picture is and took, as text and JSON.
+/// Reports a traced picture, its times and its memory as text and JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>

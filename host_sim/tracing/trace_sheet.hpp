@@ -1,4 +1,4 @@
-/// The tracer's contact sheet: its presets and single operators over one view, with what each costs and how far it is from the
+/// The tracer's contact sheet: its presets and single operators over one view, with the cost of each and its difference from the
 /// best.
 #pragma once
 
@@ -28,9 +28,9 @@ struct TraceSheet {
     std::vector<Group> groups;  ///< presets first, of which the last is quality
 };
 
-/// Without pictures: what will be drawn. Operators are changed one by one in the preset of time.
+/// Returns the sheet without pictures. Operators are changed one by one in the preset `time`.
 [[nodiscard]] TraceSheet plan_trace_sheet();
-/// `drawn` is told of each picture; it may throw to stop. Throws UserError.
+/// Draws the pictures. `drawn` is called after each one; it may throw to stop. Throws UserError.
 void draw_trace_sheet(TraceSheet& sheet, const TracedGround& ground, const TracedShotPlan& plan, base::Workers& workers,
                       const std::function<void(std::size_t done, std::size_t all)>& drawn);
 

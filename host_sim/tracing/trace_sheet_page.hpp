@@ -8,9 +8,9 @@
 
 namespace tedavis::host_sim {
 
-/// For draw_contact_sheet().
+/// Converts the sheet for draw_contact_sheet().
 [[nodiscard]] DrawnSheet labelled_sheet(const TraceSheet& sheet, const TracedGround& ground);
-/// One page that needs nothing but itself: a table of times, bytes and errors, then the pictures.
+/// Returns a self-contained page: a table of times, bytes and errors, then the pictures.
 [[nodiscard]] std::string trace_sheet_page(const TraceSheet& sheet, const TracedGround& ground);
 /// Keys that scripts may rely on: `sheet`, `terrain`, `pose`, `picture`, `page`, and `pictures` [{`group`, `title`, `file`,
 /// `error` {`mean`, `largest`, `edges`}}], each with the keys of shot_json().

@@ -1,7 +1,7 @@
-/// A quantity of a scene database as colour on traced ground, the fainter the less sure it is (the thesis's future work, 6.2.4).
+/// A quantity of a scene database as colour on traced ground, fainter with greater uncertainty (the thesis's future work, 6.2.4).
 ///
-/// It is sampled from the database's field at places of the ground, so many posts apart that kMaxAcross do. Where a place, or
-/// its uncertainty, is not known, the ground is as it is: missing data are never shown as values.
+/// It is sampled from the database's field at a grid of places with at most kMaxAcross along a side. Where the value or its
+/// uncertainty is not known, the ground keeps its colour: missing data are never shown as values.
 #pragma once
 
 #include <optional>
@@ -18,21 +18,21 @@ class TracedData {
 public:
     static constexpr std::uint32_t kMaxAcross = 512;
 
-    /// The quantity `name` ("layer" or "layer.attribute"; empty: the first quantity on a grid), at its lowest level and a time;
-    /// by default its own first. Throws UserError: the file is damaged, or has no such quantity.
+    /// The quantity `name` ("layer" or "layer.attribute"; empty: the first quantity on a grid), at its lowest level and at
+    /// `time`; without it at its first time. Throws UserError where the file is damaged or has no such quantity.
     TracedData(const TracedGround& ground, const std::string& scene_path, const std::string& name,
                const std::optional<base::Time>& time);
     TracedData(const TracedData&) = delete;
     TracedData& operator=(const TracedData&) = delete;
 
-    /// The look borrows this object's memory.
+    /// Adds the data to `look`, which then refers to this object's memory.
     void show(raytrace::TraceLook& look) const;
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::string& unit() const { return unit_; }
     [[nodiscard]] double lowest() const { return lowest_; }
     [[nodiscard]] double highest() const { return highest_; }
-    [[nodiscard]] double share() const { return share_; }  ///< of the ground's places that have a value
+    [[nodiscard]] double share() const { return share_; }  ///< fraction of the sampled places that have a value, 0..1
 
 private:
     std::string name_, unit_;

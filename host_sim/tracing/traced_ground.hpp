@@ -1,4 +1,4 @@
-/// The heights of a terrain database as the tracer reads them: in memory, or paged where they do not fit.
+/// The heights of a terrain database for the tracer: in memory, or paged where they do not fit.
 #pragma once
 
 #include <limits>
@@ -14,7 +14,7 @@
 
 namespace tedavis::host_sim {
 
-/// What heights, and all that is prepared from them for pictures with `settings`, may take.
+/// The memory allowed for heights and for the data prepared from them for pictures with `settings`.
 struct GroundMemory {
     std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();
     std::vector<raytrace::TraceSettings> settings;
@@ -22,8 +22,8 @@ struct GroundMemory {
 
 class TracedGround {
 public:
-    /// Reads every post of the database, or none where they take more memory than given: then it is_paged(). Throws UserError:
-    /// it is damaged, too large, or goes round the Earth or to a pole.
+    /// Reads every post of the database, or none where they need more than the allowed memory; then is_paged() is true. Throws
+    /// UserError where the database is damaged, too large, or extends round the Earth or to a pole.
     TracedGround(const std::string& path, base::Workers& workers, GroundMemory memory = {});
     TracedGround(const TracedGround&) = delete;
     TracedGround& operator=(const TracedGround&) = delete;
@@ -31,21 +31,21 @@ public:
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return open_.database(); }
     [[nodiscard]] const raytrace::GroundSpace& space() const { return space_; }
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// No heights are in memory; chunks of them are read for each picture.
+    /// True: no heights are in memory; chunks of them are read for each picture.
     [[nodiscard]] bool is_paged() const { return is_paged_; }
     [[nodiscard]] const GroundMemory& memory() const { return memory_; }
-    /// False: there are too many posts for the tracer in memory, whatever it may take.
+    /// False: there are too many posts for the tracer in memory, independent of the allowed memory.
     [[nodiscard]] bool can_be_in_memory() const {
         return std::uint64_t{columns()} * rows() <= raytrace::HeightGrid<float>::kMaxInAll;
     }
-    /// Heights and what is prepared from them, in memory; of paged ground what they would take.
+    /// Bytes of heights and of the data prepared from them; for paged ground those that they would need.
     [[nodiscard]] std::uint64_t bytes_in_memory() const { return bytes_in_memory_; }
     /// All heights are whole metres, and lie in 16 bits. False for paged ground.
     [[nodiscard]] bool is_whole() const { return !whole_.empty(); }
-    /// Of what it is: int16 where is_whole(), else float; not for paged ground.
+    /// The grid of heights; `Height` must be int16 where is_whole(), else float. Not for paged ground.
     template <class Height>
     [[nodiscard]] raytrace::HeightGrid<Height> grid() const;
-    /// Metres above MSL, of posts that have a height.
+    /// Lowest and highest post, metres above MSL.
     [[nodiscard]] double lowest_m() const { return database().header().min_height_m; }
     [[nodiscard]] double highest_m() const { return database().header().max_height_m; }
     [[nodiscard]] const terrain::PostRange& window() const { return space_.window(); }

@@ -1,4 +1,4 @@
-/// A picture of the ground by the tracer, from a pose, and what it took.
+/// A traced picture of the ground from a pose, with its times and memory.
 #pragma once
 
 #include <optional>
@@ -19,16 +19,17 @@ inline constexpr TracePreset kTracePresets[] = {TracePreset::time, TracePreset::
 [[nodiscard]] const char* to_string(TracePreset preset) noexcept;
 [[nodiscard]] raytrace::TraceSettings settings_of(TracePreset preset);
 [[nodiscard]] const char* to_string(raytrace::SearchKind kind) noexcept;
-/// What a preset's operators are, in words: "two triangles a cell, Lambert".
+/// Describes the operators of settings: "two triangles a cell, Lambert".
 [[nodiscard]] std::string describe(const raytrace::TraceSettings& settings);
 
 struct TracedShotPlan {
     AircraftPose pose;
-    std::optional<base::Time> time;  ///< the sun stands where it does then; nothing: in the north-west, 45 degrees high
+    std::optional<base::Time> time;  ///< time for the position of the sun; nothing: north-west, 45 degrees high
     std::uint32_t width = 1024, height = 768;
     double field_of_view_deg = 60;      ///< over the width
-    std::optional<terrain::View> view;  ///< a display's, instead of the pose and the field of view; as large as the picture
-    std::uint32_t rounds = 3;  ///< drawn so many times, for the median of its times, but once where it takes over 2 s; 1 or more
+    std::optional<terrain::View> view;  ///< view of a display, instead of pose and field of view; in the size of the picture
+    /// Number of times that it is drawn, for the median time, 1 or more; only once if it takes more than 2 s.
+    std::uint32_t rounds = 3;
     std::uint32_t block_words = 512;
     const TracedData* data = nullptr;  ///< colours the ground; borrowed
     bool is_direct = false;            ///< the stages are called directly, not by the token stream
@@ -36,12 +37,12 @@ struct TracedShotPlan {
 
 /// How paged ground was read for a picture.
 struct PagedUse {
-    std::uint64_t memory_bytes = 0;       ///< that heights might take
-    std::uint64_t held_bytes = 0;         ///< that they took: bounds, chunks, and what reads them
+    std::uint64_t memory_bytes = 0;       ///< allowed for heights
+    std::uint64_t held_bytes = 0;         ///< used for them: bounds, chunks, and buffers for reading
     std::uint64_t ray_bytes = 0;          ///< of rays and their hits, by the number of pixels
     std::uint64_t read_bytes = 0;         ///< from the file
-    std::uint32_t chunks = 0, slots = 0;  ///< of the ground, and in memory at a time
-    std::uint32_t chunks_read = 0;        ///< a chunk counts each time that it is read
+    std::uint32_t chunks = 0, slots = 0;  ///< number of chunks of the ground, and of those in memory at a time
+    std::uint32_t chunks_read = 0;        ///< number of reads of chunks
     std::uint32_t passes = 0;
 };
 
@@ -55,17 +56,17 @@ struct TracedShot {
     double picture_ms = 0;  ///< the median
     std::vector<Item> items;
     std::string kernel;
-    std::uint32_t pieces = 0;       ///< in which rays are cut, for the Earth's curvature
+    std::uint32_t pieces = 0;       ///< number of pieces into which rays are divided, for the Earth's curvature
     std::uint32_t rounds = 0;       ///< of the token stream; 0: called directly
-    double ground_share = 0;        ///< of the pixels
+    double ground_share = 0;        ///< fraction of the pixels that show ground, 0..1
     std::optional<PagedUse> paged;  ///< nothing: the ground was in memory
-    bool is_sun_too_low = false;    ///< at that time: it stands where it does without one
+    bool is_sun_too_low = false;    ///< the sun was too low at that time, so the default direction was used
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
 [[nodiscard]] terrain::View view_of(const TracedGround& ground, const TracedShotPlan& plan);
-/// Throws UserError: from there the tracer cannot see, or there is no memory. Paged ground is drawn once, whatever
-/// `plan.rounds` is; require_pageable() must hold for its settings.
+/// Throws UserError where the tracer cannot trace from the pose, or there is not enough memory. Paged ground is drawn once, for
+/// any `plan.rounds`; require_pageable() must hold for its settings.
 [[nodiscard]] TracedShot draw_traced_shot(const TracedGround& ground, const raytrace::TraceSettings& settings,
                                           const TracedShotPlan& plan, base::Workers& workers);
 

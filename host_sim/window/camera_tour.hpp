@@ -1,15 +1,15 @@
-/// A camera that follows a path through the flight, from a file that `--tour` names.
+/// A camera that follows a path during the flight, from the file of `--tour`.
 ///
 ///     # Comments and blank lines may stand anywhere.
 ///     time_s,latitude_deg,longitude_deg,altitude_m,heading_deg,pitch_deg,roll_deg
 ///     0,36.60,-84.25,1500,90,-10,0
 ///     20,36.60,-84.20,1200,60,-5,0
 ///
-/// The first line names the columns, in this order. `time_s` counts from the flight's first frame and rises strictly, so
-/// that the tour is tied to the flight: seek, speed and pause move both. Degrees; heading true, 0..360 clockwise from north;
-/// pitch -90..90, nose up positive; roll -180..180, right wing down positive; `altitude_m` above mean sea level.
-/// Between the points runs a smooth curve without overshoot; longitude, heading and roll take the shorter way. Before
-/// the first and after the last point the camera rests there.
+/// The first line names the columns, in this order. `time_s` is seconds since the flight's first frame, strictly ascending; the
+/// camera follows the flight's time, so seek, speed and pause apply to both. Degrees; heading true, 0..360 clockwise from north;
+/// pitch -90..90, nose up positive; roll -180..180, right wing down positive; `altitude_m` above mean sea level. Values between
+/// the points are interpolated smoothly without overshoot; longitude, heading and roll take the shorter way. Before the first and
+/// after the last point the camera stands at that point.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@
 
 namespace tedavis::host_sim {
 
-/// Geoid above the ellipsoid at a latitude and longitude in radians.
+/// Returns the geoid's height above the ellipsoid at a position.
 using UndulationAt = std::function<earth::GeoidUndulation(double latitude_rad, double longitude_rad)>;
 
 class CameraTour {

@@ -1,4 +1,4 @@
-/// Notices that the design file, or a palette or a phase's design that it names, was changed while the window is open.
+/// Detects changes of the design file, and of the palettes and phases' designs that it names, while the window is open.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@ namespace tedavis::host_sim {
 
 enum class DesignNews {
     none,
-    changed,  ///< `designs()` are others
-    broken,   ///< `message()` says why; `designs()` are still the last sound ones
+    changed,  ///< `designs()` have changed
+    broken,   ///< `message()` has the fault; `designs()` are still the last valid ones
 };
 
 class DesignWatch {
 public:
-    /// Reads the design; throws UserError where it is not sound. The options are copied.
+    /// Reads the design. Throws UserError where it is not valid. The options are copied.
     explicit DesignWatch(const PictureOptions& options);
 
-    /// Looks at the files. A new content counts once it has been met twice, so that a half written file is left alone.
+    /// Reads the files. A new content is taken once it was read twice, so that a half-written file is ignored.
     [[nodiscard]] DesignNews look();
 
     [[nodiscard]] const LoadedDesigns& designs() const { return *designs_; }
@@ -29,8 +29,8 @@ public:
 
 private:
     PictureOptions options_;
-    std::vector<ReadFile> taken_;        ///< what the last design was read from
-    std::vector<std::string> last_met_;  ///< their contents at the last look
+    std::vector<ReadFile> taken_;        ///< the files of the last design
+    std::vector<std::string> last_met_;  ///< contents of the files at the last call of look()
     std::unique_ptr<LoadedDesigns> designs_;
     std::string message_;
 };

@@ -1,4 +1,4 @@
-/// An eye that flies anywhere: moved by keys, turned by the mouse. Pure: time comes in as durations.
+/// A camera that moves freely: keys move it, the mouse turns it. Pure: the caller passes the elapsed time.
 #pragma once
 
 #include "render_core/base/time.hpp"
@@ -13,11 +13,11 @@ struct CameraPose {
     double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
 };
 
-/// What the camera sees on a picture of this size; `near_m` to the nearest terrain that is drawn.
+/// Returns the view of the camera in a picture of this size; `near_m` is the distance of the near plane.
 [[nodiscard]] terrain::View view_of(const CameraPose& pose, std::uint32_t width_px, std::uint32_t height_px,
                                     double horizontal_field_of_view_rad, double near_m);
 
-/// Each -1, 0 or 1: along the view, to its right, and straight up.
+/// Directions of motion, each -1, 0 or 1: along the view, to its right, and straight up.
 struct CameraMotion {
     int forward = 0, right = 0, up = 0;
     [[nodiscard]] bool any() const { return forward != 0 || right != 0 || up != 0; }
@@ -25,12 +25,12 @@ struct CameraMotion {
 
 class FreeCamera {
 public:
-    /// Takes over a pose, level.
+    /// Sets the pose, with roll 0.
     void place(const CameraPose& pose);
     /// Right and up positive; the pitch stays within 89 degrees.
     void look(double right_rad, double up_rad);
     void fly(const CameraMotion& motion, base::Duration wall);
-    /// A notch is a quarter more or less, within 1 .. 50,000 m/s.
+    /// Changes the speed by a quarter per notch, within 1 .. 50,000 m/s.
     void change_speed(int notches);
 
     [[nodiscard]] const CameraPose& pose() const { return pose_; }

@@ -1,13 +1,14 @@
-/// A session at the window: the controller's wishes carried out on the flight, the display and the run's folder.
+/// A session in the window: applies the requests of the controller to the flight, the display and the run's folder.
 ///
-/// What is seen from the cockpit goes into the folder as in a batch run: frames.jsonl, summary.json, report.html. Keys of
-/// the phase switches act at the shown instant: from there on the panel stands as the keys leave it, and what an earlier
-/// switch log or key said about later times is forgotten. The resulting switches stand in window.switches; with them a
-/// batch replay draws the same pictures. The overlay of the pictures' accuracy and the window's own (window_overlay.hpp) are on
-/// the screen alone. Neither a clock nor a screen is needed.
+/// Frames from the cockpit are recorded in the folder as in a batch run: frames.jsonl, summary.json, report.html. Keys of the
+/// phase switches act at the shown time: from then on the panel has their pattern, and later edges of the switch log or of
+/// earlier keys are discarded. The resulting switch log is written to window.switches; with it a batch replay draws the same
+/// pictures. The accuracy overlay and the window's own overlay (window_overlay.hpp) are on the screen alone. Neither a clock nor
+/// a screen is needed.
 ///
-/// Where much of the flight before a picture has not been decided, as at its first one with --from or after a long leap, a turn
-/// decides a part of it and shows the instant as it looks without what came before; the window says so, and no record has it.
+/// If many intervals before a picture have not been decided, as at the first one with --from or after a long leap, a turn decides
+/// some of them and shows a picture without the effect of earlier frames. The window states this, and no record contains such a
+/// picture.
 #pragma once
 
 #include <optional>
@@ -37,9 +38,10 @@ public:
     LiveRun(const ReplayOptions& options, const std::optional<DisplayFiles>& files, DisplaySession& session, FlightPlayer& player,
             platform::Window& window, Console& console);
 
-    /// Takes the window's events, lets `wall` go by, and draws where something changed; true when it drew.
+    /// Processes the window's events, advances by the elapsed time `wall`, and draws if something changed; returns true if it
+    /// drew.
     bool turn(base::Duration wall);
-    /// Acts on events that came before the run began.
+    /// Processes events that were received before the run began.
     void handle(const std::vector<platform::WindowEvent>& events);
     [[nodiscard]] bool closed() const { return controller_.closed(); }
     [[nodiscard]] const WindowController& controller() const { return controller_; }
@@ -51,7 +53,7 @@ public:
     [[nodiscard]] int finish(bool interrupted);
 
 private:
-    /// What a picture depends on; an equal one needs no drawing.
+    /// All that a picture depends on; if it is unchanged, nothing is drawn.
     struct Shown {
         std::uint64_t frame = 0, revision = 0;
         CameraMode mode = CameraMode::cockpit;
@@ -97,18 +99,18 @@ private:
     RunRecorder recorder_;
     AccuracyOverlay overlay_;
     std::optional<Shown> shown_;
-    std::uint64_t revision_ = 0;  ///< of switches and design
+    std::uint64_t revision_ = 0;  ///< counts changes of switches and design
     base::Duration since_look_;
     std::optional<base::Time> latest_kept_;
     std::string title_;
-    std::string painted_line_;  ///< of the window's overlay, as it is on the screen
+    std::string painted_line_;  ///< lines of the window's overlay that are on the screen
     bool paints_help_ = false;
     IntervalStore intervals_;
     std::uint64_t decided_revision_ = 0;
     bool is_unprepared_shown_ = false;
-    std::int64_t undecided_ = 0;  ///< intervals, when preparing began
+    std::int64_t undecided_ = 0;  ///< number of intervals when preparing began
     std::optional<int> prepared_percent_;
-    std::string said_;  ///< the last screenshot's name, for a while
+    std::string said_;  ///< message about the last screenshot
     base::Duration said_left_;
 };
 

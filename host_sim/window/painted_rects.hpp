@@ -1,6 +1,6 @@
 /// Rectangles of one color each that turn one picture into another, painted over a finished frame on its surface.
 ///
-/// They need no program, buffer or texture: a display allows none to be made once it runs.
+/// They need no program, buffer or texture, none of which can be made after the start of a display.
 #pragma once
 
 #include <array>
@@ -18,9 +18,11 @@ struct PaintedRect {
     std::array<std::uint8_t, 3> color{};
 };
 
-/// Cover exactly the pixels whose color differs between two pictures of the same size, with the color of `after`.
+/// Returns rectangles that cover exactly the pixels whose color differs between two pictures of the same size, with the color of
+/// `after`.
 [[nodiscard]] std::vector<PaintedRect> changed_rects(const RgbaView& before, const RgbaView& after);
-/// Paints on the bound framebuffer, which is `height_px` high; without a scissor test afterwards, as frames begin.
+/// Paints on the bound framebuffer, which is `height_px` high; afterwards the scissor test is disabled, as at the begin of a
+/// frame.
 void paint_rects(gl::Gl& gl, std::uint32_t height_px, const std::vector<PaintedRect>& rects);
 
 }  // namespace tedavis::host_sim

@@ -1,5 +1,5 @@
-/// What the window shows while a large log is indexed: a line that says how far it is. Keys that are pressed meanwhile are kept
-/// for the run. A small log takes a moment; nothing is shown, and its events stay in the window.
+/// Shows the progress in the window while a large log is indexed, and keeps the events of that time for the run. For a small log
+/// nothing is shown, and the events stay in the window.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ namespace tedavis::host_sim {
 
 class StartScreen {
 public:
-    /// `log`: its name, as the line says it. Window and session must outlive the screen.
+    /// `log` is the log's name in the shown line. Window and session must outlive this object.
     StartScreen(platform::Window& window, DisplaySession& session, std::string log)
         : window_(window), session_(session), log_(std::move(log)) {}
 
-    /// Of a log of `total` bytes `done` are read, at `now` of any clock. Throws Interrupted where the window is closed, by its
-    /// button or by escape.
+    /// Shows that `done` of `total` bytes of the log are read, at `now` of any monotonic clock. Throws Interrupted where the
+    /// window is closed, by its button or by escape.
     void show(std::uint64_t done, std::uint64_t total, base::Time now);
     /// The events so far, oldest first.
     [[nodiscard]] const std::vector<platform::WindowEvent>& events() const { return events_; }

@@ -1,4 +1,4 @@
-/// The phase switches as keys turn them: edges for the player, and the log that replays them.
+/// Converts the keys for phase switches to edges for the player, and to a switch log.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tedavis::host_sim {
 
-/// What brings the panel to a pattern at `time`: an edge for each line whose level, after all of `before`, is another one or
-/// not known yet. `high`: one bit a line.
+/// Returns the edges that bring the panel to a pattern at `time`: one for each line whose level after the edges `before` is
+/// different or not known. `high` has one bit per line.
 [[nodiscard]] std::vector<bus::SwitchEdge> edges_to_pattern(const bus::SwitchConfig& config,
                                                             const std::vector<bus::SwitchEdge>& before, std::uint32_t high,
                                                             base::Time time);

@@ -1,5 +1,5 @@
-/// What the person at the window wants, from events and time: the state machine of the live window. Pure: no clock, no
-/// screen, no files, so that tests play a session event by event.
+/// The state machine of the live window: converts events and time to the user's requests. Pure: no clock, no screen, no files, so
+/// that tests run a session event by event.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class CameraMode : std::uint8_t { cockpit, free, tour };
 
 class WindowController {
 public:
-    /// `patterns`: how many the switch panel has. With a tour the camera begins on it.
+    /// `patterns` is the number of patterns of the switch panel. With a tour the camera begins on it.
     WindowController(const Transport& transport, std::uint32_t patterns, bool has_tour);
 
     void handle(const platform::WindowEvent& event);
@@ -42,17 +42,17 @@ public:
     [[nodiscard]] const FreeCamera& camera() const { return camera_; }
     [[nodiscard]] const AccuracyShown& accuracy() const { return accuracy_; }
     [[nodiscard]] design::SymbologyLight light() const { return light_; }
-    /// The legend that is shown where nobody at the window asks for another.
+    /// States the legend that is shown unless the user requests another one.
     void set_legend(flight::LegendShow shown) { legend_ = shown; }
-    /// What the person at the window asks for; nothing before the first time.
+    /// The legend that the user has requested; nothing before the first request.
     [[nodiscard]] std::optional<flight::LegendShow> asked_legend() const { return asked_legend_; }
-    /// The pattern that was selected since the last call.
+    /// Returns the pattern that was selected since the last call; nothing: none was.
     [[nodiscard]] std::optional<std::uint32_t> take_pattern();
     /// True where the list of keys was requested since the last call.
     [[nodiscard]] bool take_help();
     /// True where a picture of the shown frame was requested since the last call.
     [[nodiscard]] bool take_screenshot();
-    /// Whether the list of keys and the line with time and phase lie over the picture.
+    /// Whether the list of keys, and the line with time and phase, are drawn over the picture.
     [[nodiscard]] bool shows_help() const { return shows_help_; }
     [[nodiscard]] bool shows_head_up() const { return shows_head_up_; }
 
@@ -80,7 +80,7 @@ private:
     std::optional<flight::LegendShow> asked_legend_;
     CameraPose pose_;
     double focal_px_ = 1;
-    std::uint32_t held_ = 0;  ///< one bit an action fly_...
+    std::uint32_t held_ = 0;  ///< one bit per action fly_...
     std::optional<std::uint32_t> pattern_, wanted_pattern_;
 };
 

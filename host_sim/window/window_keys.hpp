@@ -1,4 +1,4 @@
-/// Which key does what in the live window: one table, read by the window and by its help.
+/// The table of keys of the live window, used by the window and by its help.
 #pragma once
 
 #include <cstdint>
@@ -47,13 +47,13 @@ enum class WindowAction : std::uint8_t {
 
 struct KeyMeaning {
     WindowAction action = WindowAction::none;
-    std::uint32_t pattern = 0;  ///< of switch_pattern: place in the panel's list, from 0
+    std::uint32_t pattern = 0;  ///< of switch_pattern: index in the panel's list
 };
 
-/// What a pressed or released key stands for. The actions fly_... last while their key is held.
+/// Returns the action of a pressed or released key. The actions fly_... last while their key is held.
 [[nodiscard]] KeyMeaning meaning_of_key(const platform::WindowEvent& event);
 
-/// A line a key, below a title.
+/// Returns a title and one line for each key.
 [[nodiscard]] std::string window_keys_help();
 /// The same lines, for a panel.
 [[nodiscard]] std::vector<std::string> window_keys_lines();

@@ -1,11 +1,13 @@
 /// One connector of a graphics card in one mode, through the kernel's DRM: atomic commits where the card takes them, else the
 /// older calls.
 ///
-/// The program is the card's master from open() on. At the end the console is shown again as it was before. With a seat manager
-/// the card is opened through it: the manager decides who is master, and what it asks for takes the place of what the console
-/// asks for. Where the manager ends and leaves the card, the console is asked again.
+/// open() makes the program the card's DRM master; drop_master() and become_master() give this up and take it back. restore()
+/// shows again what was on the screen before open(); the destructor does not. With a seat manager (seatd, logind) the manager
+/// opens the card and decides who is master, and its requests to release and acquire the screen replace those of the virtual
+/// terminal. If the manager ends and this program stays master, the requests of the virtual terminal count again.
 ///
-/// Thread  one. Memory  libdrm's and libseat's, and one buffer of the card. Failure  one sentence at open(), states afterwards.
+/// Thread  one; with a seat, open() and the destructor use a second one (seat.hpp). Memory  libdrm's and libseat's, and one
+/// buffer of the card. Failure  one sentence at open(), states afterwards.
 #pragma once
 
 #if defined(TEDAVIS_HAVE_KMS)
@@ -38,18 +40,21 @@ public:
                                    const SeatLimits& limits = {});
     /// Sets the mode and shows black.
     [[nodiscard]] base::Error show_black();
-    /// Shows what was shown before open().
+    /// Shows what was on the screen before open(). Does nothing if this program is not DRM master; turns the output off if
+    /// nothing was shown or it cannot be shown again.
     void restore();
 
-    /// The sentence for a mode that was not set; after `not_master` is_held() is true.
+    /// The error text for a set_mode() that returned `status`. Call it at once: it reads errno. Sets is_held() for `not_master`,
+    /// and then takes the newest request of the seat manager; otherwise clears is_held().
     [[nodiscard]] base::Error refused_mode(DrmStatus status);
 
-    /// Whether open() or show_black() failed since another program has the screen.
+    /// Whether open() or show_black() failed because another program or terminal has the screen, or because the seat manager does
+    /// not answer.
     [[nodiscard]] bool is_held() const { return is_held_; }
     [[nodiscard]] int descriptor() const { return card_; }
     /// Which manager opened the card, such as "seatd"; empty: this program itself.
     [[nodiscard]] std::string_view seat_manager() const { return seat_.is_open() ? seat_.manager() : std::string_view(); }
-    /// An errno: why the manager did not open the file that it was asked for; 0: another reason, or it did.
+    /// The errno with which the seat manager refused to open the card's file; 0: it did not refuse.
     [[nodiscard]] int seat_fault() const { return seat_.reason(); }
     [[nodiscard]] ManagerEnd manager_end() const { return manager_end_; }
     /// How a buffer of XRGB8888 may lie in memory; empty: the driver decides.
@@ -94,11 +99,12 @@ private:
     AtomicOutput atomic_;
     FormatModifiers modifiers_;
     bool is_atomic_ = false;
-    std::uint32_t cookie_ = 0;  // of the flip that was queued last: events of older ones are not its
+    /// User data of the page flip queued last. Completion events with another value belong to older flips and are ignored.
+    std::uint32_t cookie_ = 0;
     TerminalSwitch terminal_;
     Seat seat_;
     ManagerEnd manager_end_ = ManagerEnd::none;
-    bool is_given_up_ = false;  // without a manager, until the console gives the screen back
+    bool is_given_up_ = false;  // drop_master() gave the screen up without a seat manager; false again with become_master()
 };
 
 }  // namespace tedavis::platform

@@ -24,7 +24,10 @@ base::Error BenchFrames::open(const BenchPicture& picture, const std::optional<e
     TEDAVIS_CHECK(host_count_ < kMaxDisplays && side_count_ < kMaxSides);
     if (fault_) return fault_;
     std::unique_ptr<DisplayHost>& host = hosts_[host_count_];
-    if (base::Error error = displays_.open(picture, host)) {
+    opened_ = picture;
+    if (opened_.design.terrain.renderer == design::TerrainRenderer::automatic)
+        opened_.design.terrain.renderer = design::TerrainRenderer::raster;
+    if (base::Error error = displays_.open(opened_, host)) {
         host.reset();
         return error;
     }

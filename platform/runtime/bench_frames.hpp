@@ -25,7 +25,8 @@ public:
     BenchFrames(BenchDisplays& displays, const BenchPlace& place) : displays_(displays), place_(place) {}
 
     /// Opens a display whose terrain has arrived for the place; it is the next side, whose frames are drawn at `level` (empty:
-    /// the design's own picture). At most kMaxDisplays.
+    /// the design's own picture). A design that leaves the choice of the renderer to the display is drawn by triangles. At most
+    /// kMaxDisplays.
     [[nodiscard]] base::Error open(const BenchPicture& picture, const std::optional<effects::QualityLevel>& level = {});
     /// Adds a side that draws with the display of the last one. At most kMaxSides.
     void share(const effects::EffectSet& given_up, const std::optional<effects::QualityLevel>& level = {});
@@ -59,6 +60,7 @@ private:
 
     BenchDisplays& displays_;
     BenchPlace place_;
+    BenchPicture opened_;                  ///< the last one, as it is drawn
     earth::GeoidUndulation undulation_{};  ///< at the place, by the first terrain
     std::array<std::unique_ptr<DisplayHost>, kMaxDisplays> hosts_;
     std::array<Side, kMaxSides> sides_;

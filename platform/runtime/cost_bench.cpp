@@ -43,11 +43,17 @@ bool asks_for(const design::DesignSettings& design, Effect effect) noexcept {
     return effects::asked_effects(design).has(effect);
 }
 
-/// The picture without anything beside terrain, at several tolerances and without any.
-base::Error CostBench::open_terrain_sides() {
+/// Of the own picture only the terrain remains.
+void CostBench::take_bare_picture() {
     displays_.own_picture(picture_);
     picture_.has_scene = false;
     take_out_all_but_terrain(picture_.design);
+    picture_.design.terrain.renderer = design::TerrainRenderer::raster;
+}
+
+/// The terrain at several tolerances, and the picture without it.
+base::Error CostBench::open_terrain_sides() {
+    take_bare_picture();
     const double tau_px = picture_.design.terrain.tau_px;
     frames_.close();
     for (const double factor : kTauFactors) {
@@ -159,9 +165,30 @@ void CostBench::measure_overhead(Overhead overhead, MeasuredCost& cost) {
     cost.line.ms_per_thousand = cost.ms * 1000 / things;
 }
 
+/// Terrain by rays, against the picture without terrain.
+void CostBench::measure_rays(MeasuredCost& cost) {
+    cost.name = effects::kOverheadNames[static_cast<std::size_t>(Overhead::rays)];
+    take_bare_picture();
+    picture_.design.terrain.renderer = design::TerrainRenderer::trace;
+    frames_.close();
+    base::Error error = frames_.open(picture_);
+    picture_.has_terrain = false;
+    if (!error) error = frames_.open(picture_);
+    cost.note = error.message.view();
+    double ms = 0;
+    if (error || !frames_.draw(0, 0, ms)) return;
+    cost.note = frames_.display(0).record().terrain.renderer_reason.view();
+    if (!cost.note.empty() || !frames_.take_times(rounds_)) return;
+    const effects::PairedCost paired = frames_.cost_between(0, 1);
+    cost.design = picture_.name;
+    cost.ms = paired.ms;
+    cost.spread_ms = paired.spread_ms;
+    cost.line.ms_per_megapixel = paired.ms / megapixels();
+}
+
 base::Error CostBench::measure_overheads(MeasuredCosts& measured) {
     const double frame_ms = costs_[Overhead::frame].fixed_ms;
-    MeasuredCost frame, glyphs, elements;
+    MeasuredCost frame, glyphs, elements, rays;
     frame.name = effects::kOverheadNames[static_cast<std::size_t>(Overhead::frame)];
     frame.line.fixed_ms = frame.ms = frame_ms;
     frame.design = measured.costs[0].design;
@@ -170,7 +197,10 @@ base::Error CostBench::measure_overheads(MeasuredCosts& measured) {
     step(done_);
     measure_overhead(Overhead::elements, elements);
     step(done_);
-    for (const MeasuredCost* const cost : {&frame, &elements, &glyphs}) static_cast<void>(measured.costs.try_push_back(*cost));
+    measure_rays(rays);
+    step(done_);
+    for (const MeasuredCost* const cost : {&frame, &elements, &glyphs, &rays})
+        static_cast<void>(measured.costs.try_push_back(*cost));
     return frames_.fault();
 }
 

@@ -3,7 +3,8 @@
 ///
 /// An effect that the governor may give up is switched within one running display, as the governor does it; the others are
 /// compared with a display whose design does not request them. The cost of terrain is the slope over its triangles at several
-/// tolerances; the cost of the frame is what remains of a picture without terrain. The quality levels are measured at the end
+/// tolerances, that of rays the difference of pictures with traced terrain and without any; the cost of the frame is what remains
+/// of a picture without terrain. The quality levels are measured at the end
 /// (quality_bench.hpp).
 ///
 /// Memory   that of up to five displays at a time, and 0.5 MB inside: one object a program, not on the stack.
@@ -36,6 +37,8 @@ private:
     void measure_effect(effects::Effect effect, effects::MeasuredCost& cost);
     [[nodiscard]] base::Error open_effect_sides(effects::Effect effect);
     void measure_overhead(effects::Overhead overhead, effects::MeasuredCost& cost);
+    void measure_rays(effects::MeasuredCost& cost);
+    void take_bare_picture();
     void step(std::size_t& done) { displays_.progress(++done, total()); }
     [[nodiscard]] std::size_t total() const {
         return effects::kEffectCount + effects::kOverheads - 1 + displays_.quality_pictures();

@@ -64,10 +64,11 @@ inline constexpr double kMaxOrthographicRange_m = 15'000;
 
 /// How the terrain is drawn.
 enum class TerrainRenderer : std::uint8_t {
-    raster,  ///< triangles, as many as tau_px requires
-    trace,   ///< ray tracing of every pixel at the database's full resolution; raster where that is not possible
+    raster,     ///< triangles, as many as tau_px requires
+    trace,      ///< ray tracing of every pixel at the database's full resolution; raster where that is not possible
+    automatic,  ///< whichever costs less on the device (effects/renderer_choice.hpp)
 };
-inline constexpr std::array<std::string_view, 2> kTerrainRendererNames{"raster", "trace"};
+inline constexpr std::array<std::string_view, 3> kTerrainRendererNames{"raster", "trace", "auto"};
 
 struct TerrainSettings {
     TerrainRenderer renderer = TerrainRenderer::raster;
@@ -78,6 +79,10 @@ struct TerrainSettings {
     TerrainStyle style;
     bool conservative_up = false;  ///< the silhouette is never below the true terrain
 };
+/// Whether rays may draw the terrain of a design: everything that they need must be there at the start.
+[[nodiscard]] inline bool may_trace(const TerrainSettings& terrain) noexcept {
+    return terrain.renderer != TerrainRenderer::raster;
+}
 
 /// Atmospheric scattering (effect aerial_perspective), which replaces the haze of one colour.
 struct AirSettings {

@@ -47,7 +47,7 @@ DrawAbility ability_of(const effects::DeviceSettings& device) noexcept {
 DrawnDesign drawn_as(const design::DesignSettings& design, const DrawAbility& ability, bool has_focus) noexcept {
     const GroundFocusKind focus = has_focus ? ground_focus_kind(design.foci) : GroundFocusKind();
     DrawnDesign drawn{&design, output_of(design, ability.off_screen_depth, focus), focus.foci > 0, false, ability.is_es3};
-    const bool is_shaded = design.terrain.renderer == design::TerrainRenderer::trace && ability.shades_rays &&
+    const bool is_shaded = design::may_trace(design.terrain) && ability.shades_rays &&
                            design.view.reference != design::Reference::flat && !design::magnifies(design);
     if (is_shaded && drawn.output == TerrainOutput::color) drawn.output = TerrainOutput::color_and_distance;
     drawn.is_deferred = is_shaded && drawn.output == TerrainOutput::color_and_distance && goes_off_screen(drawn);

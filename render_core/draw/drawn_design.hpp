@@ -1,4 +1,4 @@
-/// A design, and what the programs of the terrain write for it (terrain_program.hpp). Pure; any thread.
+/// Chooses what terrain programs write for a design, and in which pass it is shaded. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace tedavis::draw {
 /// What a terrain program writes. All except `color` are drawn off-screen, for the picture pass.
 enum class TerrainOutput : std::uint8_t {
     color,               ///< the picture
-    color_and_distance,  ///< the distance in alpha: silhouettes are found in it; with blur round a focus how sharp it is
-    code,                ///< heights, light and distance of terrain_code.frag
+    color_and_distance,  ///< the distance in alpha, for silhouettes; with blur round a focus the degree of focus
+    code,                ///< height, light and distance codes (terrain_code.frag)
 };
 /// A design, and what terrain programs write for it.
 struct DrawnDesign {
     const design::DesignSettings* design = nullptr;
     TerrainOutput output = TerrainOutput::color;
     bool has_focus = false;    ///< foci are drawn: one is in effect and changes the ground
-    bool is_deferred = false;  ///< ground that rays meet is shaded once a pixel, from a geometry picture
+    bool is_deferred = false;  ///< ray-traced ground is shaded once per pixel, from a geometry picture
     bool on_es3 = true;        ///< the device's lane
 };
 using DrawnDesigns = base::Span<const DrawnDesign>;
@@ -41,23 +41,24 @@ using DrawnDesigns = base::Span<const DrawnDesign>;
 /// variant of foci that is drawn.
 [[nodiscard]] TerrainOutput output_of(const design::DesignSettings& design, bool off_screen_depth,
                                       const GroundFocusKind& focus = {}) noexcept;
-/// Slots of chunks from this one on have no number in a geometry picture, which has ten bits for it.
+/// Chunks in slots from this one on have no number in a geometry picture, whose numbers have ten bits.
 inline constexpr std::uint32_t kMaxGeometrySlots = 1023;
-/// The texture unit of geometry pictures, beyond those of smaller devices; bytes a pixel of their texture and that of depths.
+/// The texture unit of geometry pictures, which devices with fewer units do not have; bytes per pixel of the geometry picture and
+/// of the texture of depths together.
 inline constexpr std::uint32_t kGeometryUnit = 11, kShadedTexelBytes = 20;
 
-/// What a device can draw of a design, besides what designs ask for.
+/// The capabilities of a device on which the choice depends.
 struct DrawAbility {
     bool off_screen_depth = true;
     bool is_es3 = true;
-    bool shades_rays = false;  ///< it has room for a geometry picture of its own size (drawers/geometry_picture.hpp)
+    bool shades_rays = false;  ///< it can shade a geometry picture of its size (drawers/geometry_picture.hpp)
 };
 [[nodiscard]] DrawAbility ability_of(const effects::DeviceSettings& device) noexcept;
 
-/// With that output, as such a device draws it. `has_focus`: whether foci are to be drawn, where the design has any that change
-/// the ground. A design that asks for rays and has more than codes can say is drawn off screen, with deferred shading, where the
-/// device shades rays; not on a flat ground or with magnified foci, which show the ground elsewhere than it is, and not where its
-/// picture needs no pass of its own.
+/// Returns how a device draws a design. `has_focus`: the design's foci are in effect, if any of them change the ground. A design
+/// that requests ray tracing and shows more than codes can represent has deferred shading where the device `shades_rays`; not
+/// with flat ground or magnified foci, which displace the ground, nor where the terrain is not drawn off-screen for the picture
+/// pass (goes_off_screen()).
 [[nodiscard]] DrawnDesign drawn_as(const design::DesignSettings& design, const DrawAbility& ability, bool has_focus) noexcept;
 
 }  // namespace tedavis::draw

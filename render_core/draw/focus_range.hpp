@@ -1,4 +1,4 @@
-/// Depth of field, as planned of a frame (view_effects_pass.hpp). Plain data.
+/// Depth of field as planned for a frame (view_effects_pass.hpp). Plain data.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace tedavis::draw {
 struct FocusRange {
     bool is_known = false;
     double near_m = 0, far_m = 0;
-    double blur_px = 0;       ///< radius infinitely far
-    std::uint32_t taps = 16;  ///< places that the blur of a pixel reads
+    double blur_px = 0;       ///< radius of the blur at infinite distance
+    std::uint32_t taps = 16;  ///< number of samples per pixel
 };
 
 }  // namespace tedavis::draw

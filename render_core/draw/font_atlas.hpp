@@ -22,7 +22,7 @@ struct Glyph {
 };
 
 struct FontAtlas {
-    int width = 0, height = 0;  ///< texels, powers of two
+    int width = 0, height = 0;  ///< size in texels, powers of two
     float texels_per_em = 0;
     float spread_em = 0;                    ///< distance at which a texel reaches 0 or 1
     float cap_height_em = 0;                ///< height of the capitals and digits

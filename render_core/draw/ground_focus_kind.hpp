@@ -1,4 +1,4 @@
-/// What foci change of the ground, as far as programs differ by it (focus_ground.hpp). Pure; any thread.
+/// The kinds of changes that foci make to the ground and for which programs are compiled (focus_ground.hpp). Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct GroundFocusKind {
     bool sketches = false, blurs = false;
 };
 [[nodiscard]] bool operator==(const GroundFocusKind& a, const GroundFocusKind& b) noexcept;
-/// True where programs for one variant can show another.
+/// True where programs built for one variant can also draw another.
 [[nodiscard]] bool covers(const GroundFocusKind& built, const GroundFocusKind& wanted) noexcept;
 [[nodiscard]] GroundFocusKind ground_focus_kind(const design::FocusList& foci) noexcept;
 

@@ -1,4 +1,4 @@
-/// The span of heights that the codes of a terrain picture divide (color_table.hpp). Plain data.
+/// The span of heights in codes of a terrain picture (color_table.hpp). Plain data.
 #pragma once
 
 namespace tedavis::draw {

@@ -15,12 +15,13 @@ std::string_view reason_of(TraceState state) {
                                              "the database is larger than the device's memory for it",
                                              "the database goes round the Earth or over a pole",
                                              "the database is damaged",
-                                             "the eye is too close to a pole"};
+                                             "the eye is too close to a pole",
+                                             "triangles were chosen"};
     return kReasons[static_cast<std::size_t>(state)];
 }
 
 TraceState trace_state_of(const DrawnDesign& design) {
-    if (design.design->terrain.renderer != design::TerrainRenderer::trace) return TraceState::not_asked_for;
+    if (!design::may_trace(design.design->terrain)) return TraceState::not_asked_for;
     if (design.design->view.reference == design::Reference::flat) return TraceState::not_flat;
     if (design.output == TerrainOutput::code || design.is_deferred) return TraceState::traced;
     const bool is_by_style = has_shafts_only(*design.design) || blurs_context(design) || design::magnifies(*design.design);

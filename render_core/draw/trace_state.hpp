@@ -14,14 +14,15 @@ namespace tedavis::draw {
 enum class TraceState : std::uint8_t {
     not_asked_for,
     traced,
-    not_by_style,   ///< its picture needs no pass of its own, or shows ground elsewhere than it is (drawn_design.hpp)
+    not_by_style,   ///< terrain is not drawn off-screen for the picture pass, or foci displace it (drawn_design.hpp)
     not_flat,       ///< the design shows a plane
-    not_on_lane,    ///< a shader of ES 2 can neither leave depths nor read words
-    not_on_device,  ///< which has no memory for it
+    not_on_lane,    ///< shaders of ES 2 can neither write depths nor read words
+    not_on_device,  ///< too little memory, too few texture units, or too many chunk slots (ability_of())
     database_too_large,
     database_round,
     database_damaged,
-    place_too_polar,  ///< of the eye, in this frame
+    place_too_polar,  ///< the eye point of this frame is too close to a pole
+    not_by_cost,      ///< the design leaves the choice to the display, which draws triangles in this frame
 };
 /// Returns why the rasterizer draws instead; empty where it does not.
 [[nodiscard]] std::string_view reason_of(TraceState state);

@@ -1,11 +1,11 @@
 /// All posts of a terrain database in memory for the tracer: exact heights with their bounds, and the look of each post. Posts
-/// between those of coarser exact chunks lie on the very triangles of these, and where chunks of two levels meet on those of
-/// the finer one.
+/// between those of a coarser exact chunk lie on the chunk's triangles; posts on the border of two levels are those of the finer
+/// chunk.
 ///
-/// Ground without data has the database's interpolated heights and is marked by the class of its posts: it is drawn as unknown,
-/// as by the rasterizer.
+/// Ground without data has the database's interpolated heights. The class of its posts is void, so that it is drawn as unknown,
+/// as the rasterizer draws it.
 ///
-/// Memory    from an arena at start(). Thread  reading any. Failure  start() says which; nothing of such a ground may be used.
+/// Memory    from an arena at start(). Thread  reading any. Failure  start() returns the fault; the object must then not be used.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@
 namespace tedavis::draw {
 
 struct PostLook {
-    std::int8_t normal[3];  ///< of the surface, ECEF, times 127
+    std::int8_t normal[3];  ///< of the surface, a unit vector in ECEF times 127
     terrain::PostClass post_class;
 };
 
 enum class TracedGroundFault : std::uint8_t {
     none,
     no_room,  ///< in the arena
-    round,    ///< the database goes round the Earth or has a pole: there are no such grids
+    round,    ///< the database goes round the Earth or contains a pole, for which there is no grid space
     damaged,  ///< a part of it cannot be read
 };
 
@@ -42,6 +42,7 @@ public:
     }
     /// Metres above MSL, of every post of the lattice.
     [[nodiscard]] const raytrace::HeightGrid<float>& heights() const { return maxima_.grid(); }
+    /// One per post, row by row.
     [[nodiscard]] base::Span<const PostLook> looks() const { return {looks_.data(), looks_.size()}; }
 
 private:

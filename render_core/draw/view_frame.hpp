@@ -22,7 +22,7 @@ struct ViewFrame {
 [[nodiscard]] ViewFrame make_view_frame(double width, double height, double horizontal_field_of_view_rad, double heading_rad,
                                         double pitch_rad, double roll_rad) noexcept;
 
-/// The same view as the terrain is drawn with, in the local frame below the eye.
+/// Returns the view with which the terrain is drawn, in the local frame below the eye point.
 [[nodiscard]] ViewFrame make_view_frame(const terrain::View& view) noexcept;
 
 struct ProjectedPoint {

@@ -1,4 +1,4 @@
-/// Splits what magnifiers move into parts in which their map is linear. A mesh that is drawn once for each part, clipped to it
+/// Splits what magnifiers move into parts in which their map is affine. A mesh that is drawn once for each part, clipped to it
 /// and moved by that part's map, is exact whatever its triangles.
 ///
 /// Pure; any thread.

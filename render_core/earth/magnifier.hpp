@@ -11,7 +11,7 @@
 ///            out'   = k r + (out - r) / 2^compression
 ///            along' = along + (k - 1) clamp(along, -h (1 - s), h (1 - s)),     h = r tan(pi / sides)
 ///
-///        The map is linear in each triangle, with slopes that are powers of two, continuous, and one to one. Its Jacobian
+///        The map is affine in each triangle, with slopes that are powers of two, continuous, and one to one. Its Jacobian
 ///        determinant is 4^power in the focus, 2^(power - compression) or 2^-compression round it and 1 beyond.
 /// Height the height above the plane is kept, so that in each part straight lines stay straight, objects on the ground stay on
 ///        it, and slopes in the focus look flatter by the factor. Ground that moves by d at a distance D from the middle rises
@@ -87,7 +87,7 @@ public:
 
     /// The edges of a cell at which the scale of the focus, or of the ground outside, ends.
     enum class Borders : std::uint8_t { none, all, first };
-    /// A part of the plane in which the map is linear. It includes its edges.
+    /// A part of the plane in which the map is affine. It includes its edges.
     struct Cell {
         glm::dmat2 slope{1.0};                      ///< shown = slope * ground + shift
         glm::dvec2 shift{0};                        ///< m

@@ -23,7 +23,10 @@ void read_line(base::ConfigSection costs, std::string_view name, CostLine& line)
 
 void read_costs(base::ConfigSection costs, CostTable& table) {
     for (std::size_t n = 0; n < kEffectCount; ++n) read_line(costs, row_of(static_cast<Effect>(n)).name, table.effects[n]);
-    for (std::size_t n = 0; n < kOverheads; ++n) read_line(costs, kOverheadNames[n], table.overheads[n]);
+    for (std::size_t n = 0; n < kOverheads; ++n) {
+        const bool may_lack = static_cast<Overhead>(n) == Overhead::rays;  // older files have none: it was not measured
+        if (!may_lack || costs.has(kOverheadNames[n])) read_line(costs, kOverheadNames[n], table.overheads[n]);
+    }
     table.is_known = true;
 }
 

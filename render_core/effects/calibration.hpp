@@ -5,8 +5,9 @@
 ///     renderer = "llvmpipe (...)"     as the driver calls itself
 ///     width_px = 1024                 of the picture
 ///     height_px = 768
-///     date = "2026-11-22T22:57:48Z"   when it was measured; said, not read
-///     [cost.terrain]                  one table for every effect of effect_table.cpp, and for each of kOverheadNames
+///     date = "2026-11-22T22:57:48Z"   when it was measured; read, but not checked
+///     [cost.terrain]                  one table for every effect of effect_table.cpp, and for each of kOverheadNames; `rays` may
+///                                     be missing: it was not measured then
 ///     fixed_ms = 0.4                  the three of them from 0 on
 ///     ms_per_megapixel = 6.1
 ///     ms_per_thousand = 0.03

@@ -23,10 +23,11 @@ enum class Overhead : std::uint8_t {
     frame,     ///< sky, symbology and everything that has no other line
     elements,  ///< data over the terrain, per thousand features
     glyphs,    ///< glyphs of fields, per thousand glyphs
+    rays,      ///< terrain by rays, in place of the cost of `terrain`; all 0: it was not measured
     count_
 };
 inline constexpr std::size_t kOverheads = static_cast<std::size_t>(Overhead::count_);
-inline constexpr std::array<std::string_view, kOverheads> kOverheadNames{"frame", "elements", "glyphs"};
+inline constexpr std::array<std::string_view, kOverheads> kOverheadNames{"frame", "elements", "glyphs", "rays"};
 
 struct CostTable {
     bool is_known = false;
@@ -35,6 +36,10 @@ struct CostTable {
 
     [[nodiscard]] CostLine& operator[](Effect effect) { return effects[static_cast<std::size_t>(effect)]; }
     [[nodiscard]] CostLine& operator[](Overhead overhead) { return overheads[static_cast<std::size_t>(overhead)]; }
+    [[nodiscard]] const CostLine& operator[](Effect effect) const { return effects[static_cast<std::size_t>(effect)]; }
+    [[nodiscard]] const CostLine& operator[](Overhead overhead) const { return overheads[static_cast<std::size_t>(overhead)]; }
+    /// Whether it is known what terrain by rays costs.
+    [[nodiscard]] bool knows_rays() const { return is_known && (*this)[Overhead::rays].ms_per_megapixel > 0; }
 };
 static_assert(std::is_trivially_copyable_v<CostTable>);
 
@@ -45,6 +50,7 @@ struct FrameCounters {
     double maps = 0;        ///< adjacent maps
     double elements = 0;    ///< features drawn over the terrain, without glyphs of fields
     double glyphs = 0;
+    bool is_traced = false;  ///< the terrain, by rays
 };
 
 /// The count, besides pixels, that an effect's cost depends on.
@@ -53,6 +59,8 @@ inline constexpr std::array<std::string_view, 3> kCostThingNames{"", "triangles"
 [[nodiscard]] CostThing thing_of(Effect effect) noexcept;
 
 [[nodiscard]] double modelled_ms(const CostLine& line, double megapixels, double things) noexcept;
+/// Returns the cost of terrain by triangles or by rays, as the counters state; of triangles where that of rays is unknown.
+[[nodiscard]] double terrain_ms(const CostTable& table, const FrameCounters& counters) noexcept;
 /// Returns the cost of a frame with the effects that the plan runs, ms.
 [[nodiscard]] double modelled_ms(const CostTable& table, const FramePlan& plan, const FrameCounters& counters) noexcept;
 

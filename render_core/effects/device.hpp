@@ -63,13 +63,14 @@ struct DeviceSettings {
     std::uint32_t attribute_pages = 0;             ///< attribute pages resident at once; 0: only vertex normals are used
     std::uint32_t drape_pages = 0;                 ///< pages of an image drape resident at once; 0: none are read
     std::uint32_t arrival_frames = 2;              ///< in a replay, chunks arrive this many frames after they are requested
-    double terrain_ms = 0;                         ///< budget of the terrain pass; 0: none
+    double terrain_ms = 0;                         ///< time budget of the terrain pass, ms; 0: none
     double ns_per_triangle = 0, us_per_chunk = 0;  ///< cost of terrain on this device, for the budget terrain_ms
     base::BudgetTable budget;                      ///< `use.capacity` of a line is its bytes
 };
 
-/// Reads a device file; `text` is its content, `file_name` its name in error messages. A file that lacks one of the lines
-/// above, has a line twice, or has an unknown key is refused.
+/// Reads a device file; `text` is its content, `file_name` its name in error messages. A file that lacks one of the
+/// required lines above, has one of the lines above with the other kind of memory, has a line twice, has more than 32 lines, or
+/// has an unknown key is refused.
 [[nodiscard]] base::Result<DeviceSettings, base::Error> read_device_settings(std::string_view text, std::string_view file_name);
 
 }  // namespace tedavis::effects

@@ -9,6 +9,7 @@ namespace tedavis::effects {
 inline constexpr EffectRequest kApplicable{EffectRequest::Kind::applicable, ""};
 inline constexpr EffectRequest kFromFarAway{EffectRequest::Kind::not_applicable, "the view is from far away"};
 
+/// Each returns the request of one effect, or of several, for a frame's facts.
 [[nodiscard]] EffectRequest always(const EffectFacts&) noexcept;
 [[nodiscard]] EffectRequest where(const InputState& input) noexcept;
 /// Returns the request for a depth cue. `is_forbidden`: the device forbids it, so no geometry was built, and the planner states

@@ -25,7 +25,7 @@ struct CueState {
 enum class ShadowState : std::uint8_t {
     not_asked_for,  ///< or not possible on this device
     sun_too_low,
-    values_on_ground,  ///< a shadow would change what the colours of the ground say
+    values_on_ground,  ///< the colours of the ground are values, which shadows would falsify
     nothing_casts,     ///< no shadow reaches into the picture
     cast,
 };

@@ -21,7 +21,7 @@ void FrameBudget::hold(double deadline_ms, const CostTable& costs, const Quality
     levels_ = levels;
     settings_ = settings;
     measured_factor_ = 1;
-    governor_ = FrameGovernor();
+    history_ = BudgetHistory();
 }
 
 void FrameBudget::pin(const QualityLevel& level) {
@@ -54,7 +54,7 @@ FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, con
     report_.deadline_ms = deadline_ms_;
     input.too_costly.add(given_up_);
     if (is_held()) {
-        const GovernorDecision decision = governor_.decide(
+        const GovernorDecision decision = history_.governor.decide(
             {now, deadline_ms_, costs_of_quality_levels(input, device, counters, tolerance), levels_.count}, settings_);
         report_.quality_level = decision.quality_level;
         report_.changed = decision.changed;
@@ -68,6 +68,20 @@ FramePlan FrameBudget::plan(PlanInput input, const DeviceCapability& device, con
     if (costs_.is_known) report_.predicted_ms = measured_factor_ * modelled_ms(costs_, plan, counters);
     report_.is_missed = is_held() && report_.predicted_ms > deadline_ms_;
     return plan;
+}
+
+/// Measured times of frames scale both costs alike and are left out, so that a replay of a live flight chooses as the flight did.
+RendererDecision FrameBudget::choose_renderer(base::Time now, std::size_t design, const FrameCounters& counters,
+                                              const TerrainTolerance& tolerance, TriangleFit fit) {
+    RendererCosts costs;
+    if (costs_.knows_rays()) {
+        FrameCounters of_design = counters_at(counters, quality_on(level(), tolerance), {tolerance.design_px, 1});
+        costs = {true, terrain_ms(costs_, of_design), 0, modelled_ms(costs_[Overhead::frame], counters.megapixels, 0),
+                 deadline_ms_};
+        of_design.is_traced = true;
+        costs.rays_ms = terrain_ms(costs_, of_design);
+    }
+    return history_.renderer.decide(now, design, costs, fit);
 }
 
 void FrameBudget::record_measured(double ms) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "render_core/effects/frame_governor.hpp"
+#include "render_core/effects/renderer_choice.hpp"
 
 namespace tedavis::effects {
 
@@ -27,6 +28,12 @@ struct BudgetReport {
     QualityLevel quality;  ///< of the level
 };
 
+/// What the decisions about a frame depend on of all earlier frames.
+struct BudgetHistory {
+    FrameGovernor governor;
+    RendererChoice renderer;
+};
+
 class FrameBudget {
 public:
     /// Sets the deadline, the costs and the levels to choose from, which fault_of() finds nothing wrong with; `deadline_ms` 0
@@ -38,7 +45,7 @@ public:
     /// Factor for the error that the design allows the terrain.
     [[nodiscard]] double tau_factor(const TerrainTolerance& tolerance) const;
     [[nodiscard]] double detail_factor() const { return level().detail_factor; }
-    [[nodiscard]] bool is_reduced() const { return governor_.quality_level() > 0; }
+    [[nodiscard]] bool is_reduced() const { return history_.governor.quality_level() > 0; }
     /// True where the last planned frame gives up the effect.
     [[nodiscard]] bool gives_up(Effect effect) const { return given_up_.has(effect) || level().given_up.has(effect); }
 
@@ -47,6 +54,16 @@ public:
     [[nodiscard]] FramePlan plan(PlanInput input, const DeviceCapability& device, const FrameCounters& counters,
                                  const TerrainTolerance& tolerance, base::Time now);
     [[nodiscard]] const BudgetReport& report() const { return report_; }
+    /// Decides what draws the terrain of a frame of the design at place `design`. `counters`: of the frame by triangles, which
+    /// were selected with tau_factor(); they are compared at the error that the design allows.
+    RendererDecision choose_renderer(base::Time now, std::size_t design, const FrameCounters& counters,
+                                     const TerrainTolerance& tolerance, TriangleFit fit);
+    /// Replaces choose_renderer() in a frame without a choice.
+    void rest_renderer(base::Time now) { history_.renderer.rest(now); }
+    /// To be called when the design at a place is replaced by another one.
+    void forget_renderer() { history_.renderer = RendererChoice(); }
+    /// Whether it was measured what terrain by rays costs: choices between renderers then depend on earlier frames.
+    [[nodiscard]] bool knows_rays() const { return costs_.knows_rays(); }
 
     /// Takes the measured time of the last planned frame, an upper bound; only where there is a clock, never in a replay.
     /// Modelled costs are then scaled to this machine, by 0.5 to 4. A time above the model but below the deadline may include
@@ -57,12 +74,12 @@ public:
     /// Gives up further effects at every level; used to measure the cost of an effect.
     void give_up(const EffectSet& effects) { given_up_ = effects; }
 
-    /// For planning frames out of order.
-    [[nodiscard]] const FrameGovernor& governor() const { return governor_; }
-    void restore(const FrameGovernor& governor) { governor_ = governor; }
+    /// The history of decisions, to be saved and restored when frames are planned out of order.
+    [[nodiscard]] const BudgetHistory& history() const { return history_; }
+    void restore(const BudgetHistory& history) { history_ = history; }
 
 private:
-    [[nodiscard]] const QualityLevel& level() const { return levels_.at[governor_.quality_level()]; }
+    [[nodiscard]] const QualityLevel& level() const { return levels_.at[history_.governor.quality_level()]; }
     [[nodiscard]] std::array<double, kQualityLevelCount> costs_of_quality_levels(const PlanInput& input,
                                                                                  const DeviceCapability& device,
                                                                                  const FrameCounters& counters,
@@ -74,7 +91,7 @@ private:
     QualityLevels levels_;
     EffectSet given_up_;
     GovernorSettings settings_;
-    FrameGovernor governor_;
+    BudgetHistory history_;
     BudgetReport report_;
 };
 

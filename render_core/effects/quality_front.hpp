@@ -11,20 +11,22 @@ namespace tedavis::effects {
 /// A quality level as it was measured.
 struct QualityCandidate {
     QualityLevel level;
-    double spread_ms = 0;  ///< half of the distance between the quartiles of what it saves
+    double spread_ms = 0;  ///< half of the distance between the quartiles of the time that it saves
 };
 
 inline constexpr std::size_t kMaxQualityCandidates = 48;
 using QualityCandidates = base::FixedVector<QualityCandidate, kMaxQualityCandidates>;
 
-/// Returns the candidates that no other one dominates, by falling time. The first candidate, the design's own picture, is always
-/// the first of them. Of candidates with the same errors the first one in the list counts: their times differ by noise.
+/// Returns the candidates that no other one dominates, in the order of descending time. The first candidate, the design's own
+/// picture, is always the first of them. Of candidates with the same errors only the first one is kept, because their times
+/// differ by noise.
 [[nodiscard]] QualityCandidates pareto_front(const QualityCandidates& candidates);
 
-/// Returns at most kQualityLevelCount levels of the front, the design's own picture first. Their times are to fall by equal
-/// factors down to the cheapest candidate: for each of these times the level is chosen that keeps no more than the one before,
-/// saves more than the noise, and has the smallest difference of color (then the smallest error of terrain). The result
-/// satisfies fault_of().
+/// Returns at most kQualityLevelCount levels of the front, the design's own picture first. Target times fall by equal factors
+/// from its time to that of the cheapest candidate. For each target the level is chosen that has the smallest colour difference
+/// (then the smallest error of terrain) among candidates within it that keep no more than the level before and save more than the
+/// noise; where no such candidate is within the target, the cheapest one is taken. fault_of() finds nothing wrong with the
+/// result.
 [[nodiscard]] QualityLevels choose_levels(const QualityCandidates& candidates);
 
 }  // namespace tedavis::effects

@@ -52,7 +52,7 @@ struct ViewJob {
     std::uint32_t width = 0, height = 0;
     HitPicture picture;
     RaySpan span;
-    bool goes_on = false;  ///< rays of pixels that have a t are not traced; the other pixels are initialised without a hit
+    bool goes_on = false;  ///< pixels with a finite t are not traced; all others must have been cleared (clear_pixels())
 };
 
 template <class Height>

@@ -19,6 +19,8 @@ bool is_source(const std::filesystem::path& path) {
     return extension == ".cpp" || extension == ".hpp" || extension == ".inc";
 }
 
+bool is_shader(const std::filesystem::path& path) { return path.extension() == ".frag" || path.extension() == ".vert"; }
+
 bool is_page(const std::filesystem::path& path) { return path.extension() == ".md"; }
 
 std::string read_text(const std::filesystem::path& path) {
@@ -104,6 +106,13 @@ void sort_by_path(std::vector<SourceFile>& files) {
 std::vector<SourceFile> read_tree(const std::filesystem::path& root) {
     std::vector<SourceFile> files;
     for (const char* folder : kFolders) add_files(root, folder, is_source, files);
+    sort_by_path(files);
+    return files;
+}
+
+std::vector<SourceFile> read_shaders(const std::filesystem::path& root) {
+    std::vector<SourceFile> files;
+    add_files(root, "render_core", is_shader, files);
     sort_by_path(files);
     return files;
 }

@@ -28,6 +28,9 @@ struct Token {
 /// All C++ sources below `root` in the folders that the house knows, sorted by path. Throws where the tree cannot be read.
 std::vector<SourceFile> read_tree(const std::filesystem::path& root);
 
+/// All shaders below `root`, sorted by path. Throws where the tree cannot be read.
+std::vector<SourceFile> read_shaders(const std::filesystem::path& root);
+
 /// All pages (*.md) below `root` that describe the present state, sorted by path: CHANGELOG.md is none of them. Throws where the
 /// tree cannot be read.
 std::vector<SourceFile> read_pages(const std::filesystem::path& root);

@@ -38,6 +38,10 @@ display::FrameRecord filled_record() {
     record.terrain.tau_px = 1.5;
     record.terrain.limit = "met";
     record.terrain.triangles = 12'000;
+    record.terrain.renderer = "raster";
+    record.terrain.renderer_reason = base::FixedString<63>("it costs less than the other renderer");
+    record.terrain.triangles_ms = 7.5;
+    record.terrain.rays_ms = 9.25;
     record.alerts.terrain = policy::TerrainAhead::caution;
     record.alerts.is_watching = true;
     record.alerts.height_above_terrain_m = 150.25;
@@ -90,6 +94,7 @@ TEST(RecordLine, HasTheKeysAndValuesOfTheDesk) {
     EXPECT_EQ(board["phase"], "approach");
     EXPECT_EQ(board["sub_phase"], "final");
     EXPECT_EQ(board["flags"][0], "a \"flag\"");
+    EXPECT_EQ(board["terrain"]["renderer_ms"], Json({{"raster", 7.5}, {"trace", 9.25}}));
 }
 
 TEST(RecordLine, APlaceThatIsLostIsNotStated) {

@@ -1,4 +1,5 @@
-/// Steps along a ray in which the air's light and its extinction are summed up (render_core/earth/atmosphere.hpp).
+/// The number of steps along a ray in which in-scattered light and extinction of the air are summed
+/// (render_core/earth/atmosphere.hpp).
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// The classes of a colour scale: how far the value that is read from a colour is from the true one
+/// The number of classes of a colour scale; the error is that of the value read from a colour
 /// (render_core/design/data_scale.hpp).
 #pragma once
 

@@ -1,4 +1,4 @@
-/// A few signs that crowd a small part of the screen, and the most names of them that have room.
+/// A few signs on a small part of the screen, and the largest number of their names that can be placed.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-/// The numbers in which a depth buffer keeps depths, and the ranges that it is used for (render_core/draw/depth_plan.hpp), a
-/// setting with one level.
+/// The number format of a depth buffer, and the depth ranges for which it is used (render_core/draw/depth_plan.hpp), a setting
+/// with one level.
 #pragma once
 
 #include <memory>

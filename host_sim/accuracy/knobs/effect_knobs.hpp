@@ -1,5 +1,5 @@
-/// Settings of effects, measured by the colours of pictures: the size of the map of shadows, the steps through the air before
-/// the eye, the steps of a focus' context, and the pages of baked maps that are in memory.
+/// Settings of effects, measured by the colours of pictures: the size of the shadow map, the taps of a blur, the steps of light
+/// shafts, the levels of a focus' context, and the pages of baked maps in memory.
 #pragma once
 
 #include <memory>

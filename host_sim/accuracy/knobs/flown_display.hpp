@@ -1,4 +1,4 @@
-/// How the displays draw that knobs fly on: the size of the largest picture, the device and the design.
+/// Settings of the displays with which knobs draw a flight: the size of the largest picture, the device and the design.
 #pragma once
 
 #include <cstdint>
@@ -30,15 +30,15 @@ struct SeenGrid {
     std::uint32_t across = 32, down = 18;
     double field_of_view_deg = 60;  ///< over the width
 };
-/// So many places over the width, and as many below each other as the picture's shape has room for. Throws UserError where the
-/// design is none, or it or a design of its phases shows no perspective view or one of another width.
+/// Returns a grid of `across` places over the width, and as many down as the picture's aspect ratio gives. Throws UserError where
+/// the design cannot be read, or it or a design of its phases shows no perspective view or one of another field of view.
 [[nodiscard]] SeenGrid seen_grid(const FlownDisplay& display, std::uint32_t across = SeenGrid().across);
 
-/// How many times as many pixels an angle in the middle of the picture covers as on one of kFlownSize that is 60 degrees wide; at
+/// Ratio of the pixels per angle in the middle of the picture to those of a picture of kFlownSize that is 60 degrees wide; at
 /// least 1. Throws UserError as seen_grid() does.
 [[nodiscard]] double pixel_scale(const FlownDisplay& display);
 
-/// Of the size and of the texts of all files that the device and the design are made of. Throws UserError where there are none.
+/// Identity of the size and of the texts of all files of the device and the design. Throws UserError where one cannot be read.
 [[nodiscard]] std::uint64_t identity_of(const FlownDisplay& display);
 
 /// OSMesa, or EGL where OSMesa is missing.

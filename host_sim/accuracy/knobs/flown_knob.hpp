@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::optional<RgbaPicture> picture(std::size_t level, std::size_t sample) override {
         return upright(pictures_.picture(shown_level(level), sample));
     }
-    /// All of them draw pixels.
+    /// Every such knob draws pictures, so it has a pixel for each error.
     [[nodiscard]] std::optional<KnobPixel> pixel_of(std::size_t sample, std::size_t error) const override = 0;
     [[nodiscard]] std::string command(std::size_t level, std::size_t sample) const override {
         const std::optional<std::string> shot = pictures_.shot_command(shown_level(level), sample);
@@ -46,7 +46,7 @@ protected:
     FlownKnob(KnobFacts facts, const std::vector<FlownLevel>& levels, std::vector<AircraftPose> poses)
         : Knob(std::move(facts)), pictures_(levels, std::move(poses)) {}
 
-    /// Which of the pictures' levels draws a level of the knob.
+    /// The index in `pictures()` of the level that draws a level of the knob.
     [[nodiscard]] virtual std::size_t shown_level(std::size_t level) const { return level; }
     [[nodiscard]] FlownPictures& pictures() { return pictures_; }
 

@@ -1,4 +1,4 @@
-/// Pictures of a flight, drawn by the product's own display: what the knobs that draw with GL are measured on.
+/// Pictures of a flight, drawn by the product's own display, on which the knobs that draw with GL are measured.
 ///
 /// A level is a set of options of a picture, among them its device, and a change to its design. Each level has a display of its
 /// own, which is started once and stays; the time of its start is build_ms(). Where OSMesa is missing, EGL draws.
@@ -21,7 +21,7 @@
 
 namespace tedavis::host_sim {
 
-/// A value in a device file: that of the first `key` behind the first place of `after`, which may be empty.
+/// A value in a device file: that of the first `key` after the first occurrence of `after`, which may be empty.
 struct DeviceValue {
     std::string after, key, value;
 };
@@ -32,18 +32,18 @@ struct DeviceValue {
 
 struct FlownLevel {
     PictureOptions picture;
-    std::optional<effects::QualityLevel> quality;  ///< as the governor would draw; nothing: as the design asks
-    /// What else differs from the design that the options name; it may ask for no technique that this one lacks.
+    std::optional<effects::QualityLevel> quality;  ///< quality level of the governor; nothing: as the design requests
+    /// Changes the design of the options; it must not request a technique that this design lacks.
     std::function<void(design::DesignSettings&)> change = {};
-    /// What a flight knows besides its pose, such as air data and other aircraft; empty: nothing.
+    /// Adds data of the flight besides the pose, such as air data and other aircraft; empty: none.
     std::function<void(const AircraftPose&, flight::AircraftState&)> complete = {};
-    bool has_own_device = false;  ///< the device file is one that is gone after the run
+    bool has_own_device = false;  ///< the device file is a temporary one
 };
 
 /// The whole picture as the display's design has it.
 [[nodiscard]] FlownLevel flown_level(const std::string& terrain, const FlownDisplay& display);
 
-/// The terrain with an error of at most `tau_px` on the screen, as the design has the rest.
+/// The terrain with an error of at most `tau_px` on the screen; everything else as in the design.
 [[nodiscard]] FlownLevel terrain_level(const std::string& terrain, double tau_px, const FlownDisplay& display);
 
 /// Options of `tedavis shot` that draw a level, each after a space, without pose and output; nothing where a level is more than
@@ -65,14 +65,14 @@ public:
     void draw(std::size_t level, std::size_t pose);
     /// Plans, draws and reads back a frame at another pose, which follows from the last one of the level, as in flight.
     void fly_to(std::size_t level, const AircraftPose& pose);
-    /// Good until the level draws again.
+    /// The picture of a level at a pose, valid until the level draws again.
     [[nodiscard]] RgbaView picture(std::size_t level, std::size_t pose);
-    /// At a pose, for what its planner can be asked.
+    /// The display of a level at a pose, for queries of its planner.
     [[nodiscard]] display::Display& display(std::size_t level, std::size_t pose);
     [[nodiscard]] double build_ms(std::size_t level) const;
-    /// Of the last frame of draw().
+    /// Bytes of the last frame of draw().
     [[nodiscard]] std::uint64_t uploaded_bytes(std::size_t level) const;
-    /// `tedavis shot` with the options of a level at a pose; nothing where they do not say all of the level.
+    /// `tedavis shot` with the options of a level at a pose; nothing where options cannot state the whole level.
     [[nodiscard]] std::optional<std::string> shot_command(std::size_t level, std::size_t pose) const;
 
 private:

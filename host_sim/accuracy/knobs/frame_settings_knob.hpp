@@ -1,5 +1,5 @@
 /// Combinations of the settings by which a user trades the accuracy of a frame for its time: the error allowed for the terrain,
-/// and the share of the window that is drawn. The front over them is the one across both settings.
+/// and the share of the window that is drawn. Their Pareto front is that of both settings together.
 #pragma once
 
 #include <memory>

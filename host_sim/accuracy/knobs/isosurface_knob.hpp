@@ -1,4 +1,4 @@
-/// The step between posts of which an isosurface is made (render_core/draw/data/isosurface_solids.hpp).
+/// The step between the posts of a field from which an isosurface is made (render_core/draw/data/isosurface_solids.hpp).
 #pragma once
 
 #include <memory>

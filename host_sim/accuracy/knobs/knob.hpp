@@ -1,4 +1,4 @@
-/// A setting of the product whose accuracy costs time: its levels, what they are measured against, and how one is run.
+/// A setting of the product that trades accuracy for time: its levels, the reference of their errors, and how a level is run.
 ///
 /// Everything that a reader of the report needs to believe a figure is a member that has no default, so a knob that does not
 /// state it does not compile; a test with fault_of() (knob_registry.hpp) refuses what is stated but empty or not credible.
@@ -29,7 +29,7 @@ private:
     std::string text_;
 };
 
-/// What counts as the truth, and by how much it may be wrong itself, in the metric's unit.
+/// The reference that is taken as true, and a bound of its own error in the metric's unit.
 class KnobReference {
 public:
     KnobReference(Statement what, double error_bound, Statement reason)
@@ -50,7 +50,7 @@ struct ExpectedLaw {
     Statement source;
 };
 
-/// What a level works through, where its number tells more than the time: triangles, texels.
+/// The things that a level processes, such as triangles or texels, if their number is more informative than the time.
 struct KnobWork {
     Statement thing;  ///< plural
     ExpectedLaw law;  ///< of their number over the amount
@@ -58,17 +58,17 @@ struct KnobWork {
 
 struct KnobLevel {
     Statement name;  ///< as the user writes it
-    double amount;   ///< that laws are fitted over; 0: on no scale
+    double amount;   ///< abscissa of the fitted laws; 0: the level is on no scale
 };
 
 struct KnobFacts {
     Statement name;          ///< of --knob; lower case, underscores
     Statement title;         ///< for people
     Statement setting;       ///< where the product has it
-    Statement metric, unit;  ///< what an error is
+    Statement metric, unit;  ///< what is measured as an error, and its unit
     KnobReference reference;
-    Statement second_oracle;         ///< another way to the truth, or "none: " and why
-    Statement never_trades;          ///< what stays as it is at every level
+    Statement second_oracle;         ///< an independent second reference, or "none: " and why
+    Statement never_trades;          ///< what no level changes
     Statement amount;                ///< what KnobLevel::amount counts
     std::optional<ExpectedLaw> law;  ///< nothing: none is known
     std::vector<KnobLevel> levels;   ///< the cheapest first; where `only_level` is stated, the product's first
@@ -91,16 +91,16 @@ public:
     Knob& operator=(const Knob&) = delete;
 
     [[nodiscard]] const KnobFacts& facts() const { return facts_; }
-    /// How many pieces of work there are; each is timed for itself.
+    /// Number of pieces of work, each of which is timed alone.
     [[nodiscard]] virtual std::size_t samples() const = 0;
-    /// How many further pieces of work there are, numbered from samples() on, spread over all that a user may meet. They are
-    /// timed at one level, for how much longer the dearest of them takes than the slowest sample, and have no errors.
+    /// Number of further pieces of work, numbered from samples() on, spread over the whole flight. They are timed at one level,
+    /// to compare the slowest of them with the slowest sample; their errors are not measured.
     [[nodiscard]] virtual std::size_t moments() const { return 0; }
-    /// Comes before run() of the same sample and is not timed: loads what a user does not wait for.
+    /// Called before run() of the same sample and not timed: loads what a user does not wait for.
     virtual void prepare(std::size_t /*level*/, std::size_t /*sample*/) {}
     /// Does the work of a sample at a level: this is what is timed, and nothing else.
     virtual void run(std::size_t level, std::size_t sample) = 0;
-    /// Appends the errors of what run() would give, not negative, in the metric's unit.
+    /// Appends the errors of the result of run(), 0 or more, in the metric's unit.
     virtual void find_errors(std::size_t level, std::size_t sample, std::vector<double>& errors) = 0;
     /// Where an error of find_errors() is, for people: a ray, a pixel, a pose.
     [[nodiscard]] virtual std::string place_of(std::size_t sample, std::size_t error) const = 0;
@@ -119,15 +119,15 @@ public:
     /// The greatest error that the product itself states for the samples of a level, such as a display's proven bound; nothing
     /// where it states none. After find_errors() of all samples.
     [[nodiscard]] virtual std::optional<double> proven(std::size_t /*level*/) const { return std::nullopt; }
-    /// The options of `tedavis replay` that give a level; empty where options do not say it.
+    /// The options of `tedavis replay` that give a level; empty where no options do.
     [[nodiscard]] virtual std::string options(std::size_t /*level*/) const { return ""; }
     /// Mean number of the things of facts().work in a sample; after find_errors() of all samples.
     [[nodiscard]] virtual double work(std::size_t /*level*/) const { return 0; }
-    /// Memory that a level takes besides what all levels take.
+    /// Memory in bytes that a level takes in addition to that of all levels.
     [[nodiscard]] virtual std::uint64_t bytes(std::size_t /*level*/) const { return 0; }
-    /// What a frame of a level sends to the GPU, for knobs that draw with it; nothing for others. After run().
+    /// Bytes that a frame of a level uploads to the GPU; nothing for knobs that do not draw with it. Valid after run().
     [[nodiscard]] virtual std::optional<std::uint64_t> uploaded_bytes(std::size_t /*level*/) const { return std::nullopt; }
-    /// Time for what is made once before the first sample.
+    /// Time of the preparations of a level, once before the first sample.
     [[nodiscard]] virtual double build_ms(std::size_t /*level*/) const { return 0; }
 
 private:

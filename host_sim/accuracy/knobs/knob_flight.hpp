@@ -13,11 +13,11 @@
 
 namespace tedavis::host_sim {
 
-/// Over a terrain that does not hold the whole default flight, its strip is moved to the terrain's middle, at the height of the
-/// highest post, and the flight and its weather with it; the layers of places then stay away.
+/// Over a terrain that does not contain the whole default flight, the flight's airstrip is moved to the terrain's middle, at the
+/// height of the highest post, together with the flight and its weather; the layers of places are then left out.
 ///
-/// A recorded flight brings no data. Those round it are the default flight's, moved in the same way, but with the strip below the
-/// middle of the recorded flight.
+/// A recorded flight has no data of its own. Around it are the default flight's data, moved in the same way, but with the
+/// airstrip below the middle of the recorded flight.
 class KnobFlight {
 public:
     /// `recorded` is null for the default flight, and else must outlive the object. Throws UserError where a shipped file or the
@@ -34,13 +34,13 @@ public:
     [[nodiscard]] AircraftPose pose_at(double at_s) const;
     /// The poses in the middle of `count` equal parts of the flight, or of the time in which its position is valid.
     [[nodiscard]] std::vector<AircraftPose> poses(std::size_t count) const;
-    [[nodiscard]] double duration_s() const;  ///< of that time
-    /// That pose_at() counts from.
+    [[nodiscard]] double duration_s() const;  ///< of that time, in which the position is valid
+    /// The time from which pose_at() counts.
     [[nodiscard]] base::Time begin() const { return recorded_ == nullptr ? flight_.begin() : base::Time{}; }
     /// The phase that the shipped flight has at the time of a pose; of a recorded one that of the pose.
     [[nodiscard]] flight::FlightPhase phase_at(const AircraftPose& pose) const;
-    /// Adds what the shipped flight sends besides position and attitude: air data, and other aircraft that it receives. A
-    /// recorded flight adds nothing.
+    /// Adds the data of the shipped flight besides position and attitude: air data, and other aircraft that it receives. For a
+    /// recorded flight it adds nothing.
     void add_signals(const AircraftPose& pose, flight::AircraftState& state) const;
     /// Path of a database with the flight's data, which lasts as long as the object. It is made by the first call.
     [[nodiscard]] const std::string& scene();

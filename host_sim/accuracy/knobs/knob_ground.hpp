@@ -1,4 +1,4 @@
-/// What knobs are measured on.
+/// The inputs over which knobs are measured: ground, flight and display.
 #pragma once
 
 #include "host_sim/accuracy/knobs/flown_display.hpp"

@@ -1,5 +1,5 @@
-/// A picture that the knobs of perception are measured on: smooth ground, lines and signs, by numbers that are the same on every
-/// machine.
+/// A picture on which the knobs of perception are measured: smooth ground, lines and signs, from random numbers that are the same
+/// on every machine.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ public:
     explicit MeasuredPicture(SeededRandom& numbers);
 
     [[nodiscard]] perception::PictureView view() const { return perception::packed_picture(pixels_.data(), width_, height_); }
-    /// Means of n x n pixels; n divides both sides.
+    /// The picture reduced by means of n x n pixels; n divides both sides.
     [[nodiscard]] MeasuredPicture shrunk(int n) const;
 
 private:

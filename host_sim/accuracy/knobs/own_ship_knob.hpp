@@ -1,4 +1,4 @@
-/// How the own ship's position follows from messages: settings of the filter, from holding the last position to smoothing
+/// Settings of the filter that estimates the own ship's position from messages, from holding the last position to smoothing
 /// (bus/state/own_ship_filter.hpp).
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Two settings of traced pictures: rays of a pixel that covers much, and paths of light from a pixel
+/// Two settings of traced pictures: antialiasing rays of a pixel, and light paths from a pixel
 /// (render_core/raytrace/picture/trace_settings.hpp).
 #pragma once
 

@@ -9,12 +9,12 @@
 
 namespace tedavis::host_sim {
 
-/// Steps along the whole ray. What a step passes over is not found.
+/// Number of steps along the whole ray. A hit between two steps may be missed.
 [[nodiscard]] std::unique_ptr<Knob> make_ray_steps_knob(const KnobGround& ground);
 /// The same setting with two levels: far too few steps, which must land visibly wrong, and enough. It is not in the registry:
 /// with it the report proves that it would show a wrong level (accuracy/negative_control.hpp).
 [[nodiscard]] std::unique_ptr<Knob> make_ray_control(const KnobGround& ground);
-/// Halvings of a step within a cell, of rays that find the exact tracer's hit.
+/// Number of halvings of a step within a cell, for rays whose hit is that of the exact tracer.
 [[nodiscard]] std::unique_ptr<Knob> make_ray_halvings_knob(const KnobGround& ground);
 
 }  // namespace tedavis::host_sim

@@ -1,4 +1,4 @@
-/// A picture in another size, as the hardware of a display scales it.
+/// Scales a picture as the hardware of a display does.
 #pragma once
 
 #include "host_sim/options/picture_options.hpp"
@@ -6,7 +6,8 @@
 
 namespace tedavis::host_sim {
 
-/// Between the middles of the four nearest pixels linearly, in the numbers of the colours; beyond the outer middles as they are.
+/// Interpolates bilinearly between the centres of the four nearest pixels, in the coded values of the colours; beyond the outer
+/// centres the nearest pixel is repeated.
 [[nodiscard]] RgbaPicture scaled_picture(const RgbaView& picture, const PictureSize& size);
 
 }  // namespace tedavis::host_sim

@@ -1,5 +1,5 @@
-/// A small traced picture from over the middle of a terrain, with one of up to four settings: what the knobs of traced pictures
-/// are measured on.
+/// A small traced picture from above the middle of a terrain, with one of up to four settings, on which the knobs of traced
+/// pictures are measured.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,15 @@ struct SmallView {
 
 class SmallPicture {
 public:
-    /// All settings have the same surface. The ground must outlive the picture. Throws UserError: the tracer cannot see from
-    /// there.
+    /// All settings must have the same surface. The ground must outlive the picture. Throws UserError where the tracer cannot
+    /// trace from the pose.
     SmallPicture(const TracedGround& ground, const std::vector<raytrace::TraceSettings>& settings, const SmallView& view);
     ~SmallPicture();
     SmallPicture(const SmallPicture&) = delete;
     SmallPicture& operator=(const SmallPicture&) = delete;
 
     void draw(std::size_t setting);
-    /// Of the picture that was drawn last, linear, row by row.
+    /// The linear light of the last picture, row by row.
     [[nodiscard]] base::Span<const glm::vec3> light() const;
     [[nodiscard]] const SmallView& view() const { return view_; }
 
@@ -38,10 +38,10 @@ private:
     std::unique_ptr<Drawer> drawer_;
 };
 
-/// The same view with the means of `parts` x `parts` pixels each.
+/// The light of the same view, each pixel the mean of `parts` x `parts` traced ones.
 [[nodiscard]] std::vector<glm::vec3> light_of_finer(const TracedGround& ground, const raytrace::TraceSettings& settings,
                                                     const SmallView& view, std::uint32_t parts);
-/// Root mean square over the three colours; light above 1 counts as 1, as raytrace/picture/picture_error.hpp has it.
+/// Root mean square over the three colours; light above 1 counts as 1, as in raytrace/picture/picture_error.hpp.
 [[nodiscard]] double light_difference(const glm::vec3& light, const glm::vec3& other);
 
 }  // namespace tedavis::host_sim

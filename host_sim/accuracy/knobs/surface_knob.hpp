@@ -1,5 +1,5 @@
-/// The surface between the posts that rays meet: flat pieces, some subdivisions of the smooth one, or the smooth one itself
-/// (render_core/raytrace/surface; thesis 6.2.2.2).
+/// The surface between the posts that rays are intersected with: flat pieces, some subdivisions of the smooth one, or the smooth
+/// one itself (render_core/raytrace/surface; thesis 6.2.2.2).
 #pragma once
 
 #include <memory>

@@ -11,10 +11,11 @@
 
 namespace tedavis::host_sim {
 
-/// What terrain_error_px() may be wrong by on a picture of kFlownSize, for ground that is at least kNearestSeenPlace_m away.
+/// Bound of the error of terrain_error_px() in a picture of kFlownSize, for ground at least kNearestSeenPlace_m away.
 inline constexpr double kSeenErrorBound_px = 2e-3;
 
-/// How far from its true place the planned frame draws a place, in pixels. Nothing where it draws no terrain.
+/// Distance in pixels between a place as the planned frame draws it and its true projection; nothing where the frame draws no
+/// terrain.
 [[nodiscard]] std::optional<double> terrain_error_px(display::Display& display, const SeenPlace& place);
 
 [[nodiscard]] std::unique_ptr<Knob> make_terrain_tau_knob(const KnobGround& ground);

@@ -1,4 +1,4 @@
-/// A square part of a terrain with rays over it: what the knobs of the ray tracer are measured on.
+/// A square part of a terrain with rays over it, on which the knobs of the ray tracer are measured.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ public:
 
     /// Metres above MSL, grid space (height_grid.hpp).
     [[nodiscard]] raytrace::HeightGrid<float> grid() const { return {posts_.data(), columns_, rows_, columns_}; }
-    /// Of the middle row; heights are in metres.
+    /// Scale of the grid at the middle row; heights are in metres.
     [[nodiscard]] const raytrace::GridScale& scale() const { return scale_; }
     [[nodiscard]] double cell_m() const { return scale_.column_m; }
 
@@ -53,9 +53,9 @@ private:
     double build_ms_ = 0;
 };
 
-/// From over the western border, 150 to 900 m above the ground, eastwards and 0.5 to 8 degrees down.
+/// Returns rays from above the western border, 150 to 900 m above the ground, eastwards and 0.5 to 8 degrees down.
 [[nodiscard]] std::vector<raytrace::Ray> rays_over(const TracedSquare& square, std::size_t count, std::uint64_t seed);
-/// Where a ray of rays_over() leaves the square, t.
+/// The ray parameter t at which a ray of rays_over() leaves the square.
 [[nodiscard]] double end_over(const TracedSquare& square, const raytrace::Ray& ray);
 /// "the ray from column 0, row 17.2, height 812 m, along (1, 0.21, -3.1)"
 [[nodiscard]] std::string ray_text(const raytrace::Ray& ray);

@@ -1,4 +1,4 @@
-/// Two settings of the tubes round trajectories: the sides of a ring, and the recorded points that a ring stands at
+/// Two settings of the tubes round trajectories: the number of sides of a ring, and the recorded points at which rings are placed
 /// (render_core/scene/tube_mesh.hpp, render_core/draw/data/tube_path.hpp).
 #pragma once
 

@@ -1,5 +1,5 @@
-/// The numbers of which the place of a terrain vertex on the screen is made (render_core/draw/shaders/terrain_place.vert), a
-/// setting with one level.
+/// The number format in which the screen position of a terrain vertex is computed (render_core/draw/shaders/terrain_place.vert),
+/// a setting with one level.
 #pragma once
 
 #include <memory>

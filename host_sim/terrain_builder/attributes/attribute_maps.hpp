@@ -12,8 +12,8 @@
 
 namespace tedavis::host_sim {
 
-/// Values before they are coded, inner posts row by row, in the units of AttributeChannel. Posts that are void or outside
-/// are as level open ground: upright normal, sky view 1, openness 90°, no relief.
+/// Values before they are coded, inner posts row by row, in the units of AttributeChannel. Posts that are void or outside have
+/// the values of level open ground: upright normal, sky view 1, openness 90°, no relief.
 struct AttributeFields {
     int columns = 0, rows = 0;
     std::array<std::vector<float>, terrain::kAttributeChannels> channel;  ///< that of post_class holds the code
@@ -27,7 +27,7 @@ struct AttributeFields {
     }
 };
 
-/// As terrain/attribute_map.hpp codes them.
+/// Values as coded by terrain/attribute_map.hpp.
 struct AttributeMaps {
     int columns = 0, rows = 0;
     std::array<std::vector<std::uint8_t>, terrain::kAttributeMaps> rgba;         ///< 4 bytes a post, row by row
@@ -37,10 +37,11 @@ struct AttributeMaps {
 [[nodiscard]] AttributeFields measure_attributes(const HeightPlanes& planes, const FixedLight& light, const FarView& above);
 [[nodiscard]] AttributeMaps encode_attributes(const AttributeFields& fields);
 
-/// The same in one call. Nothing depends on the tiling: neighbouring tiles give what one tile over both would.
+/// Both steps in one call. The result does not depend on the tiling: two neighbouring tiles give the values of one tile over
+/// both.
 struct TileAttributes {
     AttributeMaps maps;
-    std::optional<FarHorizons> far;  ///< for the level below
+    std::optional<FarHorizons> far;  ///< for the next finer level; nothing where none follows
 };
 [[nodiscard]] TileAttributes make_attributes(const AttributeTile& tile, const FixedLight& light, const FarView& above,
                                              bool level_below_follows);

@@ -8,10 +8,10 @@
 
 namespace tedavis::host_sim {
 
-/// 0..1, laid out as HeightPlanes; filled for inner posts and kHorizonReach posts round them, and half way between. Posts
-/// without a height have the value of level open ground. The tangent of the horizon at the light's azimuth lies linearly
-/// between those of the two lattice directions beside it, not below 0 as in the horizon maps; the disc's light counts as
-/// even over its height. The light stands above the horizontal and not beyond the zenith.
+/// Returns values 0..1 in the layout of HeightPlanes, filled for inner posts, kHorizonReach posts around them, and half way
+/// between. Posts without a height have the value of level open ground. The tangent of the horizon at the light's azimuth is
+/// interpolated linearly between the two lattice directions beside it, and is 0 or more, as in the horizon maps; the disc's light
+/// is taken as uniform over its height. The light's elevation must be above 0 and at most 90 degrees.
 [[nodiscard]] HalfPlanes direct_light(const HeightPlanes& planes, const Gradients& gradients, const FixedLight& light,
                                       const FarView& above);
 

@@ -1,8 +1,9 @@
-/// Horizons beyond a tile's reach, handed down the pyramid: each level sees the posts 8 to 16 of its own from here, which
-/// are 16 to 32 of the level below, and what the level above has seen. Every octave of distance is swept once.
+/// Horizons beyond a tile's reach, passed down the pyramid: each level searches the posts at 8 to 16 of its own spacings, which
+/// are 16 to 32 of the next finer level, and adds the result of the next coarser level. Every octave of distance is searched
+/// once.
 ///
-/// A far horizon is kept as a line over the eye's height, tangent = intercept - per_m * height, because the posts of the
-/// finer level stand higher and lower than the post that saw it.
+/// A far horizon is stored as a linear function of the eye's height, tangent = intercept - per_m * height, because posts of the
+/// finer level are higher or lower than the post for which it was found.
 #pragma once
 
 #include <array>
@@ -14,9 +15,9 @@
 
 namespace tedavis::host_sim {
 
-/// Far horizons are made for so many posts round the inner ones as well: the level below needs them, for its apron.
+/// Number of posts around the inner ones for which far horizons are made, too: the finer level needs them for its apron.
 inline constexpr int kFarMargin = 10;
-/// The near end of what a level sees for the one below, in posts; the far end is kHorizonReach.
+/// The near end of the distances that a level searches for the finer one, in posts; the far end is kHorizonReach.
 inline constexpr int kFarNearEnd = kHorizonReach / 2;
 inline constexpr float kNoHorizon = -kNoHeight_m;
 
@@ -25,7 +26,7 @@ struct FarLines {
     std::array<float, terrain::kHorizonDirections> per_m;      ///< 1 / distance of the horizon, metres
 };
 
-/// 132 bytes a post.
+/// Far horizons of a tile, 132 bytes per post.
 struct FarHorizons {
     int columns = 0, rows = 0;    ///< inner posts of its tile
     std::vector<FarLines> lines;  ///< row by row, (columns + 2 kFarMargin) by (rows + 2 kFarMargin)
@@ -36,23 +37,23 @@ struct FarHorizons {
     }
 };
 
-/// The horizons of the level above as a tile looks them up; without any, nothing is seen beyond the tile's own reach.
+/// The far horizons of the coarser level for a tile; null: there are no horizons beyond the tile's own reach.
 struct FarView {
     const FarHorizons* horizons = nullptr;
-    /// Where the tile's inner post (0,0) lies among the inner posts of the level above; one post of the tile is half a post
-    /// there. With heights that are means of two by two posts: half the post's number there, less a quarter.
+    /// Position of the tile's inner post (0,0) in inner posts of the coarser level; one post of the tile is half a post there. As
+    /// heights are means of two by two posts, it is half the post's number there, less a quarter.
     double first_column = 0, first_row = 0;
 };
 
-/// Rows of far horizons at a tile's posts, interpolated linearly between the four posts round each; those without a height
-/// do not count. Beyond the last post of the level above, its horizons go on.
+/// Rows of far horizons at a tile's posts, interpolated linearly between the four posts around each, without those that have no
+/// height. Beyond the last post of the coarser level, its horizons are repeated.
 class FarRow {
 public:
-    /// For columns from `first_column` on, `columns` of them, and what four posts at the last of them read beyond.
+    /// For `columns` columns from `first_column` on, and those that a read of kLanes posts at the last one needs.
     FarRow(const FarView& view, int first_column, int columns);
 
     void read(int row);
-    /// Tangents that four posts see, from the `index`-th column on, at these heights.
+    /// Tangents of the far horizon at four posts from the `index`-th column on, for eyes at these heights.
     [[nodiscard]] Lanes tangent(int direction, std::size_t index, Lanes height_m) const;
     [[nodiscard]] Lanes intercept(int direction, std::size_t index) const { return load(place(0, direction, index)); }
     [[nodiscard]] Lanes per_m(int direction, std::size_t index) const { return load(place(1, direction, index)); }
@@ -60,7 +61,7 @@ public:
 private:
     struct Column {
         int west, east;
-        float part;  ///< of the eastern one
+        float part;  ///< weight of the eastern post
     };
 
     [[nodiscard]] const float* place(std::size_t line, int direction, std::size_t index) const {
@@ -74,7 +75,7 @@ private:
     std::vector<float> values_;  ///< intercepts of direction 0, 1 ..., then per_m
 };
 
-/// What the level below needs of this tile.
+/// Returns the far horizons of this tile for the next finer level.
 [[nodiscard]] FarHorizons make_far_horizons(const HeightPlanes& planes, const FarView& above);
 
 }  // namespace tedavis::host_sim

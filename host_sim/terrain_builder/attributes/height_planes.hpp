@@ -1,4 +1,5 @@
-/// The heights of a tile, ready to be swept: what is void or outside can neither raise nor lower a horizon.
+/// The heights of a tile, prepared for the search of horizons: posts that are void or outside can neither raise nor lower a
+/// horizon.
 #pragma once
 
 #include <array>
@@ -24,14 +25,15 @@ void fill_half_posts(HalfPlanes& planes, const std::vector<float>& validity, std
 struct HeightPlanes {
     explicit HeightPlanes(const AttributeTile& tile);
 
-    /// Inner post (0,0) is at(0,0); columns and rows from -kAttributeApron on. Planes end with room for reading kLanes on.
+    /// Inner post (0,0) is at(0,0); columns and rows from -kAttributeApron on. Planes are padded, so that kLanes values can be
+    /// read from any post.
     [[nodiscard]] std::size_t at(int column, int row) const {
         const int full_row = row + kAttributeApron, full_column = column + kAttributeApron;
         return static_cast<std::size_t>(full_row) * stride + static_cast<std::size_t>(full_column);
     }
     [[nodiscard]] double east_m(int row) const { return tile.east_m[index_of(0, row + kAttributeApron, 1)]; }
 
-    const AttributeTile& tile;  ///< must live as long
+    const AttributeTile& tile;  ///< must outlive this object
     std::size_t stride;
     HalfPlanes high;              ///< metres; -kNoHeight_m where there is none
     HalfPlanes low;               ///< metres; +kNoHeight_m where there is none

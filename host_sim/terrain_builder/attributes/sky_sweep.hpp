@@ -1,4 +1,4 @@
-/// What posts see round them: the sweep over 16 directions, and the integrals over what it found.
+/// Visibility from posts: the search of horizons in 16 directions, and integrals over its results.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace tedavis::host_sim {
 
-/// Of openness over level ground without a horizon.
+/// The openness of level ground without a horizon, radians.
 inline constexpr float kHalfPi = 1.57079632679f;
 
-/// Of four neighbouring posts.
+/// Results for four neighbouring posts.
 struct SkyLanes {
     Lanes horizon[terrain::kHorizonDirections];  ///< tangent of the horizon's elevation, not below 0
     Lanes sky_view, aperture_east, aperture_north, aperture_cosine, openness_above, openness_below;
@@ -30,13 +30,13 @@ struct SkyLanes {
 ///   mean direction vanishes the normal stands for it.
 /// - openness is the mean zenith (above) or nadir (below) angle within kHorizonReach posts: Yokoyama, Shirasawa, Pike,
 ///   "Visualizing Topography by Openness", PE&RS 68(3), 2002; Doneus, "Openness as Visualization Technique", Remote Sensing
-///   5, 2013. The Earth counts as plane here, so that level ground has 90° at every scale. Directions without any post do
+///   5, 2013. The Earth is taken as flat here, so that level ground has 90° at every scale. Directions without any post do
 ///   not count.
 /// - bounce gathers, strip by strip of elevation in each direction, the direct light on the post that bounds the strip,
 ///   weighted as the sky is above. Ground beyond the reach, and below the horizontal, is lit as level open ground.
 class SkySweep {
 public:
-    /// All must live as long. `direct` is direct_light(), `level_light` what it gives on level open ground.
+    /// All arguments must outlive this object. `direct` is direct_light(), `level_light` what it gives on level open ground.
     SkySweep(const HeightPlanes& planes, const Gradients& gradients, const HalfPlanes& direct, float level_light,
              const FarView& above);
 

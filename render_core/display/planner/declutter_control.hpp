@@ -3,7 +3,7 @@
 ///
 /// The first frame of each interval of labels (draw/data/label_planner.hpp; on es2 of every second one) measures its picture with
 /// all detail. Where that is above the budget, it also measures a picture with the least detail, and up to kMaxTries pictures
-/// with detail that may suffice. A measured picture is shown only if no other one is requested after it. A frame uses the
+/// with detail that may suffice. Of these only the first can be shown, if no other one is requested after it. A frame uses the
 /// measurements of the intervals that began within the last kHeld, and in each region the one with the lowest detail, so that
 /// detail returns only after it has met the budget for that long. Without earlier measurements, at the beginning of a flight and
 /// after a design transition, a frame uses the measurement of its own interval. No measurement depends on earlier reductions, so

@@ -103,12 +103,17 @@ void record_terrain(const TerrainPlan& plan, FrameStatement& record) {
     terrain.worst_chunk.append(base::digits(worst.j).view());
 }
 
-void record_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record) {
+void record_renderer(design::TerrainRenderer asked, draw::TraceState state, const effects::RendererDecision& decision,
+                     FrameStatement& record) {
     const auto drawn = state == draw::TraceState::traced ? design::TerrainRenderer::trace : design::TerrainRenderer::raster;
     record.terrain.renderer = Name(design::kTerrainRendererNames[static_cast<std::size_t>(drawn)]);
     if (drawn == asked) return;
-    record.terrain.renderer_reason.append(draw::reason_of(state));
-    flag(policy::RecordFlag::terrain_not_traced, record);
+    const bool is_choice = asked == design::TerrainRenderer::automatic;
+    const bool is_chosen = is_choice && (state == draw::TraceState::traced || state == draw::TraceState::not_by_cost);
+    record.terrain.renderer_reason.append(is_chosen ? to_string(decision.why) : draw::reason_of(state));
+    record.terrain.triangles_ms = decision.costs.triangles_ms;
+    record.terrain.rays_ms = decision.costs.rays_ms;
+    if (!is_choice) flag(policy::RecordFlag::terrain_not_traced, record);
 }
 
 void record_elements(const ElementReports& reports, FrameRecord& record) {

@@ -27,7 +27,9 @@ void add_technique(std::string_view name, double detail, AspectRecord& aspect);
 /// record_drawn().
 void record_terrain(const TerrainPlan& plan, FrameStatement& record);
 /// Records what draws the terrain, and raises the flag terrain.not_traced where rays were requested and triangles are drawn.
-void record_renderer(design::TerrainRenderer asked, draw::TraceState state, FrameStatement& record);
+/// `decision` counts where the design leaves the choice to the display.
+void record_renderer(design::TerrainRenderer asked, draw::TraceState state, const effects::RendererDecision& decision,
+                     FrameStatement& record);
 /// Records counts by type, an effect for each element ("data.tube"), and the techniques that show the data and their uncertainty.
 void record_elements(const ElementReports& reports, FrameRecord& record);
 /// Records the weight of each aspect, and which weights were raised.

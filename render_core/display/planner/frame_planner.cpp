@@ -276,12 +276,39 @@ double FramePlanner::undulation_m(const earth::Geodetic& place) const {
     return terrain_.is_started() ? terrain_.database().undulation(place.latitude_rad, place.longitude_rad).m : 0;
 }
 
+bool FramePlanner::is_to_be_removed(const TerrainPlan& plan) const {
+    return plan.pending != 0 && plan.lod.worst_waiting_px > look_.degradation.terrain_removed_px;
+}
+
+effects::TriangleFit FramePlanner::fit_of(const TerrainPlan& plan) const {
+    if (is_to_be_removed(plan)) return effects::TriangleFit::none;
+    const bool is_coarse = plan.lod.worst_coarse_px > look_.degradation.terrain_error_px;
+    return plan.is_short || is_coarse ? effects::TriangleFit::is_short : effects::TriangleFit::exact_enough;
+}
+
+/// Chooses the renderer where the design leaves the choice to the display, and has triangles drawn where they are chosen.
+effects::RendererDecision FramePlanner::choose_renderer(const TerrainPlan& plan) {
+    effects::FrameBudget& budget = memory_->budget;
+    if (look_.terrain.renderer != design::TerrainRenderer::automatic || !terrain_.is_traced()) {
+        budget.rest_renderer(frame_->time);
+        return {};
+    }
+    effects::FrameCounters counters;
+    counters.megapixels = megapixels();
+    counters.triangles = plan.lod.triangles;
+    const effects::RendererDecision decision =
+        budget.choose_renderer(frame_->time, memory_->shown, counters, terrain_tolerance(), fit_of(plan));
+    if (!decision.by_rays) terrain_.draw_triangles();
+    return decision;
+}
+
 void FramePlanner::plan_terrain() {
     const double tau_factor = memory_->budget.tau_factor(terrain_tolerance());
     frame_->terrain.tau_px = look_.terrain.tau_px * tau_factor;
     Camera seen = frame_->picture.camera;
     seen.view = frame_->seen;
     if (!frame_->decisions.show_terrain) {
+        memory_->budget.rest_renderer(frame_->time);
         const bool is_outside = frame_->conditions.terrain == policy::TerrainSource::outside &&
                                 frame_->state.own_ship.state == base::SignalState::valid;
         return is_outside ? terrain_.approach(seen, look_, tau_factor) : terrain_.rest();
@@ -294,6 +321,7 @@ void FramePlanner::plan_terrain() {
         for (const draw::EyeSide side : draw::kEyeSides)
             terrain_.widen_error(camera_of(frame_->picture.camera, frame_->stereo_cameras, side, painter_.stereo_margin_px).view,
                                  look_, plan.lod);
+    const effects::RendererDecision decision = choose_renderer(plan);
     if (terrain_.is_traced()) plan = as_traced(plan, terrain_.shades_chunks());
     if (!plan.lod.within_budget) {
         give_up_terrain(policy::TerrainSource::over_budget);
@@ -301,9 +329,9 @@ void FramePlanner::plan_terrain() {
     }
     frame_->terrain_has_void = plan.has_void;
     record_terrain(plan, *frame_);
-    record_renderer(look_.terrain.renderer, terrain_.trace_state(), *frame_);
+    record_renderer(look_.terrain.renderer, terrain_.trace_state(), decision, *frame_);
     // Terrain within the budgets will not get better, and is stated as coarse.
-    if (plan.pending != 0 && plan.lod.worst_waiting_px > look_.degradation.terrain_removed_px) {
+    if (is_to_be_removed(plan)) {
         give_up_terrain(policy::TerrainSource::too_coarse);
         return;
     }

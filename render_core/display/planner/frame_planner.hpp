@@ -105,6 +105,8 @@ public:
     [[nodiscard]] std::uint32_t stereo_margin_px(const design::DesignSettings& design) const;
     [[nodiscard]] bool has_data_to_show() const;
     [[nodiscard]] draw::DataVariant data_variant() const;
+    /// Whether a design leaves the choice between triangles and rays to the display.
+    [[nodiscard]] bool chooses_renderer() const;
     /// Whether anything is decided by intervals.
     [[nodiscard]] bool has_intervals() const { return has_intervals_; }
     /// Whether design transitions are cross-faded.
@@ -175,6 +177,10 @@ private:
     [[nodiscard]] double undulation_m(const earth::Geodetic& place) const;
     // Terrain, data, symbology, effects
     void plan_terrain();
+    [[nodiscard]] effects::RendererDecision choose_renderer(const TerrainPlan& plan);
+    [[nodiscard]] effects::TriangleFit fit_of(const TerrainPlan& plan) const;
+    [[nodiscard]] bool is_to_be_removed(const TerrainPlan& plan) const;
+    [[nodiscard]] double megapixels() const { return settings_.width_px * 1e-6 * settings_.height_px; }
     [[nodiscard]] double turn_radps() const;
     [[nodiscard]] design::HeightAccuracy height_accuracy() const;
     [[nodiscard]] policy::TrackUncertainty track_uncertainty() const;

@@ -60,7 +60,14 @@ void FramePlanner::set_designs(const design::DesignSettings& design, const desig
     show_design(0);
     memory.labels.forget();
     memory.boost.forget();
+    memory.budget.forget_renderer();
     find_intervals();
+}
+
+bool FramePlanner::chooses_renderer() const {
+    for (std::size_t place = 0; place < design_count(); ++place)
+        if (design_at(place).terrain.renderer == design::TerrainRenderer::automatic) return true;
+    return false;
 }
 
 /// Fits palettes to the heights of the terrain, as soon as these are known; see design::fitted_palette().

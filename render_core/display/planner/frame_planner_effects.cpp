@@ -120,7 +120,8 @@ ShadowPlan FramePlanner::plan_shadows() {
 
 void FramePlanner::count() {
     const ElementCounters elements = elements_.counters();
-    frame_->counters.megapixels = settings_.width_px * 1e-6 * settings_.height_px;
+    frame_->counters.megapixels = megapixels();
+    frame_->counters.is_traced = frame_->decisions.show_terrain && terrain_.is_traced();
     frame_->counters.triangles = frame_->terrain.triangles;
     frame_->counters.maps = frame_->maps_beside.drawn;
     frame_->counters.elements = elements.features;

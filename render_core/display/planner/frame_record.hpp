@@ -60,7 +60,8 @@ struct TerrainRecord {
     std::uint32_t chunks = 0;
     std::uint32_t pending = 0;              ///< wanted but not there yet; their coarser parents are drawn
     Name renderer;                          ///< what draws it; empty where none is drawn
-    base::FixedString<63> renderer_reason;  ///< why it is not the one that the design names
+    base::FixedString<63> renderer_reason;  ///< why it is not the one that the design names, or why it was chosen
+    double triangles_ms = 0, rays_ms = 0;   ///< modelled costs between which it was chosen; 0: no choice, or unknown
 };
 
 struct ViewRecord {

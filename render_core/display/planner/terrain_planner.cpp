@@ -245,6 +245,7 @@ TerrainPlan TerrainPlanner::plan(const Camera& camera, const design::DesignSetti
     // Nothing more will arrive: what the ideal had to leave out is missing.
     if (plan.lod.reason == terrain::LodStop::not_arrived && plan.pending == 0 && ideal.reason != terrain::LodStop::met)
         plan.lod.reason = ideal.reason;
+    plan.is_short = is_short(plan.lod);
     plan.is_late = store_.is_late();
     plan.is_failing = store_.is_failing();
     return plan;

@@ -46,6 +46,7 @@ enum class DrapeState : std::uint8_t {
 /// What plan() found; plain data.
 struct TerrainPlan {
     terrain::LodResult lod;
+    bool is_short = false;        ///< budgets leave a greater error than tau
     std::uint32_t pending = 0;    ///< chunks that were requested and have not arrived
     bool has_void = false;        ///< ground without data in view
     bool is_late = false;         ///< the file answers too slowly
@@ -90,6 +91,8 @@ public:
     /// Whether the planned frame is traced where its design requests it, or why not.
     [[nodiscard]] draw::TraceState trace_state() const { return trace_; }
     [[nodiscard]] bool is_traced() const { return trace_ == draw::TraceState::traced; }
+    /// Has the frame that plan() has planned drawn by triangles, although rays could draw it.
+    void draw_triangles() { trace_ = draw::TraceState::not_by_cost; }
     /// Whether traced ground of the design is shaded chunk by chunk.
     [[nodiscard]] bool shades_chunks() const { return shades_chunks_; }
     [[nodiscard]] const terrain::TerrainDatabase& database() const { return database_; }

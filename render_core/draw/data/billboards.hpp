@@ -8,7 +8,7 @@
 /// hidden. Obstacles have no longer stems, which would look like their heights: without room for the name and the stem they are
 /// drawn at their position, below the symbology.
 ///
-/// An obstacle's icon is by its kind and its height above the ground (icons.hpp), and has the color of the alert where it is in
+/// An obstacle's icon is by its kind and its height above the ground (icons.hpp), and has the colour of the alert where it is in
 /// the way (obstacle_color.hpp).
 ///
 /// Pure, apart from queries to the ground: for the link, and for an obstacle's height. Bounded.

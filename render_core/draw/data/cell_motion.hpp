@@ -1,8 +1,9 @@
-/// The motion of a storm cell: a thin line from the foot of its front on, with a barb, open to the back, for every kBarbEvery_s
-/// of the way, kMotionAhead_s at most. It is as high as the cell's base, but never closer to the ground than kMotionOverGround_m.
+/// The motion of a storm cell: a thin line from the foot of its front to where the front will be after at most kMotionAhead_s,
+/// with a barb for every kBarbEvery_s, whose arms point back. It is at the height of the cell's base, but at least
+/// kMotionOverGround_m above the ground.
 ///
-/// The line is kMotionLine_px wide on the screen at any distance, in the cell's opaque colour over a dark rim. Seen from the eye
-/// it is never longer than the cell is wide: it ends where it would be, between two barbs if need be.
+/// The line is kMotionLine_px wide on the screen at any distance, in the cell's opaque colour over a dark rim. Its length on the
+/// screen is at most the cell's width; it is cut there, also between two barbs.
 ///
 /// Pure, apart from queries to the ground. Bounded.
 #pragma once
@@ -15,7 +16,7 @@ namespace tedavis::draw {
 inline constexpr double kBarbEvery_s = 300, kMotionAhead_s = 1800;
 inline constexpr double kMinMotion_mps = 0.5;  ///< below this speed a cell has no line
 inline constexpr double kMotionOverGround_m = 60;
-inline constexpr double kBarbShare = 0.07;  ///< of the cell's width, from the line to a barb's end, to the side and back
+inline constexpr double kBarbShare = 0.07;  ///< of the cell's width: how far a barb's end is beside the line and behind its tip
 inline constexpr float kMotionLine_px = 2.4f, kMotionRim_px = 1.3f;  ///< the rim on either side
 
 /// The beginning of the line.
@@ -32,7 +33,7 @@ struct CellFront {
 [[nodiscard]] bool has_motion(const ElementInput& input, std::uint32_t feature);
 /// Returns the length of the line, m, of a cell with this speed.
 [[nodiscard]] double motion_line_m(const ElementInput& input, const CellFront& from, double speed_mps);
-/// The farthest barb of a line: ECEF, and after how many seconds the front is there; 0: the line has none.
+/// The farthest barb of a line: its place in ECEF, and the time after which the front is there; 0: the line has no barb.
 struct LastBarb {
     glm::dvec3 place{0};
     double after_s = 0;

@@ -1,13 +1,12 @@
 /// The degree of interest of a feature (thesis 5.2.3), which decides on its sign: 0..1, the weighted mean of criteria 0..1:
 ///
-///   distance       1 at the eye, 0 from kFarthestBillboard_m on, by the logarithm: 1 - ln(1 + d / 1 km) / ln(1 + farthest / 1
-///   km);
-///                  as far away as 60 degrees of view would show it
+///   distance       1 at the eye, 0 from kFarthestBillboard_m on: 1 - ln(1 + d / 1 km) / ln(1 + farthest / 1 km), with the
+///                  distance d scaled to a field of view of 60 degrees
 ///   population     of places: the attribute "population", 0 up to 100 people, 1 from a million on, by the logarithm; where the
 ///                  layer has none, its ordinal attribute "kind", from its first class to its last
-///   height         the attribute "height", else "elevation" (m), of the largest in the layer
-///   runway_length  of runways: the attribute "length" (m), of kLongRunway_m
-///   relevance      of the feature's role, by the design, which is a phase's
+///   height         the attribute "height", else "elevation" (m), as a share of the largest in the layer
+///   runway_length  of runways: the attribute "length" (m), as a share of kLongRunway_m
+///   relevance      of the feature's role, as the design of the flight phase states it
 ///
 /// A criterion that the layer does not have does not count for its features; a missing value counts 0.5. Pure; any thread.
 #pragma once

@@ -1,12 +1,11 @@
 /// Draws small diagrams that face the viewer, above the positions of a layer of points: several attributes of a point, or one
 /// attribute over height.
 ///
-/// Points that follow each other at the same latitude and longitude are one profile: the value to the right, the height
-/// upwards, from the least to the largest of either; over the lowest of them. A point alone has a bar for each of its first
-/// kMaxDiagramBars quantitative attributes, from the least of the layer, which has a bar of kMinBar, to the largest. The value
-/// of a profile is the element's colour attribute, else its size attribute, else the first quantitative one. A cross stands
-/// where a value is missing. The nearest come first; diagrams that would cover another billboard, or lie behind terrain, are
-/// hidden.
+/// Points that follow each other at the same latitude and longitude are one profile, drawn above the lowest of them: the value
+/// to the right, over the layer's range, and the height upwards, over the profile's range. A point alone has a bar for each of
+/// its first kMaxDiagramBars quantitative attributes; the layer's least value has a bar of kMinBar, the largest a full one. The
+/// value of a profile is the element's colour attribute, else its size attribute, else the first quantitative one. A cross marks
+/// a missing value. The nearest come first; diagrams that would cover another billboard, or lie behind terrain, are hidden.
 ///
 /// `detail`: below 1 a profile has fewer knots, each the mean of as many neighbours, with a line from the least to the largest of
 /// them and a cross on the axis where one is missing; its knots count as aggregated. A point alone has fewer of its bars, the

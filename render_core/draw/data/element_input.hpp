@@ -18,8 +18,8 @@ class LayerFoci;
 /// The own ship's place, for what depends on where it is.
 struct OwnPlace {
     earth::Geodetic place;
-    bool is_valid = false;    ///< false: unknown, or not of now
-    bool has_height = false;  ///< it is valid, and its height is one above the ellipsoid
+    bool is_valid = false;    ///< false: unknown, or not current
+    bool has_height = false;  ///< it is valid, and its height above the ellipsoid is known
 };
 
 struct ElementInput {

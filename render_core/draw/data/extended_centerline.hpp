@@ -36,7 +36,7 @@ struct Approach {
 /// The runway that has the line.
 [[nodiscard]] Approach approach_of(const ElementInput& input, const ApproachFrame& frame);
 
-/// A place relative to a runway: metres from its first point along it, and to the right of its middle.
+/// Returns a place relative to a runway: metres along it from its first point, and metres to the right of its centre line.
 [[nodiscard]] glm::dvec2 along_and_aside(const scene::ScenePoint& first, const scene::ScenePoint& last,
                                          const earth::Geodetic& place);
 

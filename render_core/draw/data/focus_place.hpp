@@ -1,17 +1,16 @@
 /// Positions of the spatial foci in a frame.
 ///
-///   own_ship      below the own ship, as the display has it
-///   destination   the runway that the design names; else of the scene's runways the one nearest the last point of the planned
-///   way,
-///                 else the one nearest the own ship; its middle
-///   flight_path   along the planned way, from the place on it that the flight's time says, else the nearest one; without a way
-///                 straight on by the velocity over the ground
-///   place         the feature of that name: of layers of places before all others, then in the scene's order; of lines and areas
-///                 the middle of their points
-///   position      as stated
+///   own_ship      below the displayed position of the own ship
+///   destination   the middle of a runway: the one that the design names; else, of the scene's runways, the one nearest the last
+///                 point of the planned path; else the one nearest the own ship
+///   flight_path   along the planned path, from the position on it at the flight's time, else from the nearest one; without a
+///                 path, straight ahead along the velocity over the ground
+///   place         the feature of that name, first in layers of places, then in the scene's order; for lines and areas the mean
+///                 of their points
+///   position      the stated one
 ///
-/// The planned way is the trajectory of the scene that passes nearest to the own ship, within kFarthestTrack_m. Where it has more
-/// corners than a region has points, those that are farthest from the way between the others are kept.
+/// The planned path is the trajectory of the scene that passes nearest to the own ship, within kFarthestTrack_m. Where it has
+/// more corners than a region has points, the corner farthest from the line through the corners kept so far is kept next.
 ///
 /// A focus that depends on the own ship's position is empty while that is unknown, with a reason. Pure, apart from queries to
 /// the ground; independent of earlier frames. Bounded: the scene's points of the roles concerned. Thread  the ground's.

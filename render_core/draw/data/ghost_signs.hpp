@@ -17,7 +17,7 @@
 
 namespace tedavis::draw {
 
-/// Of ghosts in a design that has no element for them: a color of nothing else that the shipped designs show.
+/// Colour of ghosts in a design without an element for them; nothing else in the shipped designs has it.
 inline constexpr design::Color kGhostColor{0xE0, 0x8C, 0xFF};
 inline constexpr int kGhostFlown_s = 120, kGhostComes_s = 120, kGhostLine_s = 4;
 
@@ -27,7 +27,7 @@ inline constexpr int kGhostFlown_s = 120, kGhostComes_s = 120, kGhostLine_s = 4;
 /// The place of a feature at a time, in the layer's datum.
 struct GhostPlace {
     scene::ScenePoint point{};
-    bool is_known = false;  ///< false: it does not fly then
+    bool is_known = false;  ///< false: the ghost has no position at that time
 };
 [[nodiscard]] GhostPlace ghost_place(const scene::Layer& layer, std::uint32_t feature, std::int64_t time_ns);
 

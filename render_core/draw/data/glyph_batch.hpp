@@ -60,7 +60,7 @@ public:
     /// Returns instances to be filled at once; empty where they do not fit or `count` is 0.
     [[nodiscard]] base::Span<GlyphInstance> add(GlyphShape shape, GlyphFacing facing, bool is_transparent, std::uint32_t count);
 
-    /// Moves all instances.
+    /// Moves all instances; `by` in metres, ECEF axes.
     void move(const glm::vec3& by) {
         for (std::size_t n = 0; n < use_.in_use; ++n) instances_[n].place += by;
     }
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] base::Span<const GlyphInstance> of(const GlyphRun& run) const {
         return instances().subspan(run.first, run.count);
     }
-    /// In instances.
+    /// Capacity and use are counted in instances.
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }
 
 private:

@@ -1,5 +1,5 @@
-/// What the drawer of glyphs takes of its budget lines. `has_instances`: GlyphDrawer::has_instances() of the device. Pure; any
-/// thread.
+/// The memory that the glyph drawer takes from its budget lines. `has_instances`: GlyphDrawer::has_instances() of the device.
+/// Pure; any thread.
 #pragma once
 
 #include <cstdint>

@@ -10,11 +10,12 @@ struct GlyphRoom {
     std::uint32_t glyphs = 0;  ///< per frame: of the selection (scene::GlyphSelection) and of the batch
 };
 
-/// `has_instances`: GlyphDrawer::has_instances() of the device. Of the lines scene_glyphs and scene_glyph_vertices, for so many
-/// fields; the drawer's own share is taken off before. At most kGlyphShare of the rest are glyphs of a frame.
+/// Divides the bytes of the lines scene_glyphs (`cpu_bytes`) and scene_glyph_vertices (`gpu_bytes`) for so many fields. The
+/// drawer's own memory is subtracted first; at most kGlyphShare of the rest is for the glyphs of a frame. `has_instances`:
+/// GlyphDrawer::has_instances() of the device.
 [[nodiscard]] GlyphRoom glyph_room(bool has_instances, std::uint64_t cpu_bytes, std::uint64_t gpu_bytes,
                                    std::uint32_t fields) noexcept;
-/// Bytes of the line scene_glyphs from which on glyph_room() has room for glyphs, where the line scene_glyph_vertices has.
+/// Returns the bytes of the line scene_glyphs from which on glyph_room() has room for glyphs, if `gpu_bytes` suffice.
 [[nodiscard]] std::uint64_t least_glyph_bytes(bool has_instances, std::uint64_t gpu_bytes, std::uint32_t fields) noexcept;
 inline constexpr double kGlyphShare = 0.2;
 

@@ -5,7 +5,7 @@
 /// triangles of a shape cover each other, so that it may be transparent. The frame: +x along the glyph's direction, +z up;
 /// lengths are shares of the glyph's length (x), width (y) and height (z).
 ///
-/// Plain variants are for glyphs of a few pixels. Plain data without pointers; zero bytes are one without meshes.
+/// Plain variants are for glyphs of a few pixels. Plain data without pointers; an object of zero bytes has no meshes.
 #pragma once
 
 #include <cstdint>
@@ -41,23 +41,23 @@ inline constexpr std::size_t kGlyphShapes = static_cast<std::size_t>(GlyphShape:
            shape == GlyphShape::cross || shape == GlyphShape::circle || shape == GlyphShape::triangle ||
            shape == GlyphShape::puff || shape == GlyphShape::stem;
 }
-/// Says how unsure something is, and nothing else.
+/// True for shapes that show only uncertainty.
 [[nodiscard]] constexpr bool is_of_uncertainty(GlyphShape shape) {
     return shape == GlyphShape::circle || shape == GlyphShape::triangle || shape == GlyphShape::tetrahedron;
 }
-/// Of the sphere, arrow and cone; others are plain already.
+/// Returns the plain variant of sphere, arrow and cone; other shapes unchanged.
 [[nodiscard]] GlyphShape plain_variant(GlyphShape shape) noexcept;
 
 struct GlyphVertex {
     float place[3];
-    std::int8_t normal[4];  ///< 127ths, and 0; all 0 of flat shapes
+    std::int8_t normal[4];  ///< in 127ths, and 0; all 0 for flat shapes
     std::uint8_t tone;      ///< 255ths of the glyph's colour: 0 is black
     std::uint8_t opacity;   ///< 255ths of the glyph's opacity
     std::uint8_t unused[2];
 };
 static_assert(sizeof(GlyphVertex) == 20 && std::is_trivially_copyable_v<GlyphVertex>);
 
-/// Part of the tables.
+/// The part of the tables of vertices and indices that belongs to a shape.
 struct GlyphMesh {
     std::uint16_t first_vertex = 0, vertices = 0, first_index = 0, indices = 0;
 };
@@ -69,9 +69,9 @@ public:
     void build();
     [[nodiscard]] const GlyphMesh& mesh(GlyphShape shape) const { return meshes_[static_cast<std::size_t>(shape)]; }
     [[nodiscard]] base::Span<const GlyphVertex> vertices() const { return {vertices_.data(), vertices_.size()}; }
-    /// Into all vertices; three a triangle.
+    /// Indices into vertices(); three per triangle.
     [[nodiscard]] base::Span<const std::uint16_t> indices() const { return {indices_.data(), indices_.size()}; }
-    /// Of the shape with most of them.
+    /// Largest numbers of vertices and of indices of a shape.
     [[nodiscard]] std::uint32_t most_vertices() const;
     [[nodiscard]] std::uint32_t most_indices() const;
 

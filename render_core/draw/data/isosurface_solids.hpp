@@ -22,7 +22,7 @@ namespace tedavis::draw {
 inline constexpr std::uint32_t kMaxMovingPosts = 8192;
 inline constexpr std::uint32_t kMaxIsosurfaceSteps = 64;  ///< largest step between used posts, and number of tries
 
-/// Between lines of equal height: 1000 ft.
+/// Height difference between lines of equal height: 1000 ft.
 inline constexpr double kIsosurfaceLines_m = 304.8;
 /// True from half detail on, except for elements with the surface grid.
 [[nodiscard]] bool has_isosurface_lines(const design::DataElement& element);
@@ -30,7 +30,7 @@ inline constexpr double kIsosurfaceLines_m = 304.8;
 struct IsosurfaceRoom {
     std::uint32_t posts = 0, posts_of_slice = 0, vertices = 0;
 
-    /// For batches of so many vertices.
+    /// Room for batches of so many vertices.
     [[nodiscard]] static IsosurfaceRoom beside(std::uint32_t batch_vertices);
 };
 
@@ -69,7 +69,7 @@ private:
 
     [[nodiscard]] static glm::dvec3 normal_in(const ElementInput& input, const Sampling& sampling, const GridPlace& at,
                                               const glm::vec3& normal);
-    /// Within a triangle.
+    /// A piece of a line of equal height, within a triangle.
     struct LinePiece {
         scene::IsosurfaceVertex ends[2];
     };
@@ -82,7 +82,7 @@ private:
     base::Span<float> values_;
     base::Span<scene::IsosurfaceVertex> vertices_;
     base::Span<std::uint32_t> indices_;
-    base::Span<std::uint32_t> slots_;  ///< of a vertex: its number in a mesh, with the mesh's
+    base::Span<std::uint32_t> slots_;  ///< by vertex: its number in a mesh, with the number of the mesh
     std::uint32_t slice_posts_ = 0;
     std::int64_t time_ns_ = 0;
     design::Color color_;

@@ -166,7 +166,8 @@ struct LabelMemory {
     std::uint32_t gone = 0;  ///< disappeared labels that have not been counted yet
     base::FixedVector<Label, LabelPlanner::kMax> labels;
 
-    /// Takes the looks of these labels from those that a frame showed, and counts what it showed and is not among them.
+    /// Copies the looks of these labels from those that a frame showed; counts in `gone` the labels that it showed and that are
+    /// not among these.
     void keep_looks(const LabelMemory& shown);
 };
 

@@ -1,10 +1,10 @@
 /// The values of a layer's attribute at a time, with their positions, for data foci.
 ///
-/// Of a grid a value a post and level, at the time's place between two of its times (scene/grid_field.hpp): quantitative ones
-/// are linear, others the nearer time's. Of other layers a value a feature or a point, as the attribute has them. A layer of
-/// wind without an attribute "speed" has one by its "east" and "north".
+/// A grid has one value per post and level. Between two of the grid's times (scene/grid_field.hpp) quantitative values are
+/// interpolated linearly, and others are those of the nearer time. Other layers have one value per feature or per point, as the
+/// attribute has. A wind layer without an attribute "speed" has the speed from "east" and "north".
 ///
-/// Pure. Frames  WGS84 radians. Any thread; the layer must stay.
+/// Pure. Frames  WGS84, radians. Any thread; the layer must outlive the object.
 #pragma once
 
 #include <cmath>
@@ -20,14 +20,14 @@ public:
     LayerValues(const scene::Layer& layer, std::string_view attribute, std::int64_t time_ns);
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// NaN where missing. n below size().
+    /// Returns the n-th value, NaN where it is missing; n below size().
     [[nodiscard]] double operator[](std::size_t n) const {
         const double value = between(value_, n);
         if (north_.first == nullptr) return value;
         const double north = between(north_, n);
         return std::sqrt(value * value + north * north);
     }
-    /// Points that the n-th value is of; none of a grid.
+    /// Returns the points to which the n-th value belongs; none for a grid.
     [[nodiscard]] scene::Run points_of(std::size_t n) const;
     struct Place {
         double latitude_rad, longitude_rad;

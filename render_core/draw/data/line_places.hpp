@@ -28,7 +28,7 @@ public:
     /// `from_end`: fixed lines are counted from the path's end backwards.
     LinePlaces(const design::ElementCues& cues, const PolylineMeasure& way, bool from_end, std::int64_t time_ns);
 
-    /// Calls with the distance along the way of each line from `begin_m` to before `end_m`; of the last leg its end too.
+    /// Calls `visitor` with the distance along the path of each line in [begin_m, end_m); for the last leg `end_m` is included.
     template <class Visitor>
     void visit(double begin_m, double end_m, bool is_last, Visitor visitor) const {
         constexpr double kRounding_m = 1e-3;
@@ -48,7 +48,7 @@ private:
 
     double spacing_m_;
     double parts_at_m_ = 0;               ///< distance at which the path is nearest to the eye point
-    double before_m_ = 0, behind_m_ = 0;  ///< position of a line
+    double before_m_ = 0, behind_m_ = 0;  ///< position of one line on either side of parts_at_m_
 };
 
 }  // namespace tedavis::draw

@@ -1,7 +1,7 @@
 /// Builds the model of a layer of meshes at its points; the attribute "heading" (rad from north) rotates it, "scale" scales it.
 ///
-/// It has its own colours, or the element's where that colours by an attribute. `detail`: below kShapesFrom
-/// (obstacle_solids.hpp) it is a box, along its own axes, that contains it, in the mean of its colours. Pure, apart from
+/// The model has its own colours, or the element's where the element colours by an attribute. `detail`: below kShapesFrom
+/// (obstacle_solids.hpp) it is drawn as its bounding box along its own axes, in the mean of its colours. Pure, apart from
 /// queries to the ground. Bounded.
 #pragma once
 

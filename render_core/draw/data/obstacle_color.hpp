@@ -1,4 +1,4 @@
-/// The color of an obstacle: that of the obstacle alert for one that the predicted track comes too close to, as the planner has
+/// The colour of an obstacle: that of the obstacle alert for one that the predicted track comes too close to, as the planner has
 /// decided; its own for all others. Pure functions; any thread.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace tedavis::draw {
 
-/// `own`: without an alert, or of a feature that is no obstacle. Of an alert, opaque.
+/// Returns the opaque colour of the feature's alert; `own` without an alert.
 [[nodiscard]] design::Color obstacle_color(const ElementInput& input, std::uint32_t feature, design::Color own);
 
 }  // namespace tedavis::draw

@@ -1,5 +1,5 @@
-/// A precision approach path indicator: four lights beside the aiming point, on the left, that tell by their colours whether the
-/// own ship is above or below the approach path.
+/// A precision approach path indicator: four lights to the left of the aiming point, whose colours show whether the own ship is
+/// above or below the approach path.
 ///
 /// A light is white from above its own angle, red from below. For a path of 3 degrees the angles are 3.5, 3.17, 2.83 and 2.5
 /// degrees from the runway outwards (ICAO Annex 14, Volume I, 5.3.5 and figure 5-20): on the path the two nearest to the runway

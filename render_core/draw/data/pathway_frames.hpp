@@ -4,7 +4,7 @@
 /// Planned path   the line of the layer that passes nearest to the own ship, within kFarthestTrack_m (planned_track.hpp). Other
 ///                lines have no frames, and no line has any while the own ship's place is not valid.
 /// Places         equal distances along the path from its end: kNearSpacing_m on the last kFinal_m, kSpacing_m before, so that a
-///                frame stands still while the aircraft flies. Shown are those ahead of the own ship, at full detail the next
+///                frame keeps its place while the aircraft flies. Shown are those ahead of the own ship, at full detail the next
 ///                kMaxPathwayFrames.
 /// Shape          upright and across the path, as wide as `size_m` states (kFrameWidth_m) and 2/7 as high.
 /// Ground         within kFinal_m of the path's first or last place, no frame stands where the path is less than kLowest_m
@@ -43,7 +43,7 @@ struct Pathway {
 };
 [[nodiscard]] Pathway planned_pathway(const ElementInput& input);
 
-/// Where frames begin to fade, along the path, m: a line leads on from there.
+/// Returns the distance along the path at which frames begin to fade; a line continues from there.
 [[nodiscard]] double faded_from_m(const ElementInput& input, const Pathway& pathway);
 
 struct PathwayFrame {
@@ -56,14 +56,14 @@ struct PathwayFrame {
 };
 using PathwayFrames = base::FixedVector<PathwayFrame, kMaxPathwayFrames>;
 
-/// In the order of the path.
+/// Returns the frames in the order of the path.
 [[nodiscard]] PathwayFrames pathway_frames(const ElementInput& input, const Pathway& pathway);
 
 /// Heights of a frame's lower edge relative to its middle, at the left, in the middle and at the right, m.
 using LowerEdge = std::array<double, 3>;
 [[nodiscard]] LowerEdge lower_edge(const ElementInput& input, const PathwayFrame& frame);
 
-/// Share of the opacity of what is so far ahead of the own ship: 0 within kGone_m, 1 from kWhole_m on.
+/// Returns the factor of the opacity at a distance ahead of the own ship: 0 up to kGone_m, 1 from kWhole_m on.
 [[nodiscard]] double shown_ahead(double ahead_m);
 
 }  // namespace tedavis::draw

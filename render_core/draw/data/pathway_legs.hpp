@@ -13,7 +13,7 @@ struct PathwayLeg {
     glm::dvec3 from{0}, to{0};     ///< ECEF
     double from_m = 0, to_m = 0;   ///< along the line
     std::uint32_t leg = 0;         ///< from the line's leg-th point to the next one
-    std::uint32_t from_point = 0;  ///< the layer's number of the first
+    std::uint32_t from_point = 0;  ///< number of the leg's first point in the layer
     bool goes_on = false;          ///< the leg before has a place, too
 
     [[nodiscard]] glm::dvec3 at(double along_m) const {
@@ -21,8 +21,8 @@ struct PathwayLeg {
     }
 };
 
-/// Calls `visit(const PathwayLeg&)` for the legs of a line, in order, whose both ends have a place; a line is as long as these.
-/// Legs without a length are left out.
+/// Calls `visit(const PathwayLeg&)`, in order, for the legs of a line of which both ends have a place; distances along the line
+/// count these legs only. Legs of length 0 are left out.
 template <class Visitor>
 void visit_legs(const ElementInput& input, std::uint32_t feature, Visitor visit) {
     const scene::Run run = input.layer.points_of(feature);

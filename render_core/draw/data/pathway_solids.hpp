@@ -4,8 +4,7 @@
 /// Frames     rectangles whose lines are kFrameLine_px wide at every distance, in the element's colour.
 /// Accuracy   uncertainty `widening`: a second, dashed frame of thinner lines around, larger on each side by the accuracy (95 %)
 ///            of the place, to the sides and in height (cautious_accuracy() in placement.hpp). A layer that states no accuracy
-///            has none. The nearest frames have one: so many, rounded up, as is the share of them that the uncertainty's strength
-///            states.
+///            has none. The nearest frames have one; the uncertainty's strength states their share of all frames, rounded up.
 /// Lines      along the path from where frames begin to fade, to its end; lines of a layer that have no frames are shown whole.
 ///            Where the path is less than kFloating_m above the ground, and within kGone_m of the own ship, there is no line.
 /// Rim        `halo_px` is the width of a dark rim on both sides of all lines.

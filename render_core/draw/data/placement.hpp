@@ -12,7 +12,7 @@
 
 namespace tedavis::draw {
 
-/// Axes at a place: unit vectors in ECEF.
+/// The local axes at a place: unit vectors in ECEF.
 struct LocalAxes {
     glm::dvec3 east{0}, north{0}, up{0};
 };

@@ -20,9 +20,9 @@ struct PlannedTrack {
 [[nodiscard]] PlannedTrack planned_track(const scene::Scene& scene, const earth::Geodetic& own_ship, std::int64_t time_ns,
                                          bool has_date, double farthest_m);
 
-/// Finds the path of one layer of lines, whatever its role, on which the own ship flies: the nearest place. Of paths with times
-/// it lies within `farthest_m` along the path of the place that the time gives, if that place is within `farthest_m` of the own
-/// ship, so that a path that crosses or retraces itself is entered where the flight is.
+/// Finds the path of one layer of lines, of any role, on which the own ship flies, and its nearest position on it. Where a path
+/// has times and its position at `time_ns` is within `farthest_m` of the own ship, the nearest position is searched only within
+/// `farthest_m` along the path of that position, so that it is right for paths that cross or retrace themselves.
 [[nodiscard]] PlannedTrack track_beside(const scene::Layer& layer, const earth::Geodetic& own_ship, std::int64_t time_ns,
                                         bool has_date, double farthest_m);
 

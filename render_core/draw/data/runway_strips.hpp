@@ -1,6 +1,6 @@
-/// Builds runways: surface, outline, markings, approach lights and extended centre line, all seated on the drawn ground
-/// (runway_surface.hpp), from back to front. They are drawn after all other solids, without depths of their own, so that no tube
-/// and no colour of the ground hides them, and nothing of them flickers; terrain and what is opaque before them do.
+/// Builds runways: surface, outline, markings, PAPI and extended centre line, all on the drawn ground (runway_surface.hpp), from
+/// back to front. They are drawn after all other solids and write no depths, so that they do not flicker, and translucent solids
+/// and colours of the ground do not cover them; nearer terrain and nearer opaque solids hide them.
 ///
 /// Outline      light, round the runway's edges: kMinOutline_px wide, or kOutline_m where that is wider, with a soft rim.
 /// Markings     runway_marks.hpp; each fades with its size on the screen and is left out below kMinMark_px.
@@ -22,10 +22,10 @@ namespace tedavis::draw {
 
 inline constexpr double kRunwayWidth_m = 30;
 inline constexpr double kMinOutline_px = 1.75, kOutline_m = 0.9, kExtended_px = 1.5;
-inline constexpr double kMinMark_px = 0.4, kWholeMark_px = 1;  ///< nothing of a mark is seen, and all of it
-inline constexpr double kMinLight_px = 4.5;                    ///< of a white light; a red one is half as high
+inline constexpr double kMinMark_px = 0.4, kWholeMark_px = 1;  ///< marks fade in from the first width to the second
+inline constexpr double kMinLight_px = 4.5;                    ///< width of a light; a red one is half as high as wide
 inline constexpr float kRunwayRaised_px = 1.5f;                ///< along the vertical
-inline constexpr float kRunwayNearer_m = 20;                   ///< for the ground between two sections
+inline constexpr float kRunwayNearer_m = 20;                   ///< SolidLook::nearer_m; covers ground between two sections
 inline constexpr double kFarthestRunway_m = 100'000;
 
 [[nodiscard]] ElementCount add_runways(SolidBatch& batch, SolidMesh& mesh, const ElementInput& input, const ApproachFrame& frame);

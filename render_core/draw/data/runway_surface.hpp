@@ -21,7 +21,7 @@ inline constexpr double kMinRunway_m = 120, kMaxRunway_m = 8000;
 
 class RunwaySurface {
 public:
-    /// False where there is no runway of such a length, or nothing is known of its height.
+    /// Builds the plane. Returns false where the length is not kMinRunway_m..kMaxRunway_m, or the height is unknown.
     [[nodiscard]] bool build(const ElementInput& input, const scene::ScenePoint& first, const scene::ScenePoint& last,
                              double width_m);
 

@@ -6,7 +6,7 @@
 
 namespace tedavis::draw {
 
-/// Height of icons above their positions, in text sizes.
+/// Height of icons above their positions on the short stem, in text sizes.
 inline constexpr float kSignStem = 0.7f;
 
 struct SignSpot {

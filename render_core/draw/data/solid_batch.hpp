@@ -18,7 +18,7 @@
 
 namespace tedavis::draw {
 
-/// Batches that are drawn together: of solids that stand, and of those that move.
+/// Number of batches that are drawn together: static solids, and moving ones.
 inline constexpr std::size_t kMaxSolidBuffers = 2;
 
 /// Length of the normal of unshaded surfaces, which still gives the surface's orientation. It is below 0.5, by which shaders
@@ -46,7 +46,7 @@ struct SolidLook {
     static constexpr float kWholeFrom = 4, kOpaqueFrom = 2;
     float opacity = 1;    ///< below 1, or with a vertex alpha below 255: blended
     float ghost = 0;      ///< share of the opacity that remains behind terrain
-    float halo_px = 0;    ///< the piece is a rim of others: enlarged along its normals by this many pixels, drawn inside out
+    float halo_px = 0;    ///< above 0: a rim, enlarged along its normals by this many pixels; only its back faces are drawn
     float raised_px = 0;  ///< offset along its normals, for pieces on the ground
     SolidFading fading = SolidFading::none;
     bool has_grid = false;      ///< the surface grid's lines, where the frame has one
@@ -57,16 +57,16 @@ struct SolidLook {
     std::uint8_t group = 0;     ///< below 32: pieces of a group are shown and hidden together
     bool is_mixed = false;      ///< has colours that are not opaque
     bool is_hollow = false;     ///< far sides do not show through near ones
-    float nearer_m = 0;         ///< depth is that of places so much nearer to the eye, at most kNearestShare of the distance
+    float nearer_m = 0;         ///< depths are drawn nearer to the eye by this, at most by kNearestShare of the distance
     bool is_last = false;       ///< on the ground and drawn over all other solids, from its first triangle to its last
-    bool is_thing = true;       ///< casts a shadow; false for margins, hulls of what is unsure, and cues
+    bool is_thing = true;       ///< an object that casts a shadow; false for margins, uncertainty hulls and cues
 };
 [[nodiscard]] bool operator==(const SolidLook& a, const SolidLook& b) noexcept;
 
 struct SolidPiece {
     glm::dvec3 anchor{0};  ///< ECEF, m
     SolidLook look;
-    std::int64_t data_time_ns = 0;  ///< uncertainty grows from there
+    std::int64_t data_time_ns = 0;  ///< the time from which the uncertainty grows
     float radius_m = 0;             ///< radius round the anchor that contains the piece
     float top_m = 0;                ///< greatest height above the ellipsoid
     std::uint32_t first_vertex = 0, vertices = 0;
@@ -108,7 +108,7 @@ public:
     [[nodiscard]] base::Span<const SolidPiece> pieces() const { return {pieces_.data(), piece_count_}; }
     [[nodiscard]] std::size_t vertices_left() const { return vertices_.size() - vertex_count_; }
     [[nodiscard]] std::size_t indices_left() const { return indices_.size() - index_count_; }
-    /// In vertices.
+    /// Capacity and use are counted in vertices.
     [[nodiscard]] const base::ResourceUse& use() const { return use_; }
 
 private:

@@ -25,14 +25,14 @@ public:
     void set_color(design::Color color, scene::Uncertainty uncertainty = scene::Uncertainty::from_code(0));
     /// `place` in ECEF; a normal of length 0 is not shaded. Returns its number.
     std::uint16_t vertex(const glm::dvec3& place, const glm::dvec3& normal);
-    /// Counter-clockwise seen from outside.
+    /// Adds a triangle of vertex numbers, counter-clockwise seen from outside.
     void triangle(std::uint16_t a, std::uint16_t b, std::uint16_t c);
     /// Adds a flat quad with the normal of its corners, counter-clockwise seen from outside; one without area is left out.
     void quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
     [[nodiscard]] bool is_whole() const { return is_whole_; }
     [[nodiscard]] std::uint32_t vertex_count() const { return vertex_count_; }
-    /// False when the mesh is not whole or the batch has no room.
+    /// Adds the mesh to the batch. Returns false, and adds nothing, when it is not whole or the batch has no room.
     bool add_to(SolidBatch& batch) const;
 
     /// Scratch memory for polygons.

@@ -29,7 +29,8 @@ struct TrafficState {
 };
 
 /// Other aircraft are proximate within these of the own ship: the first step of a TCAS II display (FAA, Introduction to TCAS II
-/// Version 7.1, 2011). There is no second one: advisories are a TCAS's, and none are made here.
+/// Version 7.1, 2011). The next steps of such a display are advisories, which only a TCAS
+/// may issue; there are none here.
 inline constexpr double kProximate_m = 6 * 1852.0, kProximateHeight_m = 1200 * 0.3048;
 /// True for a proximate aircraft. False where its report is stale, its height unknown, or the own ship's position not valid.
 /// `height_m` above the ellipsoid.

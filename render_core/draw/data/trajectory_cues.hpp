@@ -1,12 +1,12 @@
 /// Depth cues of lines above the ground (design/element_cues.hpp): vertical lines, the path's projection onto the ground, and a
 /// curtain from the path down to it. They follow the same points as the tube (tube_path.hpp).
 ///
-/// Vertical lines   stand a spacing apart, measured along the way over the ellipsoid from its beginning on; of ways that grow at
-///                  their end (own trail, other aircraft) from their end back. They reach kTickRadii of the tube's radius up and
-///                  down, or down to the ground, and are never thinner than a pixel. Those that move have come as far as the
-///                  frame's time says; those that go away from the viewer part where the way is nearest to the eye.
-/// Projection       a strip on the drawn ground as wide as the tube, of its colour, darker.
-/// Curtain          translucent, from the tube's middle to the ground, with its colours.
+/// Vertical lines   have an equal spacing along the path over the ellipsoid, counted from its beginning, or from its end for
+///                  paths that grow there (own trail, other aircraft). They reach kTickRadii of the tube's radius up and down,
+///                  or down to the ground, and are at least a pixel wide. The frame's time determines how far moving lines have
+///                  moved; lines that move away do so in both directions from the point of the path nearest to the eye.
+/// Projection       a strip on the drawn ground, as wide as the tube, in a darker shade of its colour.
+/// Curtain          a translucent surface from the tube's middle to the ground, in the tube's colours.
 ///
 /// The element's uncertainty technique applies to them: colours fade equally, a projection is as wide as a hull, and with a
 /// hull (`widening`) all are as faint as it. Nothing is drawn where the path is less than kFloating_m above the ground;

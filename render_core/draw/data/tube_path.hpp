@@ -46,7 +46,7 @@ public:
     [[nodiscard]] bool start(base::Arena& arena, std::uint32_t points);
 
     [[nodiscard]] base::Span<const scene::TubePoint> points() const { return {points_.data(), count_}; }
-    /// The layer's number of each.
+    /// The number of each of these points in the layer.
     [[nodiscard]] base::Span<const std::uint32_t> numbers() const { return {numbers_.data(), count_}; }
     [[nodiscard]] bool ends_in_gap() const;
     [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(points_.size()); }

@@ -1,7 +1,8 @@
 /// Builds the surfaces of tubes as solids in blocks of rings, to limit memory: flat coloured sides (scene/tube_mesh.hpp), and
 /// round hulls with radial normals, for rims and margins.
 ///
-/// Blocks of a piece repeat the ring where the one before stopped; only the first and the last one have an end.
+/// A block of a piece repeats the last ring of the block before; only the first and the last block have an end cap.
+///
 /// Memory  from an arena, once. Thread  one. Failure  a block without room in the batch is left out, and the function returns
 /// false.
 #pragma once
@@ -25,10 +26,10 @@ struct RingColors {
     TubeColor even, odd;
 };
 
-/// Some rings of a piece, at most kTubeBlockRings and the one where the block before stopped.
+/// Consecutive rings of a piece: at most kTubeBlockRings, and before them the last ring of the block before.
 struct TubeBlock {
     base::Span<const scene::TubeRing> rings;
-    bool begins = false, ends = false;  ///< with its first or last ring the piece does
+    bool begins = false, ends = false;  ///< the piece begins with the first ring, ends with the last
 };
 
 class TubeSkin {
@@ -51,12 +52,12 @@ struct TubeMargin {
     double horizontal_m = 0, vertical_m = 0;
 };
 
-/// A hull of kTubeHullSides, or kTubeRimSides whose corners are those of the tube's sides. `margins`: one for each ring, or none
-/// at all. Rings have their even colours.
+/// Adds a hull with kTubeHullSides sides, or with kTubeRimSides, whose corners are those of the tube's sides. `margins`: one for
+/// each ring, or empty. Rings have their even colours.
 bool add_tube_hull(SolidBatch& batch, SolidMesh& mesh, const TubeBlock& block, std::uint32_t sides,
                    base::Span<const TubeMargin> margins, base::Span<const RingColors> colors);
 
-/// A marker for a single point: eight flat faces.
+/// Adds the marker of a single point: an octahedron.
 bool add_tube_marker(SolidBatch& batch, SolidMesh& mesh, const scene::TubeRing& ring, const TubeColor& color);
 
 }  // namespace tedavis::draw

@@ -1,14 +1,14 @@
 /// Builds a scene's lines as tubes: trajectories and routes in space (technique `tube`), or with time as their height
 /// (`space_time`).
 ///
-/// Tubes are hexagons; sides in turn show the element's scale and, where it has one, its second scale, from the side on that
-/// faces upwards. Values are those of points along the way, those of features for the whole line; what is missing has the
+/// Tubes are hexagonal. Beginning with the upper side, sides show in turn the element's scale and, where it has one, its second
+/// scale. Values are those of points along the way, those of features for the whole line; what is missing has the
 /// colour of missing data. size_m is the radius (kDefaultTubeRadius_m), of a size attribute that of its largest value; in
 /// space-time metres an hour, and the radius is the default. A line of one point is an octahedron. With `link`, and always in
 /// space-time, thin posts stand under both ends. An opaque tube may have a rim (`halo_px`), whose width is in pixels at every
-/// distance. Uncertainty `widening` adds a translucent hull that reaches as far as the place may be off: the attributes
+/// distance. Uncertainty `widening` adds a translucent hull as wide as the position's accuracy: the attributes
 /// "position_accuracy" and "height_accuracy" (m, 95 %) where the layer has them, else what the layer states as a whole, else
-/// the worst that any point has; a height accuracy that is not stated is that of the place. Tubes and hulls are not visible
+/// the worst of all points; a height accuracy that is not stated equals the position accuracy. Tubes and hulls are not visible
 /// from inside, and end kNearRadii of their radii before the eye point, so that the own ship's path does not fill the view.
 ///
 /// Counts are points of the layer, not lines: drawn are those that a ring stands at, aggregated those that the tube passes within

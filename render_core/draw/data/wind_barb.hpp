@@ -1,7 +1,7 @@
-/// The sign of a wind as charts have it (WMO-No. 485, station model): a staff from a ring to where the wind blows from, half a
-/// barb for 5 knots, a barb for 10, a pennant for 50, rounded to 5; on the side of the low pressure: left of the wind in the
-/// northern hemisphere, right in the southern. A staff alone is less than 3 knots, two rings are calm. Signs of our own: a V in
-/// the ring for variable, an M for missing.
+/// The wind barb of weather charts (WMO-No. 485, station model): a staff from a ring to where the wind blows from, with half a
+/// barb for 5 knots, a barb for 10 and a pennant for 50, rounded to 5, on the side of the low pressure: left of the wind in the
+/// northern hemisphere, right in the southern. A bare staff means less than 3 knots, two rings mean calm. Two signs are this
+/// project's own: a V in the ring for variable wind, an M for missing wind.
 ///
 /// Thread  any. Memory  none. Failure  false when the batch has no room.
 #pragma once
@@ -15,7 +15,7 @@ namespace tedavis::draw {
 struct BarbFlags {
     int pennants = 0, barbs = 0, halves = 0;
 };
-/// At most 5 pennants: 250 knots.
+/// Returns the flags for a speed, with at most 5 pennants: 250 knots.
 [[nodiscard]] BarbFlags barb_flags(double speed_mps) noexcept;
 
 struct BarbStyle {

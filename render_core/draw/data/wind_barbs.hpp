@@ -1,9 +1,9 @@
 /// Draws wind as barbs that face the viewer (wind_barb.hpp), for the glyphs that a view has selected: single sites, and means
 /// of several.
 ///
-/// Up on a barb is ahead over the ground, as on a track-up map; in a view from above it is the picture's up. The nearest come
-/// first; barbs that would cover another billboard, or are behind terrain, are hidden. The colour is that of the mean speed;
-/// `link` draws a line to the ground. Pure, apart from one query to the ground per link. Bounded.
+/// Up on a barb is the view's direction over the ground, as on a track-up map; in a view from above it is the picture's up. The
+/// nearest are drawn first; barbs that would cover another billboard, or are behind terrain, are hidden. The colour is that of
+/// the mean speed; `link` draws a line to the ground. Pure, apart from one query to the ground per link. Bounded.
 #pragma once
 
 #include "render_core/draw/data/billboard_sheet.hpp"

@@ -22,7 +22,7 @@
 
 namespace tedavis::draw {
 
-/// The air of a frame, for the programs. Without a map there is none.
+/// The air of a frame, for the programs. Without a map no air is drawn.
 struct AirFrame {
     const gl::Texture* map = nullptr;
     double molecule_light = 0, aerosol_light = 0;                     ///< light of the horizon before phase functions
@@ -36,15 +36,16 @@ struct AirFrame {
 /// Uniforms of every program that is built with AIR.
 inline constexpr std::size_t kAirUniforms = 4;
 inline constexpr const char* kAirUniformNames[kAirUniforms] = {"air_map", "air_sun", "air_up", "air_look"};
-inline constexpr std::uint32_t kAirUnit = 9;  ///< beyond those of smaller devices, which have no such programs
+inline constexpr std::uint32_t kAirUnit = 9;  ///< texture unit; devices with fewer units have no such programs
 
 /// Sets the uniforms; the program must be in use. `first` is the index of kAirUniformNames in its list; the columns of `axes`
-/// are the frame of its rays.
+/// (ECEF) are the axes of the frame in which the program states its rays.
 void set_air_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const AirFrame& air,
                       const glm::dmat3& axes = glm::dmat3(1.0));
 
 class AirTable {
 public:
+    /// The texture has three blocks of kRows rows: transmittance, light scattered by molecules, light scattered by aerosol.
     static constexpr std::uint32_t kRows = 64, kColumns = 64, kBlocks = 3;
     static constexpr double kHeightStep_m = 8, kSunStep_rad = 0.25 / 57.29577951308232;
 
@@ -66,7 +67,7 @@ private:
     bool is_known_ = false;
     design::AirSettings settings_;
     long long height_step_ = 0, sun_step_ = 0;
-    AirFrame light_;  ///< its light
+    AirFrame light_;  ///< map not set; the light of the computed table
 };
 
 /// Returns the IEEE 754 binary16 nearest to a number 0..65504, ties to even.

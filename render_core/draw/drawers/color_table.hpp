@@ -2,10 +2,10 @@
 /// pixel.
 ///
 /// Rows 0..253 and columns are a height's steps of 1/254 of the span and of 1/255 of such a step: the palette or the plain colour
-/// under the warning bands of the moment. During an alert there are 85 steps in three columns each: as it is, then under the
-/// colors of caution and of warning in place of bands; the sea's row has them as well. Row 254 is the sea. Row 255 holds in alpha
-/// the haze by distance code, and in its colours the sky: the ground to column 64, from there to 128 the horizon's pixels, to 255
-/// the zenith. Only the rows that a band entered or left since the last update are computed and uploaded again.
+/// under the current warning bands. During an alert there are 85 steps in three columns each: as it is, then under the
+/// colours of caution and of warning in place of bands; the sea's row has them as well. Row 254 is the sea. Row 255 holds in
+/// alpha the haze by distance code, and in its colours the sky: the ground to column 64, from there to 128 the horizon's pixels,
+/// to 255 the zenith. Only the rows that a band entered or left since the last update are computed and uploaded again.
 ///
 /// Memory    256 x 256 texels from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
@@ -29,10 +29,10 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line);
     [[nodiscard]] bool is_started() const { return texture_.valid(); }
     /// Updates the table. `bands` are all bands of the design, or none. `haze_per_m` is 1 / distance at which haze hides
-    /// 1 - 1/e, 0 for none. `alert`: as the codes were drawn with.
+    /// 1 - 1/e, 0 for none. `alert` is that with which the codes were drawn.
     void update(gl::Gl& gl, const design::TerrainSettings& terrain, const HeightSpan& span, const TerrainBands& bands,
                 const design::SkySettings& sky, double haze_per_m, const AlertColors& alert = {});
-    /// For a change of the design: the next update computes everything.
+    /// Makes the next update compute all rows; to be called when the design changes.
     void forget() { known_ = false; }
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
     void destroy(gl::Gl& gl) { texture_.destroy(gl); }

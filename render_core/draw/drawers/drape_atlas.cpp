@@ -50,8 +50,8 @@ DrapeOrigin DrapeAtlas::origin(std::uint32_t slot) const {
 }
 
 DrapeOrigin DrapeAtlas::nowhere() const {
-    const auto middle = static_cast<float>(texture_.settings().width_px - kNowherePx / 2);
-    return {middle, middle};
+    const std::uint32_t middle_px = texture_.settings().width_px - kNowherePx / 2;
+    return {static_cast<float>(middle_px), static_cast<float>(middle_px)};
 }
 
 float DrapeAtlas::scale() const { return 1.0f / static_cast<float>(texture_.settings().width_px); }

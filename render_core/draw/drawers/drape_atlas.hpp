@@ -2,9 +2,10 @@
 /// page.
 ///
 /// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. As the side
-/// is a power of two and pages start at whole texels, a page looks the same to the last bit in every slot: see terrain.frag.
-/// Pages of 129 texels leave room beside them in such a square; the transparent place lies there. Memory    GPU, from the budget
-/// line terrain_drape_pages. Thread  the GL thread. Failure  one sentence.
+/// is a power of two and pages start at whole texels, a page looks the same to the last bit in every slot: see
+/// terrain_image.frag. Pages of 129 texels leave room beside them in such a square; the transparent texel lies there.
+///
+/// Memory    GPU, from the budget line terrain_drape_pages. Thread  the GL thread. Failure  one sentence.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"

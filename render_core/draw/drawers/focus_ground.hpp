@@ -22,7 +22,8 @@
 
 namespace tedavis::draw {
 
-/// Distance that is sharp in shaders/focus.frag's code of degrees, which has the code kSharpCode / 255.
+/// For blur, shaders/focus.frag writes degrees of focus as distance codes: kSharpCode / 255 stands for the degree 1, the code of
+/// the distance sharp_distance_m().
 inline constexpr double kSharpCode = 20;
 [[nodiscard]] double sharp_distance_m() noexcept;
 
@@ -35,7 +36,7 @@ inline constexpr const char* kFocusUniformNames[kFocusUniforms] = {"focus_axes",
 
 /// The data of foci for a chunk of terrain.
 struct FocusOfChunk {
-    bool is_in_focus = true;                                          ///< the whole chunk: the program without foci draws it
+    bool is_in_focus = true;                                          ///< the whole chunk is; the program without foci draws it
     double least_degree = 0;                                          ///< least degree of all points of the chunk
     std::uint8_t first[scene::kMaxFoci]{}, count[scene::kMaxFoci]{};  ///< parts of each focus
 };
@@ -53,12 +54,12 @@ public:
 
     [[nodiscard]] FocusOfChunk of_chunk(const terrain::ChunkEntry& entry, const terrain::View& view) const;
 
-    /// The program must be in use; `first` is the place of kFocusUniformNames in its list. `origin`: ECEF, from where its places
-    /// are measured.
+    /// The program must be in use; `first` is the index of kFocusUniformNames in its list. The program's positions are relative
+    /// to `origin` (ECEF, m).
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const glm::dvec3& origin) const;
     static void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const FocusOfChunk& chunk);
 
-    /// Of texels, as the shader reads it; for tests.
+    /// The number in a texel, as the shader reads it; for tests.
     [[nodiscard]] double number_at(std::uint32_t texel) const;
     [[nodiscard]] double unit_m() const { return unit_m_; }
 

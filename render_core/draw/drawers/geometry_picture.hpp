@@ -1,12 +1,12 @@
-/// What rays met in each pixel, for deferred shading (Deering et al. 1988; Saito, Takahashi 1990), as a texture of words:
-///   0  the part of the chunk's sides east and south, 16 bits each
+/// The hit of each pixel's ray, for deferred shading (Deering et al. 1988; Saito, Takahashi 1990), as a texture of four words:
+///   0  the position in the chunk, 0..1 towards east and towards south, 16 bits each
 ///   1  the height above MSL, m, as a float
-///   2  the normal, ECEF, in octahedral form (Meyer et al. 2010), 10 bits each; sea; void; the number of the chunk, 10 bits
+///   2  the normal, ECEF, in octahedral form (Meyer et al. 2010), 2 x 10 bits; sea, 1 bit; void, 1 bit; chunk number, 10 bits
 ///   3  the depth along the view's axis, m, as a float
-/// Where there is no ground the number is 0. ES 3 only; rows from the bottom.
+/// Where there is no ground the chunk number is 0. ES 3 only; rows from the bottom.
 ///
-/// Memory    16 bytes a pixel of the budget line traced_pictures, 24 of symbology_vertices. Thread  the GL thread. Failure
-///           start(): one message.
+/// Memory    16 bytes per pixel from the budget line traced_pictures, and a triangle from symbology_vertices. Thread  the GL
+///           thread. Failure  start(): one message.
 #pragma once
 
 #include <array>
@@ -20,23 +20,23 @@
 
 namespace tedavis::draw {
 
-/// One pixel.
+/// The words of one pixel.
 using GeometryWords = std::array<std::uint32_t, 4>;
 
-/// 1..kMaxGeometrySlots.
+/// The chunk number, 1..kMaxGeometrySlots.
 [[nodiscard]] constexpr std::uint32_t geometry_number(const terrain::SelectedChunk& chunk) { return chunk.slot + 1; }
 
 class GeometryPicture {
 public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px);
-    /// Takes a whole picture.
+    /// Uploads a whole picture, rows from the bottom.
     void upload(gl::Gl& gl, base::Span<const GeometryWords> words) const;
     [[nodiscard]] const gl::Texture& words() const { return words_; }
-    /// Leaves the numbers of chunks in the depth of what is bound, which has the size of the picture and was cleared; its colours
-    /// stay. The depth of a chunk's pixels is then that of shaders/terrain_deferred.vert, exactly.
+    /// Writes the chunk numbers as depths into the bound framebuffer, which must have the picture's size and a cleared depth; its
+    /// colours are unchanged. These depths equal those that shaders/terrain_deferred.vert draws a chunk at, bit for bit.
     void leave_numbers(gl::Gl& gl) const;
-    /// Draws depths with the caller's depth test and mask of colours, as the range's projection has them: 0 for nearer ground, 1
-    /// for farther ground or none.
+    /// Writes the ground's depths in the projection of the range, with the caller's depth test and colour mask: 0 for ground that
+    /// is nearer than the range, 1 for ground beyond it and for pixels without ground.
     void leave_depths(gl::Gl& gl, const DepthRange& range) const;
     void destroy(gl::Gl& gl);
 

@@ -16,13 +16,13 @@ namespace tedavis::draw {
 struct GridWindow {
     double scale_i = 0, scale_j = 0, offset_i = 0, offset_j = 0;
 };
-/// Longitudes by the shorter way round the Earth from the middle of the grid.
+/// Returns the mapping. Longitudes are taken the shorter way round the Earth from the middle of the grid.
 [[nodiscard]] GridWindow grid_window(const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
                                      const scene::GridShape& grid);
 
 class GroundMap {
 public:
-    /// Allocates the largest power-of-two square that fits the line besides the colours.
+    /// Allocates the largest square, of side `max_texture_px` / 2^n, that fits the line besides the colours.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, std::uint32_t max_texture_px);
     [[nodiscard]] bool is_started() const { return map_.valid(); }
     /// Number of posts across and down that fit.
@@ -36,7 +36,7 @@ public:
     void clear() { has_data_ = false; }
     [[nodiscard]] bool has_data() const { return has_data_; }
 
-    /// Units of the two textures.
+    /// Binds the two textures to these units.
     void bind(gl::Gl& gl, std::uint32_t map_unit, std::uint32_t color_unit) const;
     void set_frame_uniforms(gl::Gl& gl, const gl::Program& program, std::uint32_t map_unit, std::uint32_t color_unit) const;
     void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice,

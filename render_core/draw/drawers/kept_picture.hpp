@@ -15,7 +15,7 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
     [[nodiscard]] const gl::RenderTarget& target() const { return target_; }
-    /// Columns from `begins_px` on, `width_px` of them, at full height. Blending is the caller's; depth test and culling are off
+    /// Draws `width_px` columns from `begins_px` on, at full height, with the caller's blending. Depth test and culling are off
     /// afterwards.
     void draw(gl::Gl& gl, std::int32_t begins_px, std::uint32_t width_px) const;
     void draw(gl::Gl& gl) const { draw(gl, 0, target_.color().settings().width_px); }

@@ -1,13 +1,14 @@
 /// Volumetric light: shadows of data remove light that air, or haze, scatters towards the viewer.
 ///
-/// At half the picture's size each view ray is walked from the eye to what it meets, as far as casters may shade it, in a bounded
-/// number of equal steps. Where a step lies in shadow (shadow_map.hpp) its part of the light is lost: of the same table as aerial
-/// perspective (air_table.hpp), so that a ray all in shadow keeps nothing of it and one without is as it was; without air that of
-/// haze, a medium of one density and the haze's colour. The picture takes it off (view_effects_pass.hpp), and never more than was
-/// added: what the ground and data themselves send keeps its light.
+/// At half the picture's resolution each view ray is sampled between the eye and its hit, where casters may shade it, in a
+/// bounded number of equal steps. Where a step lies in shadow (shadow_map.hpp), the light that the air scatters in over this step
+/// is lost. That light comes from the table of aerial perspective (air_table.hpp), so a ray that is wholly in shadow loses all of
+/// it, and a ray without shadow nothing; without air it is that of haze of constant density. view_effects_pass.hpp subtracts the
+/// lost light, never more than the air had added, so the light of the ground and of data remains.
 ///
-/// Steps begin at one of four places by the pixel's place in a square of two, which the picture averages: no grain, no noise from
-/// frame to frame. After Tóth, Umenhoffer, "Real-time Volumetric Lighting in Participating Media", Eurographics 2009.
+/// The four pixels of each 2 x 2 square begin their steps at four offsets, and the picture averages them: there is no grain and
+/// no noise from frame to frame. After Tóth, Umenhoffer, "Real-time Volumetric Lighting in Participating Media", Eurographics
+/// 2009.
 ///
 /// Memory    a quarter of a picture from the line render_targets. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
@@ -24,7 +25,7 @@ struct ShaftInput {
     const terrain::View& view;
     const gl::Texture& scene;  ///< alpha codes distances
     ShadowRead shadow;
-    AirFrame air;           ///< without a map haze counts
+    AirFrame air;           ///< without a map, haze scatters instead
     double haze_per_m = 0;  ///< as in the picture
     design::Color haze;
     double strength = 1;  ///< 0..1 of the light that is lost
@@ -33,12 +34,12 @@ struct ShaftInput {
 
 class LightShafts {
 public:
-    static constexpr std::uint32_t kUnit = 1;  ///< for who reads the texture
+    static constexpr std::uint32_t kUnit = 1;  ///< texture unit of texture() in the programs that read it
 
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, std::uint32_t width_px, std::uint32_t height_px,
                                     bool with_air);
     [[nodiscard]] bool is_started() const { return target_.valid(); }
-    /// Light that is lost, with air its root, else as the haze's colour; alpha: the code of the distance that was walked.
+    /// The lost light: with air its square root, else a share of the haze's colour. Alpha is the code of the ray's length.
     [[nodiscard]] const gl::Texture& texture() const { return target_.color(); }
     /// Leaves another framebuffer bound.
     void draw(gl::Gl& gl, const ShaftInput& input);

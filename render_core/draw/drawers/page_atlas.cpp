@@ -1,5 +1,7 @@
 #include "render_core/draw/drawers/page_atlas.hpp"
 
+#include <cmath>
+
 #include "render_core/base/budget_shortage.hpp"
 #include "render_core/effects/device.hpp"
 #include "render_core/terrain/attribute_map.hpp"
@@ -80,7 +82,7 @@ bool PageAtlas::upload_horizon(gl::Gl& gl, std::uint32_t slot, const terrain::At
     const terrain::HorizonBracket bracket = terrain::bracket_azimuth(azimuth_rad, east_m, north_m);
     const std::uint8_t* first = page.horizon[bracket.first];
     const std::uint8_t* second = page.horizon[bracket.second];
-    const auto weight = static_cast<int>(256 * bracket.weight + 0.5);
+    const auto weight = static_cast<int>(std::lround(256 * bracket.weight));
     for (std::size_t n = 0; n < horizon_.size(); ++n)
         horizon_[n] = static_cast<std::uint8_t>((first[n] * (256 - weight) + second[n] * weight + 128) / 256);
     return texture.upload(gl, place_of(slot, slots_, kHorizonPosts), horizon_.data());

@@ -1,8 +1,8 @@
 /// Attribute pages on the GPU: one atlas per map that styles read, each with a fixed number of page slots.
 ///
 /// Sampled with a linear filter between the centres of a page's first and last texel, so neighbours never bleed in. Sides are
-/// powers of two, so that a place in a page has the same fraction of a texel in every slot: see terrain.frag. The horizon atlas
-/// holds the horizon towards one azimuth, interpolated from the two nearest stored directions when a page is uploaded.
+/// powers of two, so that a place in a page has the same fraction of a texel in every slot: see terrain_ground.frag. The horizon
+/// atlas holds the horizon towards one azimuth, interpolated from the two nearest stored directions when a page is uploaded.
 /// Memory    GPU, from the budget line terrain_pages. Thread  the GL thread. Failure  one sentence.
 #pragma once
 
@@ -27,9 +27,9 @@ public:
     [[nodiscard]] bool is_started() const { return slots_ > 0; }
     [[nodiscard]] bool has(design::BakedMap map) const { return textures_[static_cast<std::size_t>(map)].valid(); }
 
-    /// The maps of one page; what only a coast needs is left out where `coast` says that there is none.
+    /// Uploads the maps of one page; without `coast` the maps that only a coast needs are left out.
     [[nodiscard]] bool upload(gl::Gl& gl, std::uint32_t slot, const terrain::AttributePage& page, bool coast);
-    /// `east_m`, `north_m`: its texels' spacing, for the azimuths of the baked directions.
+    /// Uploads the horizon towards an azimuth. The spacing of the page's texels determines the azimuths of the stored directions.
     [[nodiscard]] bool upload_horizon(gl::Gl& gl, std::uint32_t slot, const terrain::AttributePage& page, double azimuth_rad,
                                       double east_m, double north_m);
     void bind(gl::Gl& gl) const;

@@ -1,4 +1,4 @@
-/// Finds Canny's edges of the picture on a surface, states their density by regions, and shows them.
+/// Finds the edges of the picture on a surface by Canny's method, returns their density by regions, and shows them.
 ///
 /// The surface is read back in strips, from the top down, and searched by the processor (perception/edge_detector.hpp, default
 /// settings). So the edges are those that `perception` finds in the same picture, to the bit, and so are the densities, as

@@ -1,4 +1,4 @@
-/// Composes the picture from terrain that was drawn off-screen: the sky where there is none, colours for its codes, and
+/// Composes the picture from terrain that was drawn off-screen: sky where there is no terrain, colours for its codes, and
 /// silhouettes where the depth jumps (Saito, Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990), found in the
 /// distance code of its alpha. Codes are coloured once per pixel (Deering et al., "The Triangle Processor and Normal Vector
 /// Shader", SIGGRAPH 1988).
@@ -55,7 +55,7 @@ public:
 private:
     /// Programs for coloured terrain, or for codes.
     struct Programs {
-        gl::Program ground[2][2];  ///< the second with what is not known; the second with silhouettes
+        gl::Program ground[2][2];  ///< first index: with hatched unknown ground; second: with silhouettes
         gl::Program sky;
     };
     [[nodiscard]] base::Error build_programs(gl::Gl& gl, bool coded, bool outlined);
@@ -68,7 +68,7 @@ private:
     gl::RenderTarget target_;
     ScreenGrid grid_;
     ColorTable colors_;
-    Programs programs_[2];  ///< the second of codes
+    Programs programs_[2];  ///< the second for codes
     bool coded_ = false;    ///< the design's
     bool with_air_ = false;
 };

@@ -1,7 +1,7 @@
-/// Draws a batch of flat symbology over the picture: symbology, signs; or lines that stand among the terrain.
+/// Draws a batch of quads: symbology or signs over the picture, or links, which are lines that terrain may hide.
 ///
-/// Memory    one vertex and one index buffer from a budget line, the typeface from `font_atlas` unless another drawer lends its
-///           own; all at start(). The batch is the caller's. Thread  the GL thread. Failure  start() gives one message.
+/// Memory    one vertex and one index buffer from a budget line; the font atlas from the line `font_atlas`, unless another drawer
+///           lends its own; all at start(). The batch is the caller's. Thread  the GL thread. Failure  start() gives one message.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -15,22 +15,22 @@ namespace tedavis::draw {
 
 class QuadDrawer {
 public:
-    /// The batch must stay, and be of no more vertices later.
+    /// Starts for symbology. The batch must outlive the drawer and keep its capacity.
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch);
-    /// Of signs, with typeface and programs of `lender`, which must outlive it.
+    /// Starts for signs, with the font atlas and programs of `lender`, which must outlive this drawer.
     [[nodiscard]] base::Error start_signs(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch,
                                           const QuadDrawer& lender);
-    /// Of lines among the terrain, without a typeface.
+    /// Starts for links, without a font atlas.
     [[nodiscard]] base::Error start_links(gl::Gl& gl, base::BudgetTable& budget, const QuadBatch& batch);
 
-    /// Uploads the batch and draws it into the bound framebuffer of `width` x `height` pixels, blended over what is there;
-    /// the picture's alpha stays. Leaves depth test, culling and blending off. Returns the number of draws.
+    /// Uploads the batch and blends it over the bound framebuffer of `width` x `height` pixels, whose alpha is unchanged.
+    /// Leaves depth test, culling and blending off. Returns the number of draws.
     std::uint32_t draw(gl::Gl& gl, std::uint32_t width, std::uint32_t height);
-    /// After the batch has changed. False when it cannot be had; then draw_within() draws nothing.
+    /// Uploads the batch after a change. Returns false on failure and for an empty batch; draw_within() then draws nothing.
     bool upload(gl::Gl& gl);
-    /// Of a drawer started by start_links(), after upload(): what stands within the n-th range, where nothing nearer is drawn.
-    /// All ranges together draw everything once. Writes no depths. The depth test is on before and after, culling and blending
-    /// off.
+    /// For a drawer started by start_links(), after upload(): draws, depth-tested, the parts of the links that lie within the
+    /// n-th range of depths. All ranges together draw each part once. Writes no depths. The depth test is on before and after,
+    /// culling and blending off.
     std::uint32_t draw_within(gl::Gl& gl, std::uint32_t width, std::uint32_t height, const DepthPlan& plan, std::size_t n);
     void destroy(gl::Gl& gl);
 
@@ -42,7 +42,7 @@ private:
 
     const QuadBatch* batch_ = nullptr;
     gl::Program box_program_, glyph_program_;
-    const gl::Program *boxes_ = nullptr, *glyphs_ = nullptr;  ///< own or lent; the second draws everything, links have none
+    const gl::Program *boxes_ = nullptr, *glyphs_ = nullptr;  ///< own or lent; the second draws glyphs too; null for links
     gl::Buffer vertices_, indices_;
     gl::Texture atlas_;
     const gl::Texture* typeface_ = nullptr;

@@ -1,12 +1,12 @@
 /// Computes the saliency map of the picture on a surface on the GPU, by the model of perception/saliency_model.hpp, without
 /// reading anything back.
 ///
-/// A pixel of the map is 2^level of the picture's across and down. The picture is copied in strips, so that none of its size is
-/// kept. Every target has four bytes a texel, as ES 2 draws into: numbers are packed (shaders/saliency_codes.frag), which costs
-/// some precision; README.md states how well the map agrees with that of the CPU.
+/// A pixel of the map covers 2^level x 2^level pixels of the picture. The picture is copied in strips, so that no target of its
+/// size is needed. Every target has four bytes per texel, which ES 2 can draw into: numbers are packed
+/// (shaders/saliency_codes.frag), which costs some precision; draw/README.md compares the map with that of the CPU.
 ///
-/// Memory    the line render_targets: 50 bytes a pixel of the map and a strip; a triangle from symbology_vertices. Thread  the GL
-///           thread. Failure  start(): one sentence.
+/// Memory    the line render_targets: 50 bytes per pixel of the map, and a strip; a triangle from symbology_vertices.
+/// Thread    the GL thread. Failure  start(): one sentence.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ public:
 
 private:
     static constexpr int kLevels = perception::kFeatureLevels, kCenters = perception::kCenters;
-    static constexpr std::size_t kGroups = 3;  ///< of feature maps, four a texel: lightness and a; b; directions
+    static constexpr std::size_t kGroups = 3;  ///< of feature maps, four per texel: lightness and a*; b*; directions
     static constexpr std::size_t kScratch = 3;
 
     struct Feature {
@@ -70,9 +70,9 @@ private:
     std::array<gl::RenderTarget, kLevels> colors_, straight_, slanted_, directions_;
     std::array<std::array<gl::RenderTarget, kCenters>, kGroups> contrasts_;
     gl::RenderTarget conspicuity_, map_;
-    gl::RenderTarget total_;                          ///< before it colours that are to be softened
-    std::array<gl::RenderTarget, kScratch> scratch_;  ///< of 16 x 16 texels each, until one is left
-    gl::RenderTarget figures_;                        ///< as shaders/saliency_weights.frag says
+    gl::RenderTarget total_;                          ///< the sum of conspicuities; before, the colours that soften() reads
+    std::array<gl::RenderTarget, kScratch> scratch_;  ///< reductions of 16 x 16 texels to one, until 16 x 16 at most are left
+    gl::RenderTarget figures_;                        ///< laid out as shaders/saliency_weights.frag states
     perception::GaborTaps taps_;
     std::uint32_t width_px_ = 0, height_px_ = 0;
     int level_ = 0;

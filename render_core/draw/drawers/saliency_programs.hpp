@@ -1,6 +1,6 @@
 /// The programs that compute and show saliency maps, and their inputs.
 ///
-/// Memory  none of ours. Thread  the GL thread. Failure  start(): one sentence.
+/// Memory  none of its own. Thread  the GL thread. Failure  start(): one sentence.
 #pragma once
 
 #include <array>
@@ -60,8 +60,8 @@ enum SaliencyUniform : std::size_t {
 
 class SaliencyPrograms {
 public:
-    /// For maps of which a pixel is 2^level of the picture's across and down; of the steps that show one those that are asked
-    /// for.
+    /// Builds the programs for maps whose pixels cover 2^level x 2^level pixels of the picture; those that show a map only where
+    /// requested.
     [[nodiscard]] base::Error start(gl::Gl& gl, int level, bool shows_map, bool shows_heat);
     [[nodiscard]] bool has(SaliencyStep step) const { return programs_[static_cast<std::size_t>(step)].valid(); }
     /// Makes the program of a step current.

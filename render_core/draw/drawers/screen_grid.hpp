@@ -16,9 +16,9 @@ inline constexpr gl::AttributeBinding kScreenAttributes[] = {{"position", 0}};
 class ScreenGrid {
 public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetTable& budget);
-    /// With the program in use.
+    /// Draws all cells with the program in use.
     void draw(gl::Gl& gl) const { draw_cells(gl, {}, true); }
-    /// The cells that reach into the part, or those that do not.
+    /// Draws the cells that reach into the part, or with `inside` false the others.
     void draw_cells(gl::Gl& gl, const ScreenPart& part, bool inside) const;
     void destroy(gl::Gl& gl);
 

@@ -5,11 +5,11 @@
 /// and the bias only covers rounding (kShadowBias_m), however low the sun. Ground that rises above
 /// a caster is lit from half a texel above the caster.
 ///
-/// Penumbrae after Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005, sketches, with the disc of the sun: what stands d
-/// metres towards the sun from a place shades it through a disc of d times the sun's radius. Wide ones are read from a coarser
-/// level.
+/// Penumbrae after Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005, sketches, with the disc of the sun: where the
+/// caster is d metres away towards the sun, the shadow is the mean over a disc whose radius is d times the sun's angular radius.
+/// Wide discs are read from a coarser level.
 ///
-/// Memory    the budget line render_targets (8 bytes a texel, three levels), at start(). Thread  the GL thread. Failure  one
+/// Memory    the budget line render_targets (8 bytes per texel, three levels), at start(). Thread  the GL thread. Failure  one
 /// sentence.
 #pragma once
 
@@ -25,17 +25,17 @@ inline constexpr double kShadowBias_m = 0.5;
 /// Uniforms of every program that is built with SHADOWS.
 inline constexpr std::size_t kShadowUniforms = 4;
 inline constexpr const char* kShadowUniformNames[kShadowUniforms] = {"shadow_map", "shadow_axes", "shadow_levels", "shadow_look"};
-inline constexpr std::uint32_t kShadowUnit = 10;  ///< beyond those of smaller devices, which have no such programs
+inline constexpr std::uint32_t kShadowUnit = 10;  ///< texture unit; devices with fewer units have no such programs
 
 /// The shadow map of a frame; without a map there are no shadows.
 struct ShadowRead {
     const gl::Texture* map = nullptr;
     const ShadowFrame* frame = nullptr;
-    double top_msl_m = 0;  ///< no caster is higher over the sea
+    double top_msl_m = 0;  ///< upper bound of the casters' heights above MSL
 };
 
-/// The program must be in use; `first` is the place of kShadowUniformNames in its list. `origin`: from where its places are
-/// measured, ECEF.
+/// The program must be in use; `first` is the index of kShadowUniformNames in its list. The program's positions are relative to
+/// `origin` (ECEF, m).
 void set_shadow_uniforms(gl::Gl& gl, const gl::Program& program, std::size_t first, const ShadowRead& read,
                          const glm::dvec3& origin);
 /// Sets shadow_axes alone.

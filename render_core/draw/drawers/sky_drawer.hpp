@@ -19,7 +19,7 @@ struct SkyInput {
     ViewFrame view;
     double dip_rad = 0;  ///< horizon_dip_rad(height), 0 for the plain horizon
     design::SkySettings colors;
-    bool ground_is_unknown = false;  ///< below the horizon nothing is known: it is hatched
+    bool ground_is_unknown = false;  ///< everything below the horizon is hatched
     AirFrame air;
     glm::dmat3 axes{1.0};  ///< columns forward, right, down in ECEF, for the air
 };

@@ -1,7 +1,7 @@
 /// Stereo: composes the pictures of both eyes on the surface, side by side or as an anaglyph.
 ///
-/// Each eye's scene is drawn, one after the other, into one picture that is wider than the screen by a margin on either side; the
-/// part that is shown is moved against it. So two parallel views become the off-axis views of two eyes behind one screen
+/// The scenes of the eyes are drawn one after the other into a picture that is wider than the screen by a margin on either side.
+/// A shift of the part that is shown turns the two parallel views into off-axis views of two eyes that share one screen
 /// (Woods, Docherty, Koch, "Image distortions in stereoscopic video systems", SPIE 1915, 1993, on parallel cameras).
 ///
 /// Memory, thread and failure are those of a KeptPicture.

@@ -1,9 +1,9 @@
-/// Draws the selected terrain chunks in the design's style, with the warning colours where they hold.
+/// Draws the selected terrain chunks in the design's style, with warning colours where they apply.
 ///
 /// Watertight between levels: the vertex shader adds a chunk offset of whole metres to positions on a binary grid; the
 /// sum is the correctly rounded one of the same real number in every chunk that shares the vertex.
 ///
-/// Memory    GPU slots, one a payload slot of the store, from the lines terrain_vertices and terrain_indices; pages from
+/// Memory    GPU slots, one per payload slot of the store, from the lines terrain_vertices and terrain_indices; pages from
 ///           terrain_pages and terrain_drape_pages; index staging from the arena. Thread  the GL thread. Failure  start() gives
 ///           one sentence.
 #pragma once
@@ -41,25 +41,25 @@ struct TerrainDrawInput {
     HeightSpan heights;  ///< of the whole database, for codes
     AirFrame air;
     ShadowRead shadow;
-    DistanceLeft left;                          ///< in alpha, of programs for light shafts, and for blur round a focus
+    DistanceLeft left;                          ///< in alpha, where light shafts or blur round a focus read it
     const scene::FocusRegions* foci = nullptr;  ///< as many as the design has; must stay valid. Null: there are none
     bool blurs_context = true;                  ///< false: brightness replaces blur
 };
 
 class TerrainDrawer {
 public:
-    /// Programs for chunks without attribute pages, with them, and with a coast as well; where codes are drawn, for sea and void
-    /// by the vertices, land alone, and a coast by the pages.
+    /// Programs for chunks without attribute pages, with pages, and with pages and a coast. For codes: programs that take sea and
+    /// void from the vertices, that draw land alone, and that take the coast from the pages.
     static constexpr std::size_t kPageVariants = 3;
 
-    /// Programs for chunks that lie in a focus as a whole, or without any focus, and for the others.
+    /// Programs for chunks that are completely in focus, or in frames without foci, and for the others.
     static constexpr std::size_t kFocusVariants = 2;
 
-    /// Styles of each design, with its stated weights and with raised ones; for a design with foci also those of frames in which
-    /// no focus has a position, and for a design that magnifies those of what is magnified.
+    /// A design has up to eight styles: with its stated or raised weights, with or without a focus that has a position, and for
+    /// chunks that are magnified or not.
     static constexpr std::size_t kMaxStyles = 8 * (design::kMaxPhaseDesigns + 1);
 
-    /// Prepares the designs that a running display changes between; the first is the initial one. Store and index lists must
+    /// Prepares the designs among which a running display changes; the first is the initial one. Store and index lists must
     /// outlive the drawer.
     [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainStore& store, terrain::ChunkIndices& indices,
                                     DrawnDesigns designs, effects::DeviceSettings& device, base::Arena& staging);
@@ -80,9 +80,9 @@ public:
     /// and culling.
     void draw(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
               const DepthRange& range, TerrainDrawResult& result);
-    /// Draws ground that rays met instead, for a design whose shading is deferred: it shades each pixel of a geometry picture
-    /// once, by the look of its chunk. `selected` must be prepared; the bound framebuffer has the numbers of chunks in its depth
-    /// (GeometryPicture::leave_numbers()).
+    /// Draws ray-traced ground, for a design with deferred shading: shades each pixel of the geometry picture `words` once, with
+    /// the program, uniforms and pages of its chunk. `selected` must be prepared, and the depth of the bound framebuffer must
+    /// hold the chunk numbers (GeometryPicture::leave_numbers()). Leaves depth test and scissor test off.
     void shade(gl::Gl& gl, base::Span<const terrain::SelectedChunk> selected, const TerrainDrawInput& input,
                const gl::Texture& words);
     /// True where the style, or a coast in the database, needs attribute pages; valid after start().
@@ -98,10 +98,10 @@ private:
 
     /// One kind of style: designs that differ only in palettes, lights, strengths and bands share it.
     struct Style {
-        design::TerrainStyle style;  ///< of the first such design: what same_programs() reads of it
+        design::TerrainStyle style;  ///< of the first such design, for same_programs()
         TerrainVariant variant;      ///< without bands and pages
         ProgramTable programs;
-        ProgramTable shading;  ///< for shade(), where a design's shading is deferred
+        ProgramTable shading;  ///< for shade(); only where a design has deferred shading
     };
     struct GpuSlot {
         std::uint32_t generation = 0;  ///< of the store's slot when it was uploaded
@@ -113,7 +113,7 @@ private:
         std::uint32_t generation = 0;
         double azimuth_rad = -1;  ///< of the light that its horizon was mixed for
     };
-    /// The page that a chunk takes its maps from; kNoSlot: none has arrived.
+    /// The page from which a chunk takes its maps; kNoSlot: none has been loaded.
     struct PageChoice {
         terrain::SlotIndex slot = terrain::kNoSlot;
         terrain::ChunkKey owner;
@@ -125,7 +125,7 @@ private:
     [[nodiscard]] base::Error start_drape(gl::Gl& gl, effects::DeviceSettings& device, base::Arena& staging);
     [[nodiscard]] base::Error start_ground(gl::Gl& gl, DrawnDesigns designs, effects::DeviceSettings& device);
     [[nodiscard]] TerrainVariant variant_of(const DrawnDesign& design, bool is_magnified) const;
-    /// styles_.size() where there is none.
+    /// Returns the index of a design's style; styles_.size() where there is none.
     [[nodiscard]] std::size_t style_of(const DrawnDesign& design, bool is_magnified) const;
     [[nodiscard]] base::Error add_style(gl::Gl& gl, const DrawnDesign& design, bool is_magnified);
     [[nodiscard]] base::Error build_programs(gl::Gl& gl, Style& style, bool deferred);
@@ -168,14 +168,14 @@ private:
     bool needs_maps_ = false;
     gl::Buffer vertices_, indices_;
     ScreenTriangle screen_;  ///< where shading is deferred
-    gl::Texture palette_;    ///< not where all write codes: who colours them has it
+    gl::Texture palette_;    ///< not valid where all designs write codes: ColorTable holds the colours
     PageAtlas atlas_;
     DrapeAtlas drape_;
     GroundMap ground_;
     GroundFocus focus_;
     base::Span<GpuSlot> slots_;
     base::Span<PageSlot> page_slots_;
-    base::Span<std::uint32_t> drape_generations_;  ///< by slot: what was uploaded
+    base::Span<std::uint32_t> drape_generations_;  ///< by slot: the generation that was uploaded
 };
 
 }  // namespace tedavis::draw

@@ -200,7 +200,7 @@ TerrainDefines code_defines(const design::TerrainStyle& style, const TerrainVari
 }
 
 using VertexText = base::FixedString<kMaxTerrainDefines + kMaxShaderText>;
-using FragmentText = base::FixedString<kMaxTerrainDefines + 3 * kMaxShaderText>;
+using FragmentText = base::FixedString<kMaxTerrainDefines + 4 * kMaxShaderText>;
 
 void append_code(const TerrainVariant& variant, VertexText& vertex, FragmentText& fragment) {
     vertex.append(shader_text(k_terrain_place_vert));
@@ -224,6 +224,10 @@ void append_look(const design::TerrainStyle& style, const TerrainVariant& varian
     fragment.append(shader_text(k_surface_line_frag));
     if (variant.focus.foci > 0) fragment.append(shader_text(k_focus_frag));
     if (variant.bands > 0) fragment.append(shader_text(k_alert_zone_frag));
+    fragment.append(shader_text(k_terrain_ground_frag));
+    fragment.append(shader_text(k_terrain_texture_frag));
+    fragment.append(shader_text(k_terrain_shade_frag));
+    fragment.append(shader_text(k_terrain_sketch_frag));
     fragment.append(shader_text(k_terrain_frag));
 }
 

@@ -96,7 +96,7 @@ enum TerrainUniform : std::size_t {
 /// The properties of a chunk and a frame for which a program is compiled.
 struct TerrainVariant {
     std::size_t bands =
-        0;  ///< number of warning bands that it distinguishes; with any also the zone of an alert, codes the zone alone
+        0;  ///< number of warning bands that it distinguishes; above 0 also the zone of an alert (with codes only the zone)
     bool baked = false;   ///< the chunk has attribute pages
     bool coast = false;   ///< the chunk has sea and land; what a pixel is comes from its pages
     bool classes = true;  ///< the chunk has sea or void; the code of a chunk that is all land is written faster

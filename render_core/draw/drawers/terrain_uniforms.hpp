@@ -1,4 +1,4 @@
-/// Sets the uniforms of a terrain program: once a frame and range of depths, once a chunk, once a page.
+/// Sets the uniforms of a terrain program: per frame and range of depths, per chunk, and per page.
 ///
 /// Thread  the GL thread; the program must be in use.
 #pragma once
@@ -17,44 +17,44 @@
 namespace tedavis::draw {
 
 void set_view_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view, const DepthRange& range);
-/// The rays of a view's pixels, for deferred shading.
+/// Sets the rays of the view's pixels, for deferred shading.
 void set_ray_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::View& view);
 /// `haze_per_m`: 1 / distance at which haze hides 1 - 1/e, 0 for none.
 void set_color_uniforms(gl::Gl& gl, const gl::Program& program, const design::DesignSettings& design, double haze_per_m);
 void set_style_uniforms(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);
 
-/// How wide lines and strokes are on the ground, for so many pixels a unit tangent.
+/// Sets the pixel size, from which lines and strokes get their widths on the ground; `focal_px` is the focal length in pixels.
 void set_pixel_uniform(gl::Gl& gl, const gl::Program& program, const design::TerrainStyle& style, double focal_px);
 
-/// For programs that write codes.
+/// Sets the span of heights, for programs that write codes.
 void set_height_range(gl::Gl& gl, const gl::Program& program, const HeightSpan& span);
 
 struct ChunkUniforms {
     const terrain::SelectedChunk& chunk;
     const terrain::Lattice& lattice;
     const glm::dvec3& eye;               ///< ECEF
-    const glm::dvec3* light_directions;  ///< ECEF, one a light of the style
+    const glm::dvec3* light_directions;  ///< unit vectors, ECEF; one per light of the style
 };
 void set_chunk_uniforms(gl::Gl& gl, const gl::Program& program, const ChunkUniforms& of, const design::TerrainStyle& style);
 
-/// Where the maps of a chunk lie in the page of `owner`, itself or an ancestor.
+/// Sets where the maps of a chunk lie in the page of `owner`, which is the chunk or an ancestor.
 void set_page_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
                        const terrain::ChunkKey& owner, const PageAtlas& atlas, std::uint32_t slot);
 
-/// Where a chunk lies in the drape page of `owner`, itself or an ancestor.
+/// Sets where a chunk lies in the drape page of `owner`, which is the chunk or an ancestor.
 void set_drape_uniforms(gl::Gl& gl, const gl::Program& program, const terrain::Lattice& lattice, const terrain::ChunkKey& chunk,
                         const terrain::ChunkKey& owner, const DrapeAtlas& atlas, std::uint32_t slot);
-/// For a chunk without such a page.
+/// The same for a chunk without a drape page, which is drawn with the transparent texel.
 void set_no_drape(gl::Gl& gl, const gl::Program& program, const DrapeAtlas& atlas);
 
-/// Lines of the surface grid from post to post of a lattice, and the angles between these.
+/// The surface grid over a lattice.
 struct GridStep {
-    double lines_east = 0, lines_south = 0;
-    double first_east = 0, first_south = 0;  ///< the lattice's first post, counted in lines
-    double east_rad = 0, south_rad = 0;
-    double east_m = 0, south_m = 0;  ///< from line to line at the middle latitude of the whole lattice
+    double lines_east = 0, lines_south = 0;  ///< number of lines from post to post
+    double first_east = 0, first_south = 0;  ///< position of the lattice's first post, in lines
+    double east_rad = 0, south_rad = 0;      ///< angles from post to post
+    double east_m = 0, south_m = 0;          ///< distance of lines at the middle latitude of the whole lattice
 };
-/// Of lines by length the first post lies on two; lines by angle are the Earth's, counted from 0 N 0 E.
+/// Lines with a spacing in metres are counted from the lattice's first post, lines with an angular spacing from 0 N 0 E.
 [[nodiscard]] GridStep grid_step(const terrain::Lattice& lattice, const design::GridSettings& grid);
 
 }  // namespace tedavis::draw

@@ -1,5 +1,5 @@
-/// The surface of traced ground where rays met it: place in its cell, height and class, interpolated over the triangle that was
-/// hit. Pure; any thread.
+/// The surface of traced ground where rays hit it: the height, interpolated over the triangle that was hit; sea or unknown; and
+/// the corners' normals with their barycentric coordinates. Pure; any thread.
 #pragma once
 
 #include <cstring>
@@ -18,11 +18,13 @@ using CornerWords = std::int32_t __attribute__((vector_size(16)));
 struct TracedPoint {
     std::uint32_t column = 0, row = 0;  ///< of the cell
     float u = 0, v = 0;                 ///< in the cell, 0..1 towards higher columns and rows
-    CornerFloats shares{};              ///< of the corners of the triangle
+    CornerFloats shares{};              ///< barycentric coordinates in the triangle
     CornerWords looks{};                ///< of the corners: normals in the lower three bytes, times 127; the class in the highest
     float height_m = 0;                 ///< above MSL
-    bool is_sea = false;                ///< more than half of the posts near the place, weighed as a texture's filter does
-    bool is_unknown = false;            ///< one of the corners
+    /// A corner of the triangle is sea, and the bilinear weights of the cell's posts that are sea sum to more than 0.5 at this
+    /// point.
+    bool is_sea = false;
+    bool is_unknown = false;  ///< one of the triangle's corners is void
 
     /// Normals at the corners, ECEF, times 127.
     [[nodiscard]] CornerFloats normals_x() const { return __builtin_convertvector((looks << 24) >> 24, CornerFloats); }
@@ -32,11 +34,11 @@ struct TracedPoint {
 
 class TracedSurface {
 public:
-    /// Both must stay valid; the picture has hits with places in cells.
+    /// Both must outlive the object; `hits` must have `cell`, `u` and `v`.
     TracedSurface(const TracedGround& ground, const raytrace::HitPicture& hits)
         : grid_(ground.heights()), looks_(ground.looks().data()), hits_(hits) {}
 
-    /// A pixel that has a hit.
+    /// Returns the point of a pixel that has a hit; `pixel` counts row by row from the top.
     [[nodiscard]] TracedPoint at(std::size_t pixel) const {
         TracedPoint point;
         const auto cell = static_cast<std::uint32_t>(hits_.cell[pixel]);
@@ -45,7 +47,8 @@ public:
         point.u = hits_.u[pixel];
         point.v = hits_.v[pixel];
         const std::size_t north = std::size_t{point.row} * grid_.stride + point.column, south = north + grid_.stride;
-        const bool is_upper = point.u + point.v <= 1;  // else the corner across, and shares from there
+        // The triangle at the north-west post; else the one at the south-east post, from which the shares are then counted.
+        const bool is_upper = point.u + point.v <= 1;
         const std::size_t first = is_upper ? north : south + 1;
         const float of_east = is_upper ? point.u : 1 - point.v, of_south = is_upper ? point.v : 1 - point.u;
         point.shares = CornerFloats{1 - of_east - of_south, of_east, of_south, 0};
@@ -63,7 +66,7 @@ private:
         return word;
     }
 
-    /// Where not all corners are land.
+    /// Sets is_sea and is_unknown where not all corners are land.
     void classify(std::size_t north, std::size_t south, TracedPoint& point) const {
         using terrain::PostClass;
         const auto has = [&](PostClass what) {

@@ -1,11 +1,11 @@
 /// Draws the terrain with the heightfield ray tracer instead of the rasterizer: the same codes into the same picture, or, for
-/// styles that codes cannot tell, a geometry picture that is then shaded; and the same depths for objects drawn over it. The
-/// database's surface is drawn without simplification.
+/// styles that codes cannot represent, a geometry picture, which is shaded afterwards; and the same depths for objects drawn over
+/// it. The database's surface is drawn without simplification.
 ///
-/// A picture is traced again only where it differs from the last one.
+/// A view is traced again only where it differs from the last one.
 ///
 /// Memory    posts and a picture from the arena, textures from the budget line traced_pictures. Thread  the GL thread, and the
-///           workers within a call. Failure  start(): one sentence; what keeps it from tracing is no failure, but said.
+///           workers within a call. Failure  start(): one sentence. Where tracing is not possible there is no error, but state().
 #pragma once
 
 #include <string_view>
@@ -21,30 +21,30 @@
 
 namespace tedavis::draw {
 
-/// Resources of tracing, besides those of the terrain; without an arena nothing is traced.
+/// Resources of tracing, besides those of the terrain.
 struct TracePlace {
     base::Workers* workers = nullptr;  ///< null: the caller's thread
-    base::Arena* memory = nullptr;
+    base::Arena* memory = nullptr;     ///< null: nothing is traced
     std::uint32_t width_px = 0, height_px = 0;
-    bool writes_words = false;  ///< for designs with deferred shading; else codes alone
+    bool writes_words = false;  ///< a design has deferred shading; else only codes are written
 };
 
 class TracedTerrain {
 public:
-    /// Starts with the whole database of the query; state() returns whether it can be traced.
+    /// Reads all posts of the database through `heights`; state() then tells whether it can be traced.
     [[nodiscard]] base::Error start(gl::Gl& gl, const terrain::TerrainDatabase& database, terrain::HeightQuery& heights,
                                     effects::DeviceSettings& device, const TracePlace& place);
     /// not_asked_for before start().
     [[nodiscard]] TraceState state() const { return state_; }
 
-    /// Codes, into a whole picture of the size at start. No terrain lies beyond the view's far plane: the nearer it is, the less
-    /// there is to trace. Where it cannot see there is nothing.
+    /// Uploads codes to `picture`, which has the size at start. Rays end at the view's far plane; a nearer far plane saves time.
+    /// Views that cannot be traced (can_trace()) show no terrain.
     void draw(gl::Gl& gl, const design::DesignSettings& design, const TerrainDrawInput& input, const gl::Texture& picture);
-    /// The same as a geometry picture, whose words are returned; only where words are written. The depth of what is bound, which
-    /// has the size of the picture, then has the numbers of the chunks.
+    /// Uploads a geometry picture instead and returns its words; only with TracePlace::writes_words. Writes the chunk numbers
+    /// into the depth of the bound framebuffer (GeometryPicture::leave_numbers()).
     const gl::Texture& draw_words(gl::Gl& gl, base::Span<const terrain::SelectedChunk> chunks, const TerrainDrawInput& input);
-    /// Depths in the range, over the whole of what is bound with its depth test on, as GeometryPicture::leave_depths(); colours
-    /// are nothing.
+    /// Writes the ground's depths in the range into the bound framebuffer, as GeometryPicture::leave_depths() does. The caller
+    /// switches the depth test on and masks the colours, which are meaningless.
     void draw_depths(gl::Gl& gl, const TerrainDrawInput& input, const DepthRange& range);
     void destroy(gl::Gl& gl);
 
@@ -63,10 +63,10 @@ private:
     TracedGround ground_;
     TracedView view_;
     base::Span<std::uint8_t> codes_;
-    terrain::View seen_;       ///< by view_
-    bool has_seen_ = false;    ///< anything
-    bool has_depths_ = false;  ///< of seen_, in their texture
-    bool has_words_ = false;   ///< the picture was drawn as words
+    terrain::View seen_;       ///< the view whose hits view_ holds
+    bool has_seen_ = false;    ///< seen_ is valid
+    bool has_depths_ = false;  ///< depths_ holds the depths of seen_
+    bool has_words_ = false;   ///< the last picture was drawn as words
     ScreenTriangle screen_;
     gl::Program program_;
     gl::Texture depths_;

@@ -1,8 +1,8 @@
-/// Converts the hits of a traced picture to the words of a geometry picture (geometry_picture.hpp), from which styles that codes
-/// cannot tell are shaded.
+/// Converts the hits of a traced picture to the words of a geometry picture (geometry_picture.hpp), for styles that codes cannot
+/// represent.
 ///
-/// Each pixel belongs to the selected chunk that its cell lies in: by that chunk's number it is shaded with the chunk's attribute
-/// pages and uniforms, as its triangles would be. The surface is the database's own, whatever the level of the chunk.
+/// Each pixel has the number of the selected chunk that contains its cell, so that it is shaded with that chunk's attribute pages
+/// and uniforms, as the chunk's triangles would be. The surface is the database's exact one, whatever the level of the chunk.
 ///
 /// Memory    an arena at start(). Thread  uses the workers; the words do not depend on their number.
 #pragma once
@@ -18,9 +18,9 @@ namespace tedavis::draw {
 
 struct WordsInput {
     const TracedGround& ground;
-    const raytrace::HitPicture& hits;  ///< of the view; with places in cells
+    const raytrace::HitPicture& hits;  ///< of the view, with `u` and `v`
     const terrain::View& view;
-    base::Span<const terrain::SelectedChunk> chunks;  ///< they cover all that is seen, in slots below kMaxGeometrySlots
+    base::Span<const terrain::SelectedChunk> chunks;  ///< cover all visible ground; their slots are below kMaxGeometrySlots
 };
 
 class TracedWords {
@@ -28,9 +28,9 @@ public:
     [[nodiscard]] static std::uint64_t bytes_needed(const terrain::Lattice& lattice, std::uint32_t width, std::uint32_t height);
     /// Allocates memory; returns false where the arena is too small.
     [[nodiscard]] bool start(const terrain::Lattice& lattice, std::uint32_t width, std::uint32_t height, base::Arena& arena);
-    /// The view has the size at start.
+    /// Writes the words of all pixels; the view has the size at start.
     void write(const WordsInput& input, base::Workers& workers);
-    /// Rows from the bottom, as pictures of GL lie.
+    /// One per pixel, rows from the bottom as in GL.
     [[nodiscard]] base::Span<const GeometryWords> words() const { return {words_.data(), words_.size()}; }
 
     /// The part of the lattice that a chunk covers.
@@ -44,7 +44,7 @@ private:
 
     terrain::Lattice lattice_;
     std::uint32_t across_ = 0, down_ = 0;  ///< chunks of the finest level
-    base::Span<std::uint16_t> numbers_;    ///< of the selected chunk that covers each of them; 0: none
+    base::Span<std::uint16_t> numbers_;    ///< by chunk of the finest level: the selected chunk that covers it; 0: none
     base::Span<Part> parts_;               ///< by number
     base::Span<GeometryWords> words_;
 };

@@ -54,7 +54,7 @@ private:
 
     gl::RenderTarget target_;
     ScreenGrid grid_;
-    gl::Program programs_[2][2][2];  ///< the second blurs; the second smooths; the second takes off shafts
+    gl::Program programs_[2][2][2];  ///< indices: blurs, smooths, subtracts shafts
     bool with_air_ = false;
 };
 

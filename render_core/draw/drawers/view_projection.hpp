@@ -10,7 +10,7 @@
 
 namespace tedavis::draw {
 
-/// Perspective of a view whose eye stands at `eye_fraction` (m) from where the places are measured.
+/// Returns the perspective of a view, for positions in a frame with ECEF axes in which the eye point is at `eye_fraction`, m.
 [[nodiscard]] glm::dmat4 view_projection(const terrain::View& view, const DepthRange& range,
                                          const glm::dvec3& eye_fraction = glm::dvec3(0));
 

@@ -22,7 +22,7 @@ void main() {
     vec4 code = vec4(steps / 255.0, v_code.x - steps, v_code.y, v_code.z);
 #ifdef CLASSES
 #ifdef COAST
-    // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1. Whole fractions of a texel: see terrain.frag.
+    // Triangles are larger than bays; classes have codes 0, 1/3 (sea), 2/3 and 1. Whole fractions of a texel: see terrain_image.frag.
     vec2 texel = floor(mix(v_page, floor(v_page + 0.5), coast_sharp) * 256.0 + 0.5) / 256.0;
     float class_here = TEXTURE2D(light_map, (texel + page_origin.xy) * page_scale.x).a;
     float sea = step(0.16667, class_here) * step(class_here, 0.5);

@@ -2,8 +2,8 @@
 /// the own ship, and stands still where none comes or where the whole display stands still, which a pilot could not see
 /// otherwise.
 ///
-/// Where the hand points follows from the position's time alone, so equal inputs give equal pictures. It turns once in seven
-/// seconds: with the shipped limits a position so rare is lost, so two positions in a row never look alike.
+/// The hand's angle depends on the position's time alone, so equal inputs give equal pictures. It turns once in seven seconds.
+/// With the shipped limits positions that come so rarely are lost, so two consecutive positions never give the same angle.
 ///
 /// Pure: no GL, no clock, no heap. Thread any.
 #pragma once
@@ -17,17 +17,17 @@ namespace tedavis::draw {
 
 inline constexpr base::Duration kActivityTurn = base::Duration::seconds(7);
 
-/// Where the hand points, clockwise from up: 0 <= angle < 2 pi.
+/// Returns the hand's angle, clockwise from up: 0 <= angle < 2 pi.
 [[nodiscard]] double activity_angle_rad(base::Time position_time) noexcept;
 
-/// Square, pixels: at the right end of the strip, as high as the strip or less.
+/// Returns the square of the mark, pixels: at the right end of the strip and within it.
 [[nodiscard]] Rect activity_mark_box(const Rect& strip, float text_px) noexcept;
-/// What is left of the strip for its texts.
+/// Returns the part of the strip that remains for its texts.
 [[nodiscard]] Rect beside_activity_mark(const Rect& strip, float text_px) noexcept;
 
-/// A narrower strip has room for its words alone, and no mark.
+/// A narrower strip has no mark, only texts.
 inline constexpr float kNarrowestWithActivity_px = 300;
-/// It stands beside the phase: where the design does not show that, and before the first position, there is no mark.
+/// False where the design does not show the phase, before the first position, and in a strip that is too narrow.
 [[nodiscard]] bool shows_activity(const SymbologyInput& input, const Rect& strip) noexcept;
 void build_activity_mark(const Painter& painter, const SymbologyInput& input);
 

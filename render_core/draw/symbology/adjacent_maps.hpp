@@ -35,9 +35,10 @@ static_assert(std::is_trivially_copyable_v<AdjacentInput>);
 
 /// Number of maps; 0 without a layer.
 [[nodiscard]] std::uint32_t map_count(const AdjacentInput& input) noexcept;
-/// Cells across one of so many maps: as many as the design wants, as all maps have room for, and as can be told apart.
+/// Returns the number of cells across a map: that of the design, limited by kAdjacentCells for all maps together and by the
+/// smallest legible cell.
 [[nodiscard]] std::uint32_t cells_across(const AdjacentInput& input, float side_px) noexcept;
-/// For make_layout().
+/// Returns what make_layout() needs to place the maps.
 [[nodiscard]] AdjacentNeed adjacent_need(const AdjacentInput& input) noexcept;
 
 enum class CellSign : std::uint8_t { none, interpolated, unknown, missing };

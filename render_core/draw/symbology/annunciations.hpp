@@ -1,8 +1,8 @@
 /// The strip of annunciations along the top of the display: the flight phase with its source at the left, then warnings and
 /// cautions in their order, the most urgent first, and how many have no room; the activity mark at its right end.
 ///
-/// Fields are as wide as their words; they stand on one translucent ground, and a thin frame in their color marks notices.
-/// Where the strip has two rows, the source stands below the phase in either case, and notices go on in the second row. A notice
+/// Fields are as wide as their words; they stand on one translucent ground, and a thin frame in their colour marks notices.
+/// Where the strip has two rows, the source is always below the phase, and notices continue in the second row. A notice
 /// is left out only together with all that are less urgent. Pure: no GL, no clock, no heap. Thread any.
 #pragma once
 

@@ -12,9 +12,9 @@ namespace tedavis::draw {
 inline constexpr double kSlipWidth_mps2 = 0.05 * base::kStandardGravity;
 inline constexpr double kMaxSlipWidths = 2;
 
-/// Pixels; the middle of the circle is that of the screen.
+/// Returns the radius of the scale, pixels; its centre is the middle of the screen.
 [[nodiscard]] float bank_scale_radius(const Layout& layout) noexcept;
-/// `from` moved along a unit direction and across it, to its right on the screen.
+/// Returns `from` moved by `along` in a unit direction and by `across` to its right on the screen.
 [[nodiscard]] Point along_and_across(Point from, Point direction, float along, float across) noexcept;
 
 void build_bank_scale(const Painter& painter, const SymbologyInput& input);

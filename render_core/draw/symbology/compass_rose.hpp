@@ -25,7 +25,7 @@ struct CompassRose {
     float text_px = 0;
     float mark_px = 0;  ///< the unit of marks on the card: a text, or less on a small rose
     bool is_whole = false;
-    int rows = kRoseRows;  ///< that have room to either side; at least kMinRoseRows
+    int rows = kRoseRows;  ///< number of rows of text that fit on either side; at least kMinRoseRows
 
     /// `across`: to the right of the ray, seen from the center.
     [[nodiscard]] Point at(double angle_rad, float distance, float across = 0) const noexcept;
@@ -38,7 +38,7 @@ struct CompassRose {
 
 [[nodiscard]] CompassRose make_compass_rose(const Layout& layout) noexcept;
 
-/// Where a true direction is on the rose; NaN where the rose is magnetic and the variation is not known.
+/// Returns the angle of a true direction on the rose; NaN where the rose is magnetic and the variation is not known.
 [[nodiscard]] double rose_angle_rad(const SymbologyInput& input, double true_rad) noexcept;
 
 /// Three digits of a true direction in the rose's reference, where its variation is known.

@@ -21,7 +21,7 @@ namespace tedavis::draw {
 struct DeviationScale {
     double lateral = 0;     ///< rad (radio) or m (GNSS); 0: the source has none
     double vertical = 0;    ///< rad (radio) or m (GNSS)
-    std::string_view name;  ///< of the scale: ENR, TERM, APR; empty where there is but one
+    std::string_view name;  ///< name of the scale: ENR, TERM, APR; empty where the source has only one
 };
 /// Localizer 2.5 and glide slope 0.7 degrees. GNSS in cruise and in an unknown phase 2 NM and 500 ft, on the ground, in take-off,
 /// descent and go-around 1 NM and 500 ft, in the rest of an approach 0.3 NM and 250 ft.

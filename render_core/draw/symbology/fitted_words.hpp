@@ -11,8 +11,8 @@ namespace tedavis::draw {
 
 using FittedText = base::FixedString<127>;
 
-/// A text with shorter wordings for small screens, from the longest to the shortest; an empty one at the end says that nothing
-/// stands there where none of them fits. The texts must outlive it.
+/// A text with shorter wordings for small screens, from the longest to the shortest; with an empty one at the end, nothing is
+/// drawn where no other fits. The texts must outlive the object.
 class Words {
 public:
     Words(std::string_view text) { add(text); }
@@ -21,7 +21,7 @@ public:
         for (const std::string_view text : texts) add(text);
     }
 
-    /// The first one that is no wider, or the shortest.
+    /// Returns the longest wording that is at most `room_px` wide, else the shortest.
     [[nodiscard]] std::string_view within(float room_px, float size_px) const noexcept;
     [[nodiscard]] std::string_view longest() const noexcept { return texts_[0]; }
 
@@ -29,12 +29,12 @@ private:
     void add(std::string_view text) { static_cast<void>(texts_.try_push_back(text)); }
     base::FixedVector<std::string_view, 4> texts_;
 };
-/// A label with a unit as its last word: "BARO FT", or "BARO" where that is too long.
+/// Returns a label whose last word is a unit, with the label alone as shorter wording: "BARO FT", "BARO".
 [[nodiscard]] Words label_words(std::string_view label) noexcept;
 
-/// The text, or as many of its first letters as there is room for, with two dots after them. A word with a digit is never cut,
-/// nor is it parted from its unit, because what is left would be another value: "WIND 850 HPA" becomes "WIND..". Where the text
-/// begins with a value, it keeps it, whatever the room is.
+/// Returns the text, or as many of its first letters as fit, followed by two dots. A word with a digit is neither cut nor
+/// separated from its unit, because the rest would be another value: "WIND 850 HPA" becomes "WIND..". A value at the beginning of
+/// the text is kept even where it does not fit.
 [[nodiscard]] FittedText cut_words(std::string_view text, float room_px, float size_px) noexcept;
 
 }  // namespace tedavis::draw

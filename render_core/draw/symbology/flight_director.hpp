@@ -1,9 +1,9 @@
 /// The flight director and the flight-path reference, over the ladder.
 ///
-/// The director is a pair of crossing bars about the aircraft symbol: the level bar lies above the symbol where the nose must go
-/// up, by the angle that is asked for; the upright bar lies to the right where the aircraft must bank to the right,
-/// kBarTexts_per_rad. Both stop kMaxBarTexts away. Its bars, without circle or wings, tell it from the flight-path vector. The
-/// reference is a pair of dashes on both sides of the ladder at the selected glide path, with its angle: flying it, the
+/// The director is a pair of crossing bars about the aircraft symbol. The level bar is above the symbol by the commanded change
+/// of pitch; the upright bar is to the right by kBarTexts_per_rad times the commanded change of bank to the right. Both are at
+/// most kMaxBarTexts away from the symbol. Unlike the flight-path vector the director has neither circle nor wings. The reference
+/// is a pair of dashes on both sides of the ladder at the selected glide path, with its angle: while the path is flown, the
 /// flight-path vector lies between them.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// The key: in flight, the scales of a frame that do not explain themselves, each as a title over its colors with two numbers.
+/// The key: in flight, the scales of a frame that do not explain themselves, each as a title over its colours with two numbers.
 ///
 /// Symbols, names of classes, uncertainty and sources are only in the whole legend. Pure: no GL, no clock, no heap. Thread any.
 #pragma once
@@ -9,13 +9,13 @@
 namespace tedavis::draw {
 
 inline constexpr std::size_t kMaxKeyEntries = kMaxDataLegends + 2;
-inline constexpr std::size_t kKeySlices = 16;  ///< that a scale without classes is painted in
+inline constexpr std::size_t kKeySlices = 16;  ///< number of slices of a scale without classes
 
-/// A title, and colors from the lowest value to the highest with numbers between two of them.
+/// A title, and colours from the lowest value to the highest with numbers between two of them.
 struct KeyEntry {
     base::FixedVector<base::FixedString<47>, 4> titles;  ///< from the longest to the shortest
     base::FixedVector<design::Color, design::kMaxClasses + kKeySlices> colors;
-    /// The numbers, and how many colors stand before each.
+    /// The numbers, and how many colours stand before each.
     struct Number {
         ShortText text;
         std::size_t after = 0;

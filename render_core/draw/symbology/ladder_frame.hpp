@@ -14,7 +14,7 @@ public:
         const glm::dvec3 right{-std::sin(heading_rad_), std::cos(heading_rad_), 0};
         return project(view_, direction_of(heading_rad_, elevation_rad) + right * aside);
     }
-    /// A true direction on the horizon.
+    /// Projects the point of the horizon in a true direction.
     [[nodiscard]] ProjectedPoint on_horizon(double direction_rad) const { return project(view_, direction_of(direction_rad, 0)); }
     /// Offset to the side that spans so many pixels near the middle of the screen.
     [[nodiscard]] double tangent_of(float pixels) const { return static_cast<double>(pixels) / view_.focal_px; }

@@ -43,14 +43,14 @@ struct Layout {
     Rect screen;
     Rect annunciations;            ///< strip along the whole top: flight phase, warnings and cautions (annunciations.hpp)
     Rect airspeed;                 ///< left tape
-    bool has_legend_rows = false;  ///< legends were asked for, and their rows do not touch each other
-    Rect legend;                   ///< right of the airspeed: what the colours mean; 5 x at least 19 texts. Empty without legends
+    bool has_legend_rows = false;  ///< legends are requested, and their rows do not touch each other
+    Rect legend;                   ///< of the terrain; right of the airspeed, at least 5 texts wide. Empty without legends
     Rect attitude;                 ///< around the middle of the screen, above the rose; ladder, roll scale
     Rect altitude;                 ///< right tape
     Rect vertical_speed;           ///< right of it
     Rect ground_height;            ///< bottom left; on small screens wider than the tape above it
-    /// Compass rose with its readout: bottom, centred on the screen; compass_rose.hpp parts it. Between the columns; on a narrow
-    /// screen with little text below them.
+    /// Compass rose with its readout: bottom, centred on the screen, between the columns, or below them on a narrow screen with
+    /// small text. compass_rose.hpp divides it.
     Rect heading;
     Rect baro_setting;           ///< bottom right
     Rect vertical_speed_number;  ///< bottom right, where the column of vertical speeds is too narrow for its number; else empty
@@ -85,8 +85,8 @@ inline constexpr LayoutBox kLayoutBoxes[kLayoutBoxCount] = {
     {"information", &Layout::information},
 };
 
-/// Where directions of the world are seen between the columns: the attitude's box and the rose below it, which has no ground of
-/// its own and is drawn over them.
+/// Returns the area for conformal symbols between the columns: the attitude's box and the rose below it, which has no background
+/// and is drawn over them.
 [[nodiscard]] Rect conformal_box(const Layout& layout) noexcept;
 
 /// `width`, `height` in pixels, at least 320 x 240 either way round; `dpi` pixels an inch.

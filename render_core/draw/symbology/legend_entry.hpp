@@ -5,7 +5,7 @@
 
 namespace tedavis::draw {
 
-inline constexpr float kLegendEntryGap = 0.3f;  ///< texts between two
+inline constexpr float kLegendEntryGap = 0.3f;  ///< gap between two entries, in texts
 
 /// `box`: as high as data_legend_height() says, less the gap. `cut`: entries for which there was no room, written beside the
 /// title.

@@ -1,4 +1,4 @@
-/// Small boxes that look as the shaders' techniques do, for legends.
+/// Sample boxes of legends, which look as the shaders draw the techniques.
 #pragma once
 
 #include "render_core/draw/symbology/data_legend.hpp"
@@ -6,9 +6,9 @@
 namespace tedavis::draw {
 
 inline constexpr float kSampleWidth = 1.2f;  ///< texts
-inline constexpr int kBarSlices = 32;        ///< that a continuous scale is painted in
-inline constexpr float kUnder_px = 1;        ///< by which a slice reaches under its neighbour
-inline constexpr int kMaxNumbers = 16;       ///< at a scale
+inline constexpr int kBarSlices = 32;        ///< number of slices of a continuous scale
+inline constexpr float kUnder_px = 1;        ///< overlap of a slice with its neighbour
+inline constexpr int kMaxNumbers = 16;       ///< largest number of numbers at a scale
 
 /// Inside `box`, with a frame round it.
 void build_sample(const Painter& painter, const LegendSample& sample, const Rect& box);

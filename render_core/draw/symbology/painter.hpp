@@ -1,4 +1,4 @@
-/// Strokes, texts and failure pictures that all symbols share: one style for the whole display.
+/// Strokes, texts and signs of failure in the one style that all symbols share.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ using design::SymbolRole;
 
 using ShortText = base::FixedString<31>;
 
-/// `value` within [low, high]; not-a-number becomes `low`. Keeps numbers printable and loops bounded.
+/// Returns `value` limited to [low, high]; NaN becomes `low`. Keeps numbers printable and loops bounded.
 [[nodiscard]] double limited(double value, double low, double high) noexcept;
-/// Rounded to a whole number, with at least `digits` digits and a minus sign where it is negative.
+/// Returns the value rounded to a whole number, with at least `digits` digits and a minus sign where it is negative.
 [[nodiscard]] ShortText whole_number(double value, int digits = 1) noexcept;
-/// With one decimal; never "-0.0".
+/// Returns the value with one decimal; never "-0.0".
 [[nodiscard]] ShortText tenths(double value) noexcept;
 
 /// Text on a black plate needs no dark rim.
@@ -30,7 +30,7 @@ enum class TextRim : std::uint8_t { dark, none };
 
 class Painter {
 public:
-    /// All must outlive the painter. AC 25-11B: color is never the only cue.
+    /// All must outlive the painter. AC 25-11B: colour is never the only cue.
     Painter(QuadBatch& batch, const Layout& layout, const design::SymbologyPalette& palette = design::kDaySymbology)
         : batch_(batch), layout_(layout), palette_(palette) {}
 
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] design::Color color(SymbolRole role) const { return palette_.color(role); }
     /// Sizes of text.
     [[nodiscard]] const design::SymbologyType& type() const { return palette_.type; }
-    /// Color of a label by how its element is shown: that of scales, or amber where it is not from its first source or is stale.
+    /// Colour of the label of an element: that of scales, or amber where the value is stale or not from its first source.
     [[nodiscard]] design::Color label_color(policy::ElementShow show) const;
 
     /// Pixels an em of a text of this size, in texts.
@@ -50,7 +50,7 @@ public:
     /// Width of a plate that is so many texts wide, or as wide as its text of the smallest size needs.
     [[nodiscard]] float plate_px(std::string_view text, float texts) const;
 
-    /// With a dark rim; without a color in that of scales.
+    /// Lines have a dark rim; without a colour they have that of scales. `strokes` is the width in ordinary lines.
     void line(Point from, Point to, design::Color color, float strokes = 1) const;
     void line(Point from, Point to) const { line(from, to, color(SymbolRole::scale)); }
     void polyline(base::Span<const Point> points, design::Color color, float strokes = 1, bool closed = false) const;
@@ -61,19 +61,19 @@ public:
     void text(std::string_view text, Point at, TextAnchor anchor, float size) const {
         this->text(text, at, anchor, size, color(SymbolRole::scale));
     }
-    /// Smaller where it does not fit; where it would be below the smallest text, in shorter words or with its last letters left
-    /// out. Middle of the height.
+    /// Draws a text at half the height of the box, smaller where it does not fit. Where it would be below kMinText_px, it has
+    /// shorter words or lacks its last letters (cut_words()).
     void fitted_text(const Words& words, const Rect& box, TextAnchor anchor, float size, design::Color color,
                      TextRim rim = TextRim::dark) const;
-    /// Text in the middle of a black box, and with a frame of its colour.
+    /// Draw text in the middle of a black box, the second with a frame of the text's colour.
     void plate(const Rect& box, const Words& words, float size, design::Color color) const;
     void framed_plate(const Rect& box, const Words& words, float size, design::Color color) const;
-    /// The picture of failed information in its place: a dark box, a red cross and what failed, a word a line in a narrow box.
+    /// Draws failed information: a dark box, a red cross and the name of what failed, in a narrow box one word per line.
     void failed(const Rect& box, std::string_view text) const;
-    /// What is lost but replaced by something else: amber text over a red cross. A box that is too small for the smallest text is
-    /// made larger, within the attitude or the rose if it lies there.
+    /// Draws information that is lost but replaced by other information: amber text over a red cross. A box that is too small for
+    /// the smallest text is enlarged, within the attitude or the rose if it lies there.
     void crossed_out(const Rect& box, std::string_view text) const;
-    /// Framed number over its scale; amber frame and digits when `flagged`.
+    /// Draws a framed number over its scale, with amber frame and digits when `flagged`.
     void readout(const Rect& box, std::string_view text, bool flagged) const;
 
 private:

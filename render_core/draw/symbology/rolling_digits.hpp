@@ -31,11 +31,11 @@ struct RollingDigits {
     double share = 0;  ///< of the way from the lower reading to the upper one, [0, 1); the same for all columns that roll
 };
 
-/// `value` is limited to +-kMaxRollingValue; not-a-number becomes the low end.
+/// `value` is limited to +-kMaxRollingValue; NaN becomes -kMaxRollingValue.
 [[nodiscard]] RollingDigits rolling_digits(double value, const RollingFormat& format) noexcept;
 
-/// Draws the digits at the right of `window` and cuts them at it. `size` in texts; digits that have no room are smaller. The
-/// digits that are nearest to the value are written first.
+/// Draws the digits at the right of `window`, clipped to it. `size` in texts; digits that have no room are smaller. The digits
+/// nearest to the value are drawn first.
 void build_rolling_digits(const Painter& painter, const Rect& window, const RollingDigits& digits, float size,
                           design::Color color);
 

@@ -11,11 +11,11 @@
 
 namespace tedavis::draw {
 
-/// Upper bounds over all inputs, tested; what a batch needs so that nothing is refused.
+/// Upper bounds over all inputs (tested): a batch with this capacity refuses nothing.
 inline constexpr std::size_t kSymbologyVertices = 14592;
 inline constexpr std::size_t kSymbologyIndices = kSymbologyVertices * 3 / 2;
 
-/// Everything that the design shows, in the order in which it covers. Clears the batch first.
+/// Clears the batch and adds everything that the design shows, from back to front.
 void build_symbology(QuadBatch& batch, const SymbologyInput& input, const Layout& layout);
 
 void build_attitude(const Painter& painter, const SymbologyInput& input);
@@ -27,16 +27,16 @@ void build_vertical_speed(const Painter& painter, const SymbologyInput& input);
 void build_heading(const Painter& painter, const SymbologyInput& input);
 void build_baro_setting(const Painter& painter, const SymbologyInput& input);
 void build_ground_height(const Painter& painter, const SymbologyInput& input);
-/// Wind and temperature that the own aircraft measures: the arrow points where
-/// the wind blows, up is ahead, or the map's up. What is stale is amber and shows its age.
+/// Wind and temperature as measured by the own aircraft. The arrow points where the wind blows to; up is the view's
+/// heading, or the map's up. Stale values are amber and show their age.
 void build_air(const Painter& painter, const SymbologyInput& input);
 /// The angle that the picture shows across its width, in the lower right corner of the attitude's box; nothing without an
 /// attitude, and in a recovery picture.
 void build_field_of_view(const Painter& painter, const SymbologyInput& input);
 [[nodiscard]] Rect field_of_view_box(const Layout& layout) noexcept;
-/// For make_layout(): what the legends of this frame would take.
+/// Returns the room that the legends of this frame need, for make_layout().
 [[nodiscard]] LegendNeed legend_need(const SymbologyInput& input) noexcept;
-/// Titles, numbers and samples of every colour with a meaning that the picture has; nothing in a recovery picture.
+/// Titles, numbers and samples for every colour of the picture that has a meaning; nothing in a recovery picture.
 void build_legend(const Painter& painter, const SymbologyInput& input);
 /// The notices that are no warnings and no cautions, on the last line.
 void build_information(const Painter& painter, const SymbologyInput& input);

@@ -30,7 +30,7 @@ struct LegendInput {
     design::Color plain, sea, unknown;
     design::WarningBands warning_bands;
     double bands_lowered_m = 0;     ///< by the vertical uncertainty; 0: not at all
-    bool accuracy_assumed = false;  ///< the uncertainty, or a part of it, is the design's guess
+    bool accuracy_assumed = false;  ///< the uncertainty, or a part of it, is assumed by the design, not stated by data
     base::DisplayUnits units = base::DisplayUnits::feet_and_knots;
 };
 
@@ -41,31 +41,31 @@ enum class SymbolGround : std::uint8_t {
     moving,       ///< in the transition between both, where neither kind of symbols is correct
 };
 
-/// A magnified place on the map.
+/// A magnified area of the map.
 struct MagnifiedSign {
     Point middle;                              ///< on the screen
     float radius_px = 0;                       ///< of the focus, as it is shown
-    float reach_px = 0;                        ///< of all that is moved
-    std::uint32_t power = 0, compression = 0;  ///< of two: so much larger, and the ring so much smaller
+    float reach_px = 0;                        ///< of the area in which places are displaced
+    std::uint32_t power = 0, compression = 0;  ///< exponents of two: magnification of the focus, compression of the ring round it
 };
 inline constexpr std::size_t kMaxMagnifiedSigns = 4;
 
 /// The map, or the orthographic view, whose middle is the own ship.
 struct MapInput {
-    double up_rad = 0;                         ///< true direction of what the map is turned to
+    double up_rad = 0;                         ///< true direction to which the map is oriented
     double px_per_m = 0;                       ///< on the ground; across the orthographic view
     bool is_oblique = false;                   ///< the orthographic view
     bool is_flat = false;                      ///< the ground is drawn without its relief
-    double turn_rad = 0;                       ///< of the top from there, clockwise
-    double look_down_rad = base::radians(90);  ///< from level
-    double above_ground_m = std::nan("");      ///< own ship's, over what is drawn as the ground; NaN: not known
+    double turn_rad = 0;                       ///< of the picture's top relative to `up_rad`, clockwise
+    double look_down_rad = base::radians(90);  ///< of the view below the horizontal
+    double above_ground_m = std::nan("");      ///< height of the own ship above the drawn ground; NaN: not known
 
     base::FixedVector<MagnifiedSign, kMaxMagnifiedSigns> magnified{};
 
     [[nodiscard]] double top_rad() const { return up_rad + turn_rad; }
 };
 
-/// What guides the pilot. A value means something where the element's decision shows it, and comes from the decision's source.
+/// Guidance. A value is valid only where the element's decision shows it; it is that of the decision's source.
 /// Directions are relative to true north.
 struct GuidanceInput {
     double slip_mps2 = 0;        ///< acceleration to the right
@@ -87,7 +87,7 @@ struct SymbologyInput {
     design::SymbologySettings shown;
     design::SymbologyPalette palette = design::kDaySymbology;
     design::UnusualAttitudeLimits unusual;
-    double excessive_bank_rad = base::radians(45);  ///< beyond, the bank is said to be excessive
+    double excessive_bank_rad = base::radians(45);  ///< a larger bank is shown as excessive
     double standard_turn_radps = base::radians(3);  ///< rate of a standard-rate turn
     design::Color sky, ground;                      ///< of the permanent horizon
     flight::PhaseStatus phase;
@@ -96,13 +96,13 @@ struct SymbologyInput {
     double view_heading_rad = 0;              ///< true
     double pitch_rad = 0, roll_rad = 0;
     double heading_rad = 0;  ///< as shown: true, magnetic or track, by decisions[heading].source
-    double track_rad = 0;    ///< true; means something where `shows_track`
+    double track_rad = 0;    ///< true; valid only with `shows_track`
     bool shows_track = false;
     /// To be added to a true direction for the reference of `heading_rad`; NaN where the variation is not known, or the heading
     /// not valid.
     double from_true_rad = 0;
     double airspeed_mps = 0;
-    policy::SpeedBands bands;  ///< of that speed; none without an aircraft file
+    policy::SpeedBands bands;  ///< bands of the airspeed tape; none without an aircraft file
     double altitude_m = 0;     ///< above MSL (or pressure altitude), by decisions[altitude].source
     double vertical_speed_mps = 0;
     double baro_setting_pa = 0;
@@ -126,7 +126,8 @@ static_assert(std::is_trivially_copyable_v<SymbologyInput>);
 /// True direction at the top of the map by the decision's source, 0 (north) where there is none.
 [[nodiscard]] double map_up_rad(const flight::AircraftState& state, const policy::DisplayDecisions& decisions) noexcept;
 
-/// `gnss_msl_m`: the ellipsoid height with the geoid's undulation taken off, for use where the decision shows it.
+/// Makes the input. `gnss_msl_m`: the GNSS height above the ellipsoid minus the geoid undulation; used where the altitude's
+/// decision requires it. `width` and `height` in pixels.
 [[nodiscard]] SymbologyInput make_symbology_input(const flight::AircraftState& state, const policy::DisplayDecisions& decisions,
                                                   const flight::PhaseStatus& phase, const design::DesignSettings& design,
                                                   base::Time now, std::uint32_t width, std::uint32_t height,

@@ -1,5 +1,5 @@
-/// Marks on a vertical scale: colored bands, flags with letters, the bug of a selected value, a trend and the minimum of an
-/// approach; and the row above the scale that says the selected value.
+/// Marks on a vertical scale: coloured bands, flags with letters, the bug of a selected value, a trend and the minimum of an
+/// approach; and the row above the scale with the selected value.
 ///
 /// Values are in the scale's display units. A mark follows its element's decision: normal, amber and hollow where it is flagged,
 /// nothing where it is failed or absent (the row then says what failed). Every mark stays within `TapeScale::box`, which the
@@ -21,7 +21,7 @@ inline constexpr float kBugWidth = 0.65f;
 inline constexpr float kTrendInset = 0.78f;
 inline constexpr float kNumberInset = 1.1f;
 inline constexpr float kBugReach = 1.0f;       ///< of a bug, up and down from its value
-inline constexpr float kFlagWidth = 1.5f;      ///< room of the flags' letters, beyond the edge
+inline constexpr float kFlagWidth = 1.5f;      ///< width of the flags' letters, beyond the edge
 inline constexpr float kTapeTextSize = 0.92f;  ///< 11 px where a text is 12 px
 inline constexpr float kTapeRowHeight = 1.4f;
 
@@ -41,7 +41,7 @@ struct TapeScale {
 enum class TapeBandLook : std::uint8_t {
     whole,
     half,  ///< along the edge; the inner half of the width is left to another band
-    pole,  ///< white stripes over the color
+    pole,  ///< white stripes over the colour
 };
 
 /// A range of values along the edge.
@@ -52,7 +52,7 @@ struct TapeBand {
 };
 inline constexpr std::size_t kMaxTapeBands = 8;
 
-/// A value with a name of one or two letters, beyond the edge. Of flags that would cover each other the first is shown.
+/// A named value: one or two letters beyond the edge. Of flags that would overlap, only the first is shown.
 struct TapeFlag {
     double at = 0;
     base::FixedString<2> letters;
@@ -60,13 +60,13 @@ struct TapeFlag {
 };
 inline constexpr std::size_t kMaxTapeFlags = design::kMaxSpeedFlags;
 
-/// A selected value. Off the scale its bug stays at the end, where one half of it is seen.
+/// A selected value. When it is off the scale, the bug stays at the end and half of it is visible.
 struct TapeBug {
     policy::ElementShow show = policy::ElementShow::absent;
     double at = 0;
 };
 
-/// Where the value will be; none where it changes by less than `threshold`.
+/// The predicted value; no trend is shown where it differs from the present one by less than `threshold`.
 struct TapeTrend {
     bool is_shown = false;
     double to = 0, threshold = 0;

@@ -61,6 +61,7 @@ struct BeamNodes {
     }
 };
 
+/// Returns the highest bound of the 2 x 2 nodes of a level from (column, row) on, relative to the height z.
 template <class V, class Height>
 TEDAVIS_LANES_INLINE typename V::Float highest_under(const TracedNodes<Height>& field, typename V::Int column,
                                                      typename V::Int row, typename V::Int level, typename V::Int z,
@@ -97,6 +98,7 @@ struct BeamLanes {
     Int level;
 };
 
+/// Advances beams by at most `most` steps; `b.t` is then the time before which none of their rays has a hit.
 template <class V, class Height>
 TEDAVIS_LANES_INLINE void march_beams(const TracedNodes<Height>& field, BeamLanes<V>& b, int most) {
     using Float = typename V::Float;

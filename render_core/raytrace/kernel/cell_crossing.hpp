@@ -15,7 +15,7 @@ namespace tedavis::raytrace {
 template <class V>
 struct CellHit {
     typename V::Mask is_hit;
-    typename V::Mask is_beyond;  ///< at its entry the ray is on the other side by more than a continuous surface allows
+    typename V::Mask is_beyond;  ///< at the entry the ray is farther beyond the surface than is possible for a continuous one
     typename V::Float t;
 };
 

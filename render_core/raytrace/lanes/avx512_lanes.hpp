@@ -1,4 +1,4 @@
-/// Sixteen rays at a time (scalar_lanes.hpp says what a lane type has). Only for sources that are compiled for AVX-512 F, BW, DQ,
+/// Sixteen rays at a time (scalar_lanes.hpp describes lane types). Only for sources that are compiled for AVX-512 F, BW, DQ,
 /// VL.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Rays in the compiler's vectors of N floats (scalar_lanes.hpp says what a lane type has): SSE and NEON with 4, AVX2 with 8.
+/// Rays in the compiler's vectors of N floats (scalar_lanes.hpp describes lane types): SSE and NEON with 4, AVX2 with 8.
 #pragma once
 
 #include "render_core/raytrace/lanes/scalar_lanes.hpp"

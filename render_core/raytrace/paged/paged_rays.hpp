@@ -13,7 +13,7 @@ struct PagedRays {
     std::uint32_t width = 0, height = 0;
     RaySpan span{};
     base::Span<const Ray> single{};
-    bool goes_on = false;  ///< rays that already have a hit are not traced; the hits of the others are initialised
+    bool goes_on = false;  ///< rays that already have a hit are not traced; false: all hits are cleared first
 
     [[nodiscard]] static PagedRays of(const GridCamera& camera, std::uint32_t width, std::uint32_t height) {
         return {{&camera, 1}, width, height};

@@ -25,7 +25,7 @@ struct RayPacket {
     std::uint32_t ask = 0;         ///< output: rays that wait for a chunk
     Ints chunk_column, chunk_row;  ///< output: their chunks
 
-    std::uint32_t hit = 0, beyond = 0;  ///< out
+    std::uint32_t hit = 0, beyond = 0;  ///< output: rays with a hit, and those beyond the surface at their entry (CellHit)
     Floats hit_t;
     Ints hit_column, hit_row;  ///< cell of the hit in the grid
 };

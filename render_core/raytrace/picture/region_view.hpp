@@ -10,12 +10,15 @@ inline constexpr std::uint32_t kRegionKinds = 4;
 
 struct RegionView {
     RegionKind kind = RegionKind::near;
-    float weight = 1;  ///< the region's importance for the picture's quality, 0..1, from the share of ground, distance and light
+    float weight = 1;  ///< the region's importance for the picture's quality, 0..1 (view_regions())
 };
 
-/// Classifies the regions of a drawn picture, row by row. A region is near where one of its pixels covers less than 1/8 post,
-/// in the middle distance below 1/2, else far; it is sky where there is no hit. `pixel_width_posts` is the width covered by a
-/// pixel at t = 1.
+/// Classifies the regions (64 x 32 pixels, row by row) of a drawn picture by the footprint of the pixel with the nearest hit, in
+/// post spacings (the smaller of the two): near below 1/8, middle below 1/2, else far; sky without a hit. `pixel_width_posts`:
+/// the footprint at t = 1, to which t is proportional. `light`: linear sRGB, one value per pixel.
+///
+/// A region's weight is the product of the share of pixels with hits, a factor of the kind (near 1, middle 0.6, far 0.25, sky 0),
+/// and twice the mean luminance of the pixels with hits, clamped to 0.1..1.
 void view_regions(const HitPicture& hits, base::Span<const glm::vec3> light, std::uint32_t width, std::uint32_t height,
                   double pixel_width_posts, base::Span<RegionView> regions);
 

@@ -10,7 +10,7 @@ namespace tedavis::raytrace {
 
 /// Colour by height: linear between equally spaced colours, constant beyond the first and last.
 struct GroundColors {
-    base::Span<const glm::vec3> palette;  ///< empty: `material.colour` everywhere
+    base::Span<const glm::vec3> palette;  ///< empty: `material.color` everywhere
     float lowest = 0, highest = 1;        ///< height steps; must differ
 };
 

@@ -6,8 +6,8 @@
 
 namespace tedavis::raytrace {
 
-/// Shortest time: the vector kernel on the true surface with Lambert's light only. It needs two bounds per cell (4/3 Height)
-/// and neither secondary rays nor maps.
+/// Shortest time: the vector kernel on the true surface with Lambert's light only. It needs the maximum mipmap (4/3 of
+/// sizeof(Height) per cell) and neither secondary rays nor maps.
 [[nodiscard]] TraceSettings time_preset();
 
 /// Best picture: exact hits of bicubic patches, apertures and cast shadows, supersampling, one mirror. It needs much time (each

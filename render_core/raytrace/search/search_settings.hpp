@@ -1,5 +1,5 @@
-/// Which search finds the hits of rays, and how far it looks: exact, or one of the approximate searches of the thesis's tracer
-/// (6.2.2.2). Plain data.
+/// Selects the search that finds the hits of rays, with its numbers of steps: exact, or one of the approximate searches of the
+/// thesis's tracer (6.2.2.2). Plain data.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace tedavis::raytrace {
 
 enum class SearchKind : std::uint8_t {
-    exact,  ///< maximum mipmap, then the crossing with the surface of each cell that it leaves
+    exact,  ///< maximum mipmap, then the intersection with the surface of each remaining cell
     cells,  ///< the same cells; uniform steps and halvings in each
     ray,    ///< uniform steps and halvings over the whole ray
     cones,  ///< steps that cones over the posts permit, over a bilinear surface
@@ -27,7 +27,7 @@ struct SearchSettings {
     [[nodiscard]] UniformSearch uniform() const { return {steps, halvings}; }
 };
 
-/// With the numbers that a search has unless others are named; none for the exact one.
+/// Returns a search with its default numbers of steps and halvings; the exact one has none.
 [[nodiscard]] constexpr SearchSettings usual_search(SearchKind kind) {
     constexpr std::uint32_t kHalvings = 12;
     switch (kind) {

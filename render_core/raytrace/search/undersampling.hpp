@@ -1,14 +1,14 @@
-/// **Inexact.** A picture from fewer rays: pixels between corners that look alike are interpolated (adaptive undersampling:
-/// Akimoto, Mase and Suenaga 1991).
+/// **Inexact.** Draws a picture with fewer rays: pixels between corners of similar colour are interpolated (adaptive
+/// undersampling: Akimoto, Mase and Suenaga 1991).
 ///
-/// The picture is divided into squares; the corners of each are traced. Where no channel differs between them by more than the
-/// contrast allowed, the rest is bilinear between them; else the square is divided into four, down to single pixels.
+/// The picture is divided into squares, whose corners are traced. Where no channel differs between the corners by more than the
+/// allowed contrast, the other pixels are interpolated bilinearly; else the square is divided into four, down to single pixels.
 ///
-/// What goes wrong: anything smaller than a square whose corners miss it is not drawn, whatever its contrast: peaks of a skyline,
-/// needles, thin shadows. Smaller squares and less contrast make that rarer, never impossible. With squares of one pixel, or a
-/// contrast below zero, every pixel is traced.
+/// What goes wrong: an object that lies between the corners of a square is not drawn, whatever its contrast: peaks of a skyline,
+/// needles, thin shadows. Smaller squares and a lower contrast make that rarer, but not impossible. With squares of one pixel, or
+/// a contrast below zero, every pixel is traced.
 ///
-/// No recursion, no heap: the caller gives the memory. Pure apart from `colour`, which is called once for a pixel at most.
+/// No recursion, no heap: the caller provides the memory. Pure apart from `color`, which is called at most once per pixel.
 #pragma once
 
 #include <algorithm>
@@ -24,19 +24,19 @@ struct Undersampling {
     static constexpr std::uint32_t kLargestSquare = 64;
 
     std::uint32_t square = 8;    ///< pixels from corner to corner, 1..kLargestSquare
-    float contrast = 4 / 255.f;  ///< most difference of a channel that is interpolated over
+    float contrast = 4 / 255.f;  ///< largest difference of a channel, 0..1, over which pixels are interpolated
 };
 
 struct UndersampledPicture {
     base::Span<glm::vec3> pixels;     ///< row by row
-    base::Span<std::uint8_t> traced;  ///< as many; 1 where a ray went
+    base::Span<std::uint8_t> traced;  ///< one per pixel; 1 where the pixel was traced; all 0 before the first call
     std::uint32_t width = 0, height = 0;
 };
 
 namespace undersampling {
 
 struct Square {
-    std::uint32_t left, top, right, bottom;  ///< corners, themselves included
+    std::uint32_t left, top, right, bottom;  ///< pixels of the corners, which are part of the square
 };
 
 template <class Color>
@@ -74,8 +74,8 @@ inline void interpolate(const UndersampledPicture& picture, const Square& square
 
 }  // namespace undersampling
 
-/// Fills a tile, corners included; both ends are within the picture. Tiles of several workers may share no pixel. Returns how
-/// many rays went. `colour(x, y)` traces a pixel.
+/// Draws a tile, corners included, which lies within the picture. Tiles of concurrent workers must not share pixels. Returns the
+/// number of traced pixels. `color(x, y)` traces a pixel and returns its colour.
 template <class Color>
 std::uint64_t undersample(const UndersampledPicture& picture, const undersampling::Square& tile, const Undersampling& settings,
                           const Color& color) {

@@ -18,8 +18,8 @@ struct Material {
 };
 
 struct DirectedLight {
-    glm::dvec3 towards{0, 0, 1};  ///< the light
-    glm::vec3 radiance{1};        ///< on a surface that faces it
+    glm::dvec3 towards{0, 0, 1};  ///< unit vector towards the light
+    glm::vec3 radiance{1};        ///< linear; what a white surface that faces the light reflects
 };
 
 /// Cosine between normal and light, 0 where the light is behind the surface.

@@ -5,13 +5,13 @@
 /// (whichever are more), with heights interpolated linearly between posts. It is never below the horizontal, nor below the
 /// tangent plane of the surface. Voids and the outside of the grid hide nothing.
 ///
-/// - Sky view: the share of the light of an even sky that falls on the surface (Dozier and Frew 1990). A plane has exactly 1
-/// where it is level and (1 + cos slope) / 2 where it is tilted, as what is below the horizontal is no sky.
-/// - Aperture: a cone of as much sky as is seen, round the mean direction of it. Where sky is seen in two places, between ridges,
-///   it lies between them: this error is of the method, not of precision.
+/// - Sky view: the share of the light of a uniform sky that falls on the surface (Dozier and Frew 1990). It is exactly 1 for a
+///   level plane, and (1 + cos slope) / 2 for a tilted one, because there is no sky below the horizontal.
+/// - Aperture: a cone with the solid angle of the visible sky, about its mean direction. Where sky is visible in two separate
+///   parts, between ridges, the cone lies between them: this error is due to the method, not to precision.
 ///
-/// What is inexact: few azimuths (error about n^-1.6) and above all a short radius, which makes it too light. Results are stored
-/// in 8 and 16 bits. Of the C library only sqrt is used, so maps are equal on every machine.
+/// What is inexact: few azimuths (error about n^-1.6) and above all a short radius, with which results are too light. Results are
+/// stored in 8 and 16 bits. Of the C library only sqrt is used, so maps are equal on every machine.
 ///
 /// Memory  from an arena: 1 byte per post, 7 with apertures. Thread  build() uses the workers; reading any. Cost of build():
 /// azimuths times radius posts per post.

@@ -1,6 +1,6 @@
 /// A task that stands for a range of work and expands by itself ("inserting a single task of ray traversal that expands
-/// automatically", thesis 6.2.2.3): `first end range` becomes calls of its next, `n n+grain next`, up to `pieces` of them, and
-/// behind them a call of itself for the rest. Earlier parts of the stream have precedence for room, so the rest waits until
+/// automatically", thesis 6.2.2.3): `first end range` becomes up to `pieces` calls of its next task, `n n+grain next`, and
+/// then a call of itself for the rest. Earlier parts of the stream have precedence for room, so the rest waits until
 /// they are done.
 #pragma once
 

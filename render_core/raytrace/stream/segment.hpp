@@ -32,12 +32,12 @@ public:
     void write(BlockCursor& from, BlockWriter& to);
 
 private:
-    static constexpr std::uint32_t kMaxItems = 512;  ///< added
-    static constexpr std::uint32_t kMaxParts = 4;    ///< calls that an item may lead to
+    static constexpr std::uint32_t kMaxItems = 512;  ///< items that add() accepts
+    static constexpr std::uint32_t kMaxParts = 4;    ///< calls in the output of an item that is rewritten again
     static constexpr std::uint32_t kMaxArguments = 2 * kMaxPatternWords;
     static constexpr std::uint32_t kMaxOutputs = kMaxOutputWords;
     static constexpr std::uint32_t kOutputsTogether =
-        8192;  ///< of items that run together, and what they leave: what the nearest cache holds
+        8192;  ///< words that items executed together may write, in the stream and elsewhere, so that they stay in the cache
     static constexpr std::uint32_t kMaxSteps = 4;
 
     struct Item {

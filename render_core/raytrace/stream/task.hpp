@@ -8,7 +8,7 @@
 #include "render_core/base/fixed_string.hpp"
 #include "render_core/raytrace/stream/token.hpp"
 
-/// struct TEDAVIS_RECORD Name {...}: may be read where words were written.
+/// Attribute of record types, struct TEDAVIS_RECORD Name {...}: lets memory that was written as words be read as records.
 #define TEDAVIS_RECORD __attribute__((may_alias))
 
 namespace tedavis::raytrace {

@@ -18,7 +18,7 @@ public:
     /// `lane` is below `lanes` of run() and differs between threads that work at the same time.
     using Work = void (*)(void* context, std::uint32_t index, std::uint32_t lane);
 
-    /// Calls lead(context, crew) once, on any thread, and returns when it is over. 1 to 64 lanes.
+    /// Calls lead(context, team) once, on any thread, and returns when it has ended. `lanes` is 1 to 64.
     static void run(base::Workers& workers, std::uint32_t lanes, Lead lead, void* context);
 
     /// To be called by the leader: calls work(context, i, lane) once for each i below `count`, and returns when all are done.

@@ -52,7 +52,7 @@ TEST_F(Verify, WhatHoldsEndsWithZero) {
 }
 
 TEST_F(Verify, WhatDoesNotHoldEndsWithOneAndItsPicture) {
-    const CommandRun fails = verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"switch\"\n", true);
+    const CommandRun fails = verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"motion\"\n", true);
     EXPECT_EQ(fails.code, 1);
     const auto failed = fails.json()["tests"][0]["expectations"][1];
     EXPECT_EQ(failed["found"], "can");
@@ -73,6 +73,19 @@ TEST_F(Verify, ADeadBusAtTheStartIsNotValidYet) {
     EXPECT_EQ(verify_text(steps + "[[expect]]\nat_s = 1\nsignals = { pitch = \"valid\" }\n").code, 1);
 }
 
+/// Without a heading the track stands for it; frames that are not drawn say so, too.
+TEST_F(Verify, ElementsAreThoseOfTheFrame) {
+    const std::string script =
+        "[[step]]\nat_s = 2\nstop = [\"heading\"]\n[[expect]]\nat_s = 1\nelements = { heading = \"normal\" }\n[[expect]]\nat_s = "
+        "6\nelements = { heading = \"";
+    EXPECT_EQ(verify_text(script + "substituted\" }\n").code, 0);
+    const CommandRun run = verify_text(script + "normal\" }\n");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.results,
+                HasSubstr("at 6.000 s elements: expected heading normal, found heading substituted (true_heading.lost"));
+    EXPECT_THAT(run.results, HasSubstr("out/a.png shows 6.000 s ("));
+}
+
 TEST_F(Verify, FaultsAreAllToldAndNothingIsFlown) {
     const CommandRun run = verify_text("titel = \"x\"\n[[expect]]\nat_s = 1\nphase = \"crus\"\n");
     EXPECT_EQ(run.code, 2);
@@ -84,7 +97,7 @@ TEST_F(Verify, FaultsAreAllToldAndNothingIsFlown) {
 
 /// Whoever reads results alone finds the fault, and nothing of an earlier run.
 TEST_F(Verify, AFaultIsInTheResultsAndNoEarlierOneIsLeft) {
-    ASSERT_EQ(verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"switch\"\n").code, 1);
+    ASSERT_EQ(verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"motion\"\n").code, 1);
     ASSERT_TRUE(has("out/a.png"));
     VerifyOptions options;
     options.scripts = {place_.write("a.toml", "titel = \"x\"\n" + kCruise), place_.write("b.toml", kCruise)};
@@ -113,14 +126,22 @@ TEST_F(Verify, AMissingScriptLeavesNoEarlierResult) {
     options.junit = place_.file("r.xml");
     EXPECT_THROW(static_cast<void>(verify(options)), UserError);
     EXPECT_FALSE(has("r.xml"));
+    options.scripts = {"loss_of_heading"};
+    test_support::expect_user_error([&] { static_cast<void>(verify(options)); },
+                                    "loss_of_heading: there is no such file and no shipped script of this name; say "
+                                    "loss_of_true_heading, ");
+    options.scripts = {place_.file("loss_of_rol.toml")};
+    test_support::expect_user_error([&] { static_cast<void>(verify(options)); }, "; say loss_of_roll, ");
 }
 
 /// At 30 frames a second none lies there: that is known before the flight.
 TEST_F(Verify, ATimeWithoutAFrameIsAFault) {
     const CommandRun run = verify_text(kCruise + "[[expect]]\nafter_s = 1\nwithin_s = 0.01\nphase = \"cruise\"\n");
     EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.notes, HasSubstr("a.toml:8: no frame lies within 0.01 s after 1 s: the device shows 30 a second; say "
-                                     "within_s = 0.034 or more"));
+    EXPECT_THAT(run.results, HasSubstr("a.toml:8: no frame lies within 0.01 s after 1 s: the device shows 30 a second; say "
+                                       "within_s = 0.034 or more\n"));
+    EXPECT_THAT(run.results, HasSubstr("0 of 1 script is judged, 1 script is wrong\n"));
+    EXPECT_EQ(run.notes.find("no frame lies"), std::string::npos) << "it is told once";
 }
 
 TEST_F(Verify, ParametersComeFromTheCommandLine) {
@@ -147,8 +168,8 @@ TEST_F(Verify, InputsThatCannotBePlayedAreAllTold) {
                        place_.write("c.toml", "[input]\nlog = \"empty.log\"\n" + expect)};
     const CommandRun run = verify(options);
     EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.notes, HasSubstr("a.toml:2: "));
-    EXPECT_THAT(run.notes, HasSubstr("c.toml:1: "));
+    EXPECT_THAT(run.results, HasSubstr("a.toml:2: "));
+    EXPECT_THAT(run.results, HasSubstr("c.toml:1: "));
     EXPECT_THAT(run.results, HasSubstr("1 of 1 expectations hold, 1 of 3 scripts are judged"));
     const std::string xml = place_.read("r.xml");
     EXPECT_THAT(xml, HasSubstr("<error message="));
@@ -166,7 +187,7 @@ TEST_F(Verify, AParameterIsOneOfAnyScript) {
 }
 
 TEST_F(Verify, AnEarlierPictureIsNotLeft) {
-    EXPECT_EQ(verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"switch\"\n").code, 1);
+    EXPECT_EQ(verify_text(kCruise + "[[expect]]\nat_s = 2.5\nphase_source = \"motion\"\n").code, 1);
     EXPECT_TRUE(has("out/a.png"));
     EXPECT_EQ(verify_text(kCruise).code, 0);
     EXPECT_FALSE(has("out/a.png"));
@@ -188,13 +209,22 @@ TEST_F(Verify, AFolderStandsForItsScripts) {
     EXPECT_THROW(static_cast<void>(verify(options)), UserError);
 }
 
-/// Ctrl-C: whoever asks for a result gets none.
+/// Ctrl-C, here while the first log of steps is indexed, a file that the user does not know: the results say what was not flown,
+/// and one sentence says why.
 TEST_F(Verify, AnInterruptedRunHasNotPassed) {
+    const std::string sentence = "interrupted; a flight test that was not flown to its end has not passed";
+    VerifyOptions options;
+    options.scripts = {place_.write("a.toml", kCruise), place_.write("b.toml", kCruise)};
+    options.junit = place_.file("r.xml");
     const InterruptGuard interrupt;
     std::raise(SIGINT);
-    EXPECT_THROW(static_cast<void>(verify_text(kCruise)), Interrupted);
-    EXPECT_FALSE(has("r.xml"));
-    EXPECT_FALSE(has("out"));
+    const CommandRun run = verify(options, true);
+    EXPECT_EQ(run.code, kInterruptedExitCode);
+    EXPECT_EQ(run.notes, "tedavis: " + sentence + "\n");
+    EXPECT_EQ(run.json()["holds"], false);
+    for (const auto& test : run.json()["tests"]) EXPECT_EQ(test["fault"], sentence);
+    EXPECT_EQ(run.json()["tests"].size(), 2u);
+    EXPECT_THAT(place_.read("r.xml"), HasSubstr("<error message=\"" + sentence));
 }
 
 /// The ctest of the shipped suite.

@@ -45,6 +45,10 @@ TEST_F(DeviceNeedsTest, DesignsStateTheirMaps) {
     const DeviceNeeds full = device_needs(options);
     EXPECT_TRUE(full.has_drape && full.maps.has(BakedMap::horizon));
     EXPECT_FALSE(full.terrain || full.scene_file_bytes);
+    for (const char* const renderer : {"trace", "auto"}) {
+        options.design = folder.write("rays.toml", std::string("name = 'rays'\n[terrain]\nrenderer = '") + renderer + "'\n");
+        EXPECT_TRUE(device_needs(options).is_traced) << renderer;
+    }
     for (const char* const name : {"effects/clutter_budget", "default"}) {
         options.design = name;
         EXPECT_EQ(device_needs(options).measures_clutter, options.design != "default") << name;

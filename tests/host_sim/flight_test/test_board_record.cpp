@@ -62,10 +62,11 @@ TEST(BoardRecord, FaultsAreNamed) {
     expect_fault(json.dump(), "a value of another kind");
 }
 
-TEST(BoardRecord, TextsAndObstaclesAreNotInIt) {
+TEST(BoardRecord, TextsElementsAndObstaclesAreNotInIt) {
     EXPECT_FALSE(is_in_board_record({"text", "", {}}));
     EXPECT_FALSE(is_in_board_record({"contract", "", {}}));
     EXPECT_FALSE(is_in_board_record({"obstacle_alert", "", {}}));
+    EXPECT_FALSE(is_in_board_record({"elements", "", {}}));
     for (const char* key : {"phase", "phase_source", "design", "flags", "no_flags", "signals", "values", "effects", "alert",
                             "latency_frames_at_most"})
         EXPECT_TRUE(is_in_board_record({key, "", {}})) << key;

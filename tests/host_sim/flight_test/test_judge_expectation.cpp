@@ -49,6 +49,19 @@ TEST(JudgeExpectation, DuringFailsAtTheFirstFrame) {
     EXPECT_DOUBLE_EQ(judged(during, 2, 4).failed_s, 4) << "both ends belong to it";
 }
 
+/// A time that is read in a report and written into a script asks for the same frame.
+TEST(JudgeExpectation, APrintedTimeNamesItsFrame) {
+    EXPECT_EQ(frame_time_text(122 / 30.0), "4.066 s") << "4.067 would be the next one";
+    EXPECT_EQ(frame_time_text(4.1), "4.100 s") << "not 4.099, as numbers are rounded";
+    for (const double rate_hz : {10.0, 30.0, 60.0, 144.0})
+        for (int n = 0; n < 2000; ++n) {
+            const double printed_s = std::stod(frame_time_text(n / rate_hz));
+            ExpectationJudge judge(of_latency(WindowKind::at, printed_s, printed_s), {rate_hz});
+            EXPECT_TRUE(judge.wants(n / rate_hz)) << n << " of " << rate_hz;
+            EXPECT_FALSE(judge.wants((n - 1) / rate_hz)) << n << " of " << rate_hz;
+        }
+}
+
 TEST(JudgeExpectation, WithinSaysWhenItWasReached) {
     const Expectation within = of_latency(WindowKind::within, 2, 4);
     EXPECT_DOUBLE_EQ(*judged(within, 3, 3.1).reached_s, 3);
@@ -64,7 +77,8 @@ TEST(JudgeExpectation, WhatAlreadyHoldsIsNotReached) {
     EXPECT_FALSE(before.holds);
     EXPECT_FALSE(before.reached_s);
     EXPECT_DOUBLE_EQ(before.failed_s, 2);
-    EXPECT_EQ(before.found, "already held at after_s");
+    EXPECT_EQ(before.expected, "what begins after 2 s, and by 4 s");
+    EXPECT_EQ(before.found, "it holds already at 2.000 s");
     EXPECT_TRUE(judged(of_latency(WindowKind::within, 2, 4), 2.1, 10).holds) << "not in its first frame";
 }
 
@@ -74,7 +88,7 @@ TEST(JudgeExpectation, TheStateBeforeIsThatOfTheLastFrameUpToThen) {
     const ExpectationResult before = judged(of_latency(WindowKind::within, 2.05, 4), 2, 10);
     EXPECT_FALSE(before.holds);
     EXPECT_DOUBLE_EQ(before.failed_s, 2);
-    EXPECT_EQ(before.found, "already held at after_s");
+    EXPECT_EQ(before.found, "it holds already at 2.000 s");
 }
 
 /// Of a running display: the condition holds in some of its frames.
@@ -97,7 +111,7 @@ TEST(JudgeExpectation, FramesThatComeWhenTheyComeCloseWhatIsOver) {
     EXPECT_DOUBLE_EQ(judged_live(during, {{2.4, true}, {2.8, false}, {4.2, true}}).failed_s, 2.8);
     Expectation within = of_latency(WindowKind::within, 2, 4);
     EXPECT_DOUBLE_EQ(*judged_live(within, {{1.7, false}, {2.4, true}}).reached_s, 2.4) << "not yet at 1.7";
-    EXPECT_EQ(judged_live(within, {{1.7, true}, {2.4, true}}).found, "already held at after_s");
+    EXPECT_EQ(judged_live(within, {{1.7, true}, {2.4, true}}).found, "it holds already at 1.700 s");
     EXPECT_DOUBLE_EQ(judged_live(within, {{1.7, false}, {2.4, false}, {3.9, false}, {4.1, true}}).failed_s, 3.9);
     within.stays = true;
     EXPECT_TRUE(judged_live(within, {{1.7, false}, {3.3, true}, {3.7, true}, {4.1, false}}).holds);

@@ -10,14 +10,22 @@ namespace {
 
 using base::SignalState;
 using flight::Signal;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 std::vector<FrameCondition> read(const std::string& text, std::vector<std::string>& faults) {
     return test_support::read_sample(text, faults, [](ScriptTable& table, ScriptFaults& found) {
         return read_conditions(table, {{"default", "cruise"}, {}}, found);
     });
+}
+
+std::vector<std::string> faults_of(const std::string& text) {
+    std::vector<std::string> faults;
+    static_cast<void>(read(text, faults));
+    return faults;
 }
 
 /// Of the only condition of a text.
@@ -39,6 +47,7 @@ ObservedFrame sample_frame() {
     effect.name = "haze";
     effect.state = display::EffectState::skipped;
     static_cast<void>(frame.record.effects.try_push_back(effect));
+    frame.record.elements[static_cast<std::size_t>(policy::Element::heading)] = policy::ElementShow::substituted;
     frame.record.alerts.terrain = policy::TerrainAhead::caution;
     frame.latency_frames = 1.5;
     frame.record.alerts.is_watching = true;
@@ -61,6 +70,7 @@ TEST(ReadConditions, EachReadsItsEntryOfTheRecord) {
         {"no_flags = [\"roll.lost\"]", "no_flags = [\"pitch.lost\"]"},
         {"signals = { pitch = \"lost\" }", "signals = { pitch = \"valid\" }"},
         {"effects = { haze = \"skipped\" }", "effects = { haze = \"run\" }"},
+        {"elements = { heading = \"substituted\" }", "elements = { heading = \"normal\" }"},
         {"alert = \"caution\"", "alert = \"warning\""},
         {"obstacle_alert = \"none\"", "obstacle_alert = \"caution\""},
         {"latency_frames_at_most = 2", "latency_frames_at_most = 1"},
@@ -101,6 +111,29 @@ TEST(ReadConditions, APhaseCanHaveNoSubPhase) {
     EXPECT_EQ(exact_phase_text(frame.record.phase.phase), "approach.none");
     EXPECT_EQ(exact_phase_text(flight::phase_from_name("approach.final").phase), "approach.final");
     EXPECT_EQ(exact_phase_text(flight::phase_from_name("cruise").phase), "cruise");
+}
+
+TEST(ReadConditions, AnElementAndHowItIsShownHaveTheirNames) {
+    EXPECT_THAT(faults_of("elements = { headin = \"failed\" }"), ElementsAre(HasSubstr("there is no 'headin'; say heading")));
+    EXPECT_THAT(faults_of("elements = { heading = \"lost\" }"), ElementsAre(HasSubstr("substituted, flagged, failed or absent")));
+    EXPECT_THAT(faults_of("elements = { heading = \"failed\", altitude = \"absent\", wind = \"flagged\" }"), IsEmpty());
+}
+
+TEST(ReadConditions, ARangeExists) {
+    EXPECT_THAT(faults_of("values = { true_heading_deg = [361, 365] }"), ElementsAre(HasSubstr("must be -180 to 360")));
+    EXPECT_THAT(faults_of("values = { true_heading_deg = [350, 10] }"),
+                ElementsAre(AllOf(HasSubstr("the lowest and the highest value"), HasSubstr("does not pass north"))));
+    EXPECT_THAT(faults_of("values = { pitch_deg = [5, 4] }"), ElementsAre(Not(HasSubstr("north"))));
+    EXPECT_THAT(faults_of("values = { true_heading_deg = [350, 370] }"), IsEmpty());
+}
+
+/// What is expected is not what is found.
+TEST(ReadConditions, AFlagThatMustNotBeThereSaysSo) {
+    std::vector<std::string> faults;
+    const auto conditions = read("no_flags = [\"pitch.lost\"]", faults);
+    ASSERT_EQ(conditions.size(), 1u);
+    EXPECT_EQ(conditions[0].expected, "no pitch.lost");
+    EXPECT_THAT(conditions[0].observe(sample_frame()).found, HasSubstr("pitch.lost"));
 }
 
 TEST(ReadConditions, AValueThatIsLostIsNone) {

@@ -39,6 +39,7 @@ TEST(ReadExpectation, ReadsTheThreeTimes) {
     EXPECT_EQ(at.name, "3 s: phase cruise");
     EXPECT_EQ(during.name, "3 s to 5 s: phase cruise");
     EXPECT_EQ(within.name, "within 2 s after 3 s: phase cruise");
+    EXPECT_EQ(read("at_s = 1\nno_flags = [\"pitch.lost\"]\n").name, "1 s: no_flags pitch.lost");
     EXPECT_EQ(read("at_s = 1\nname = \"mine\"\nphase = \"cruise\"\n").name, "mine");
 }
 
@@ -54,7 +55,7 @@ TEST(ReadExpectation, RefusesOtherTimes) {
 
 TEST(ReadExpectation, AFlagCannotBeThereAndNot) {
     EXPECT_THAT(faults_of("at_s = 1\nflags = [\"pitch.lost\"]\nno_flags = [\"pitch.lost\"]\n"),
-                ElementsAre(HasSubstr("must be there and must not")));
+                ElementsAre(HasSubstr("no_flags pitch.lost contradicts flags pitch.lost")));
 }
 
 TEST(ReadExpectation, OneExpectationCannotContradictItself) {
@@ -62,6 +63,42 @@ TEST(ReadExpectation, OneExpectationCannotContradictItself) {
                 ElementsAre(HasSubstr("signals pitch valid contradicts flags pitch.lost")));
     EXPECT_THAT(faults_of("at_s = 1\ntext = [{ says = \"A\" }, { says = \"A\", there = false }]\n"),
                 ElementsAre(HasSubstr("text no \"A\" contradicts text \"A\"")));
+}
+
+/// Of a pair of one expectation, and of the same pair in two.
+void expect_excluded(const std::string& a, const std::string& b) {
+    EXPECT_EQ(faults_of("at_s = 1\n" + a + b).size(), 1u) << a << b;
+    EXPECT_EQ(faults_of("at_s = 1\n" + b + a).size(), 1u) << b << a;
+}
+
+TEST(ReadExpectation, ASignalThatIsNotThereHasNoValue) {
+    const std::string value = "values = { true_heading_deg = [239, 241] }\n";
+    for (const char* const state : {"lost", "missing", "invalid"}) {
+        expect_excluded(value, "signals = { true_heading = \"" + std::string(state) + "\" }\n");
+        expect_excluded(value, "flags = [\"true_heading." + std::string(state) + "\"]\n");
+    }
+    for (const char* const state : {"valid", "stale"})
+        EXPECT_THAT(faults_of("at_s = 1\n" + value + "signals = { true_heading = \"" + state + "\" }\n"), IsEmpty()) << state;
+    EXPECT_THAT(faults_of("at_s = 1\n" + value + "signals = { pitch = \"lost\" }\n"), IsEmpty()) << "another signal";
+}
+
+TEST(ReadExpectation, RangesOfOneSignalHaveACommonValue) {
+    EXPECT_THAT(faults_of("at_s = 1\nvalues = { pitch_deg = [9, 11], pitch_rad = [0.3, 0.4] }\n"),
+                ElementsAre(HasSubstr("values pitch_rad 0.3 to 0.4 contradicts values pitch_deg 9 to 11")));
+    EXPECT_THAT(faults_of("at_s = 1\nvalues = { pitch_deg = [9, 18], pitch_rad = [0.3, 0.4] }\n"), IsEmpty()) << "17.2 to 18";
+    EXPECT_THAT(faults_of("at_s = 1\nvalues = { roll_deg = [90, 91], roll_rad = [1, 1.5707963267948966] }\n"), IsEmpty())
+        << "a bound that they share";
+    EXPECT_THAT(faults_of("at_s = 1\nvalues = { roll_deg = [1, 2], pitch_deg = [3, 4] }\n"), IsEmpty()) << "two signals";
+}
+
+TEST(ReadExpectation, APhaseHasASourceThatCanStateIt) {
+    expect_excluded("phase = \"cruise\"\n", "phase_source = \"none\"\n");
+    expect_excluded("phase = \"unknown\"\n", "phase_source = \"switch\"\n");
+    expect_excluded("phase = \"unknown\"\n", "phase_source = \"can\"\n");
+    for (const char* const source : {"none", "motion", "held"})
+        EXPECT_THAT(faults_of("at_s = 1\nphase = \"unknown\"\nphase_source = \"" + std::string(source) + "\"\n"), IsEmpty());
+    for (const char* const source : {"switch", "can", "motion", "held"})
+        EXPECT_THAT(faults_of("at_s = 1\nphase = \"cruise\"\nphase_source = \"" + std::string(source) + "\"\n"), IsEmpty());
 }
 
 TEST(ReadExpectation, OnlyWhatIsReachedCanStay) {
@@ -89,15 +126,23 @@ TEST(ReadExpectation, FindsContradictions) {
     const std::pair<const char*, const char*> kOpposites[] = {
         {"signals = { pitch = \"valid\" }\n", "signals = { pitch = \"lost\" }\n"},
         {"effects = { haze = \"run\" }\n", "effects = { haze = \"skipped\" }\n"},
+        {"elements = { heading = \"normal\" }\n", "elements = { heading = \"failed\" }\n"},
         {"text = { says = \"A\" }\n", "text = { says = \"A\", there = false }\n"},
         {"signals = { pitch = \"valid\" }\n", "flags = [\"pitch.lost\"]\n"},
         {"flags = [\"pitch.stale\"]\n", "flags = [\"pitch.lost\"]\n"},
+        {"values = { pitch_deg = [1, 2] }\n", "values = { pitch_deg = [3, 4] }\n"},
+        {"values = { pitch_deg = [1, 2] }\n", "signals = { pitch = \"lost\" }\n"},
+        {"phase = \"cruise\"\n", "phase_source = \"none\"\n"},
     };
     for (const auto& [a, b] : kOpposites) {
         const std::string at = "at_s = 1\n";
         EXPECT_EQ(contradictions(at + a, at + b), 1u) << a << b;
         EXPECT_EQ(contradictions(at + a, at + a), 0u) << a;
     }
+    EXPECT_EQ(contradictions("at_s = 1\nsignals = { vertical_speed = \"valid\" }\n",
+                             "at_s = 1\nelements = { vertical_speed = \"normal\" }\n"),
+              0u)
+        << "the signal, and what is shown of it";
     EXPECT_EQ(contradictions("at_s = 1\nsignals = { pitch = \"valid\" }\n", "at_s = 1\nflags = [\"roll.lost\"]\n"), 0u);
 }
 

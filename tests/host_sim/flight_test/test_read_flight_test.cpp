@@ -100,6 +100,8 @@ TEST_F(ReadTest, AFaultIsToldOnce) {
     EXPECT_THAT(faults_of("title = \n" + kExpect), ElementsAre(HasSubstr("a.toml:1: ")));
     EXPECT_THAT(faults_of("[[step]]\nat_s = \"$t\"\nhold = { pitch_deg = \"$p\" }\nphase = \"cruise\"\n" + kExpect),
                 ElementsAre(HasSubstr("a.toml:2: '$t' is no parameter"), HasSubstr("a.toml:3: '$p' is no parameter")));
+    EXPECT_THAT(faults_of("switches = \"one_hott\"\n[[step]]\nat_s = 1\nswitch = \"CRUISE\"\n" + kExpect),
+                ElementsAre(HasSubstr("a.toml:1: 'switches'")));
     EXPECT_THAT(faults_of("bus = \"none\"\nswitches = \"none\"\n" + kExpect),
                 ElementsAre(HasSubstr("a.toml:1: 'bus'"), HasSubstr("a.toml:2: 'switches'")));
 }
@@ -133,6 +135,19 @@ TEST_F(ReadTest, InputsExcludeEachOther) {
 TEST_F(ReadTest, ContradictionsAreFaults) {
     EXPECT_THAT(faults_of(kExpect + "[[expect]]\nfrom_s = 1\nto_s = 4\nphase = \"ground\"\n"),
                 ElementsAre(HasSubstr("phase ground contradicts phase cruise")));
+}
+
+TEST_F(ReadTest, WithoutASwitchThatIsThrownNoneStatesThePhase) {
+    const std::string expect = "[[expect]]\nat_s = 3\nphase_source = \"switch\"\n";
+    EXPECT_THAT(faults_of(expect), ElementsAre(HasSubstr("a.toml:1: 'phase_source': no switch is thrown; add a [[step]]")));
+    for (const char* const thrown :
+         {"switch = \"CRUISE\"", "lines = { CRUISE = 1 }", "bounce = { line = \"CRUISE\", times = 5, gap_ms = 3 }"})
+        EXPECT_THAT(faults_of("[[step]]\nat_s = 1\n" + std::string(thrown) + "\n" + expect), IsEmpty()) << thrown;
+    place_.write("f.log", "");
+    place_.write("f.switches", "");
+    EXPECT_THAT(faults_of("[input]\nlog = \"./f.log\"\n" + expect), ElementsAre(HasSubstr("say switch_log")));
+    EXPECT_THAT(faults_of("[input]\nlog = \"./f.log\"\nswitch_log = \"./f.switches\"\n" + expect), IsEmpty());
+    EXPECT_THAT(faults_of("[input]\nscenario = \"default\"\n" + expect), IsEmpty()) << "it has a panel";
 }
 
 TEST_F(ReadTest, AFaultyFileThatItNamesIsToldAtTheKey) {

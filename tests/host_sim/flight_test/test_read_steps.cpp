@@ -125,6 +125,17 @@ TEST(ReadSteps, SignalsThatTheBusStatesItselfAreRefused) {
     EXPECT_THAT(faults, ElementsAre(HasSubstr("[[message]] of its own for 'radio_height_m'")));
 }
 
+/// That it could not be read has been told.
+TEST(ReadSteps, NamesOfAPanelThatCouldNotBeReadAreNotLookedAt) {
+    std::vector<std::string> faults;
+    static_cast<void>(test_support::read_sample(
+        "at_s = 1\nswitch = \"CRUISE\"\nlines = { GROUND = 0 }\nbounce = { line = \"CRUISE\", times = 5, gap_ms = 3 }\n", faults,
+        [](ScriptTable& table, ScriptFaults& found) {
+            return read_step(table, bus::BusSettings(), bus::SwitchConfig(), found);
+        }));
+    EXPECT_THAT(faults, IsEmpty());
+}
+
 TestStart start_of(const std::string& text, std::vector<std::string>& faults) {
     return test_support::read_sample(text, faults, [](ScriptTable& table, ScriptFaults&) { return read_start(table); });
 }

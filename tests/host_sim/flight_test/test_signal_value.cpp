@@ -41,8 +41,22 @@ TEST(SignalValue, AnUnknownSignalNamesTheNearest) {
 }
 
 TEST(SignalValue, AMissingOrWrongUnitNamesTheRightOnes) {
-    EXPECT_THAT(refusal_of("pitch"), HasSubstr("say pitch_deg or pitch_rad"));
-    EXPECT_THAT(refusal_of("pitch_kt"), HasSubstr("say pitch_deg or pitch_rad"));
+    EXPECT_EQ(refusal_of("pitch"), "'pitch' does not say the unit; say pitch_deg or pitch_rad");
+    EXPECT_EQ(refusal_of("pitch_kt"), "kt is no unit of 'pitch'; say pitch_deg or pitch_rad");
+    EXPECT_EQ(refusal_of("flaps_position_deg"), "deg is no unit of 'flaps_position'; say flaps_position");
+}
+
+std::string fault_of(const std::string& key, double low, double high) {
+    std::string sentence;
+    return fault_of_range(key, *read_signal_key(key, sentence), low, high);
+}
+
+TEST(SignalValue, ARangeReachesIntoWhatTheBusCarries) {
+    EXPECT_THAT(fault_of("true_heading_deg", 361, 365), HasSubstr("'true_heading_deg' must be -180 to 360"));
+    EXPECT_THAT(fault_of("pitch_deg", -100, -91), HasSubstr("must be -90 to 90"));
+    EXPECT_THAT(fault_of("outside_temperature_c", -400, -300), HasSubstr("'outside_temperature_c' must be "));
+    EXPECT_EQ(fault_of("true_heading_deg", 355, 365), "");
+    EXPECT_EQ(fault_of("pitch_deg", -900, 900), "") << "all values";
 }
 
 TEST(SignalValue, EverySignalOfTheBusHasAKey) {

@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr int kWidth = 640, kHeight = 480;
 
@@ -20,7 +21,7 @@ class TextCondition : public ::testing::Test {
 protected:
     TextCondition() { write("TERRAIN AHEAD", layout_.annunciations.center()); }
 
-    void write(const char* text, draw::Point at) {
+    void write(const std::string& text, draw::Point at) {
         draw::TextStyle style;
         style.color = {255, 255, 255, 255};
         EXPECT_TRUE(store_.batch.text(text, at, draw::TextAnchor::center, style));
@@ -89,9 +90,13 @@ TEST_F(TextCondition, WhatIsMissingIsNamedByItsNearestText) {
     for (const char* const text : {"IAS", "ALT", "HDG", "CRUISE"})
         write(text, {100, 60 + 40 * static_cast<float>(std::string_view(text).front() - 'A')});
     found = observe("text = { says = \"TERAIN AHED\" }");
-    EXPECT_EQ(found.found, "5 texts, the most similar one \"TERRAIN AHEAD\"");
+    EXPECT_EQ(found.found, "\"TERRAIN AHEAD\", \"IAS\", \"ALT\", \"HDG\", \"CRUISE\"") << "all, as they are few";
     EXPECT_EQ(found.reason, "no text there has these words");
-    EXPECT_EQ(observe("text = { says = \"cruise\" }").found, "5 texts, the most similar one \"CRUISE\"");
+    for (int n = 0; n < 8; ++n) write("MSG" + std::string(1, static_cast<char>('A' + n)), {500, 60 + 40 * static_cast<float>(n)});
+    const std::string many = "13 texts, the most similar ones ";
+    EXPECT_THAT(observe("text = { says = \"TERAIN AHED\" }").found, StartsWith(many + "\"TERRAIN AHEAD\", "));
+    EXPECT_THAT(observe("text = { says = \"cruise\" }").found, StartsWith(many + "\"CRUISE\", "));
+    EXPECT_EQ(observe("text = { says = \"MSGX\" }").found, many + "\"MSGA\", \"MSGB\", \"MSGC\"");
 }
 
 /// A word in the wrong case is never written: that it is not there would prove nothing.

@@ -174,6 +174,53 @@ TEST(FramePreroll, WhatTheGovernorDecidesIsTheSameHoweverAFrameIsReached) {
     EXPECT_EQ(differences(between, governed(options(0.011, 3.611, -0.15), true)), 0u);
 }
 
+ReplayOptions with_a_choice(double from_s, double to_s, double step_s) {
+    static const std::string kDesign = files().folder.write("either.toml",
+                                                            "name = \"either\"\n[terrain]\nrenderer = \"auto\"\n"
+                                                            "[terrain.texture]\ntechnique = \"plain\"\n");
+    ReplayOptions o = options(from_s, to_s, step_s);
+    o.picture.design = kDesign;
+    return o;
+}
+
+/// Rays cost what `rays_ms` says, and triangles a millisecond a thousand.
+std::map<std::int64_t, Frame> chosen(const ReplayOptions& asked, double rays_ms, bool has_preroll,
+                                     std::size_t* traced = nullptr) {
+    DisplaySession session(asked.picture, false);
+    effects::CostTable costs = costs_of_triangles();
+    costs[effects::Overhead::rays].ms_per_megapixel = rays_ms / (1e-6 * kSmall.width * kSmall.height);
+    session.display().memory().budget.hold(0, costs);
+    FlightPlayer player({asked.log, asked.picture.bus, asked.switches, asked.switch_config}, session.display());
+    const FrameInstants times(asked, player.first(), player.last(), session.device().frame_rate_hz);
+    FramePreroll preroll(player, session, session.device().frame_rate_hz);
+    std::map<std::int64_t, Frame> frames;
+    for (std::uint64_t n = 0; n < times.count(); ++n) {
+        EXPECT_TRUE(!has_preroll || preroll.preroll(times.at(n)));
+        const flight::FrameInput instant = player.at(times.at(n));
+        session.display().plan({instant.state, instant.phase, times.at(n)});
+        session.draw();
+        const display::TerrainRecord& terrain = session.display().record().terrain;
+        const bool by_rays = terrain.renderer.view() == "trace";
+        frames[times.at(n).ns] = {session.frame_hash(), terrain.pending, terrain.triangles, terrain.triangles_ms + by_rays, {}};
+        if (traced != nullptr) *traced += by_rays ? 1 : 0;
+    }
+    return frames;
+}
+
+/// Rays draw the terrain until its triangles have arrived, and two seconds longer.
+TEST(FramePreroll, TheChosenRendererIsTheSameHoweverAFrameIsReached) {
+    constexpr double kDear_ms = 1e6;
+    std::size_t traced = 0;
+    const auto all = chosen(with_a_choice(0, 4, kStep_s), kDear_ms, true, &traced);
+    ASSERT_GT(traced, 0u);
+    ASSERT_LT(traced, all.size());
+    for (const double frames : {1.0, 33.0, 70.0, 110.0})
+        EXPECT_EQ(differences(all, chosen(with_a_choice(frames * kStep_s, 4, kStep_s), kDear_ms, true)), 0u) << "from " << frames;
+    for (const double frames : {7.0, -15.0})
+        EXPECT_EQ(differences(all, chosen(with_a_choice(0, 4, frames * kStep_s), kDear_ms, true)), 0u) << "every " << frames;
+    EXPECT_GT(differences(all, chosen(with_a_choice(70 * kStep_s, 4, kStep_s), kDear_ms, false)), 0u) << "control";
+}
+
 /// Cruise is stated from 0.6 s on, and the bus is believed a second later; its design takes half a second.
 class TurningCircle final : public test_support::FlownCircle {
 public:

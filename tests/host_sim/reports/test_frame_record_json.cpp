@@ -48,10 +48,18 @@ TEST(FrameRecordJson, IsOneLineThatSaysEverything) {
                                      {"pending", 8},
                                      {"renderer", "raster"},
                                      {"renderer_reason", "the device's lane is es2"}}));
+    EXPECT_FALSE(json["terrain"].contains("renderer_ms")) << "there was no choice";
     EXPECT_EQ(json["view"], Json({{"mode", "3d"}, {"transition", 1.0}}));
     EXPECT_EQ(json["bytes"], Json({{"cpu", 100}, {"gpu", 200}, {"cpu_budget", 1000}, {"gpu_budget", 2000}, {"uploaded", 50}}));
     EXPECT_EQ(json["ms"], Json({{"plan", 1}, {"draw", 2}, {"total", 3}}));
     EXPECT_EQ(json["latency_ms"], 12);
+}
+
+TEST(FrameRecordJson, StatesBothCostsWhereTheRendererWasChosen) {
+    FrameResult result = test_support::frame_result(0, 3);
+    result.record.terrain.triangles_ms = 7.5;
+    result.record.terrain.rays_ms = 9.25;
+    EXPECT_EQ(parsed(result)["terrain"]["renderer_ms"], Json({{"raster", 7.5}, {"trace", 9.25}}));
 }
 
 TEST(FrameRecordJson, StatesTheAlertsAndWhatTheyAreOf) {

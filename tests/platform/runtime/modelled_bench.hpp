@@ -16,7 +16,7 @@
 namespace tedavis::platform {
 
 struct ModelledCosts {
-    double frame_ms = 5, ms_per_thousand_triangles = 2, antialiasing_ms = 3;
+    double frame_ms = 5, ms_per_thousand_triangles = 2, antialiasing_ms = 3, rays_ms = 7;
 };
 
 class ModelledBench final : public BenchDisplays {
@@ -51,7 +51,7 @@ public:
     }
     [[nodiscard]] base::Error open(const BenchPicture& picture, std::unique_ptr<DisplayHost>& host) override {
         DisplayHostSettings settings;
-        settings.display.device = device_;
+        settings.display.device = device;
         settings.display.design = picture.design;
         settings.display.width_px = kWidth;
         settings.display.height_px = kHeight;
@@ -75,6 +75,7 @@ public:
 
     std::string terrain = test_support::source_dir() + "/target/self_test_data/terrain.tdb";
     ModelledCosts costs;
+    effects::DeviceSettings device = test_support::shipped_device("es3-mid");
     int drawn = 0, lost_at = -1, stopped_at = 1 << 30;
     std::size_t steps = 0, of_steps = 0;
 
@@ -87,6 +88,7 @@ private:
     }
     [[nodiscard]] double frame_ms(display::Display& display) const {
         double ms = costs.frame_ms + costs.ms_per_thousand_triangles * display.planned().counters.triangles / 1000;
+        if (display.record().terrain.renderer.view() == "trace") ms += costs.rays_ms;
         for (const display::EffectRecord& effect : display.record().effects) {
             if (effect.state != display::EffectState::run) continue;
             if (effect.name.view() == "antialiasing") ms += costs.antialiasing_ms;
@@ -94,7 +96,6 @@ private:
         return ms;
     }
 
-    effects::DeviceSettings device_ = test_support::shipped_device("es3-mid");
     design::DesignSettings design_ = fine_design();
     base::Time clock_{1};
 };

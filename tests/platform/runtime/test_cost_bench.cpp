@@ -36,6 +36,8 @@ TEST_F(CostBenchTest, FindsWhatTheModelCosts) {
     EXPECT_NEAR(cost("terrain").line.ms_per_megapixel * kMegapixels, 0, 0.01);
     EXPECT_NEAR(cost("frame").line.fixed_ms, bench.costs.frame_ms, 1e-3);
     EXPECT_NEAR(cost("antialiasing").line.ms_per_megapixel * kMegapixels, bench.costs.antialiasing_ms, 1e-3);
+    EXPECT_EQ(cost("rays").note.view(), "");
+    EXPECT_NEAR(cost("rays").line.ms_per_megapixel * kMegapixels, bench.costs.rays_ms, 1e-3);
     EXPECT_EQ(cost("haze").note.view(), "");
     EXPECT_NEAR(cost("haze").ms, 0, 1e-3) << "control: runs, and costs nothing in the model";
     EXPECT_EQ(cost("saliency").note.view(), "not asked for here");
@@ -55,6 +57,13 @@ TEST_F(CostBenchTest, FaultsAreOneSentence) {
     EXPECT_EQ(measure(), "interrupted; nothing was written");
     bench.terrain = "/nowhere.tdb";
     EXPECT_NE(measure().find("/nowhere.tdb: cannot be read"), std::string::npos);
+}
+
+TEST_F(CostBenchTest, ADeviceThatTracesNothingSaysWhy) {
+    bench.device = test_support::shipped_device("es2-small");
+    ASSERT_EQ(measure(), "");
+    EXPECT_EQ(cost("rays").note.view(), "the device's lane is es2");
+    EXPECT_EQ(cost("rays").line.ms_per_megapixel, 0);
 }
 
 TEST(AsksFor, KnowsSettingsOfOtherEffects) {

@@ -139,10 +139,14 @@ TEST(DesignSettings, ReadsTheOrthographicViewAndTheFlatGround) {
 }
 
 TEST(DesignSettings, TerrainIsOfTrianglesUnlessRaysAreAskedFor) {
-    const auto triangles = read_seeded("name = 'x'\n"), rays = read_seeded("name = 'x'\n[terrain]\nrenderer = 'trace'\n");
-    ASSERT_TRUE(triangles.ok() && rays.ok());
+    const auto triangles = read_seeded("name = 'x'\n"), rays = read_seeded("name = 'x'\n[terrain]\nrenderer = 'trace'\n"),
+               either = read_seeded("name = 'x'\n[terrain]\nrenderer = 'auto'\n");
+    ASSERT_TRUE(triangles.ok() && rays.ok() && either.ok());
     EXPECT_EQ(triangles.value().terrain.renderer, TerrainRenderer::raster);
     EXPECT_EQ(rays.value().terrain.renderer, TerrainRenderer::trace);
+    EXPECT_EQ(either.value().terrain.renderer, TerrainRenderer::automatic);
+    EXPECT_TRUE(may_trace(rays.value().terrain) && may_trace(either.value().terrain));
+    EXPECT_FALSE(may_trace(triangles.value().terrain));
 }
 
 TEST(DesignSettings, EveryFaultNamesItsLine) {
@@ -155,7 +159,7 @@ TEST(DesignSettings, EveryFaultNamesItsLine) {
          "d.toml:6: 'conservative_up' has no meaning"},
         {"name = 'x'\n[view]\nhorizontal_field_of_view_deg = 200\n", "d.toml:3: 'horizontal_field_of_view_deg'"},
         {"name = 'x'\n[view]\nhorizontal_field_of_view_deg = nan\n", "d.toml:3: "},
-        {"name = 'x'\n[terrain]\ntau_px = 1\nrenderer = 'rays'\n", "d.toml:4: 'renderer' must be one of: raster, trace"},
+        {"name = 'x'\n[terrain]\ntau_px = 1\nrenderer = 'rays'\n", "d.toml:4: 'renderer' must be one of: raster, trace, auto"},
         {"name = 'x'\n[view]\nmode = '2d'\n", "d.toml:3: 'mode' must be one of: 3d, map"},
         {"name = 'x'\n[view]\nmap_orientation = 'up'\n", "d.toml:3: 'map_orientation' must be one of: north_up, track_up"},
         {"name = 'x'\n[view]\nmap_range_m = 499\n", "d.toml:3: 'map_range_m'"},

@@ -127,7 +127,7 @@ std::vector<Row> rows() {
              lose(state, Signal::longitude);
          },
          "own_ship.lost", false, false, 0},
-        {"attitude lost", Weather::fresh,
+        {"attitude missing", Weather::fresh,
          [](auto& state, auto&) {
              lose(state, Signal::pitch);
              lose(state, Signal::roll);

@@ -270,6 +270,65 @@ TEST(TracedPictures, WhoDoesNotAskPaysNothing) {
     EXPECT_EQ(shown(styled(kStyles[0], TerrainRenderer::trace), kPoses[0]).picture_bytes, kWidth * kHeight * 20u);
 }
 
+effects::CostTable costs_of(double terrain_ms_per_thousand, double rays_ms_per_megapixel) {
+    effects::CostTable table;
+    table.is_known = true;
+    table[effects::Effect::terrain] = {0, 0, terrain_ms_per_thousand};
+    table[effects::Overhead::rays] = {0, rays_ms_per_megapixel, 0};
+    return table;
+}
+
+/// Either choice draws the very picture of the design that asks for this renderer.
+TEST(TracedPictures, ADesignThatLeavesTheChoiceIsDrawnByTheCheaperRenderer) {
+    test_support::MemoryBytes bytes(coast().image);
+    std::vector<std::uint8_t> unknown, traced;
+    {
+        test_support::HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &bytes, design_by(TerrainRenderer::automatic));
+        PlannerMemory& memory = headless.display().memory();
+        const flight::AircraftState aircraft = host_sim::posed_aircraft(kPoses[0], headless.display());
+        const auto picture_by = [&](const effects::CostTable& costs) {
+            memory.budget.hold(0, costs);
+            return test_support::settled_pixels(headless, aircraft, host_sim::kPosedTime);
+        };
+        const FrameRecord& record = headless.display().record();
+        unknown = picture_by({});
+        EXPECT_EQ(record.terrain.renderer.view(), "raster");
+        EXPECT_EQ(record.terrain.renderer_reason.view(), "no calibration states what rays cost");
+        traced = picture_by(costs_of(1000, 0.001));
+        EXPECT_EQ(record.terrain.renderer.view(), "trace");
+        EXPECT_EQ(record.terrain.worst_error_px, 0);
+        EXPECT_GT(record.terrain.triangles_ms, record.terrain.rays_ms);
+        EXPECT_EQ(record.governor.predicted_ms, record.terrain.rays_ms);
+        EXPECT_EQ(picture_by(costs_of(0.001, 1000)), unknown);
+        EXPECT_EQ(record.terrain.renderer.view(), "raster");
+        EXPECT_GT(record.terrain.worst_error_px, 0);
+    }
+    EXPECT_NE(traced, unknown);
+    EXPECT_EQ(traced, shown(design_by(TerrainRenderer::trace), kPoses[0]).rgba);
+    EXPECT_EQ(unknown, shown(design_by(TerrainRenderer::raster), kPoses[0]).rgba);
+}
+
+/// A shaded style too; its triangles are drawn off screen, as those that stand in for rays are.
+TEST(TracedPictures, AShadedDesignThatLeavesTheChoiceIsTracedAsWhereRaysAreAskedFor) {
+    test_support::MemoryBytes bytes(coast().image);
+    std::vector<std::uint8_t> traced;
+    {
+        test_support::HeadlessDisplay headless("egl", "es3-mid", kWidth, kHeight, &bytes,
+                                               styled(kStyles[0], TerrainRenderer::automatic));
+        headless.display().memory().budget.hold(0, costs_of(1000, 0.001));
+        traced =
+            test_support::settled_pixels(headless, host_sim::posed_aircraft(kPoses[0], headless.display()), host_sim::kPosedTime);
+        EXPECT_EQ(headless.display().record().terrain.renderer.view(), "trace");
+        headless.display().memory().budget.hold(0, costs_of(0.001, 1000));
+        const auto drawn =
+            test_support::settled_pixels(headless, host_sim::posed_aircraft(kPoses[0], headless.display()), host_sim::kPosedTime);
+        EXPECT_EQ(headless.display().record().terrain.renderer.view(), "raster");
+        EXPECT_LT(share_apart(drawn, traced, 3), kStyles[0].most_apart);
+        EXPECT_NE(drawn, traced);
+    }
+    EXPECT_EQ(traced, shown(styled(kStyles[0], TerrainRenderer::trace), kPoses[0]).rgba);
+}
+
 /// Where rays cannot be, the picture is that of triangles, and the record says why.
 TEST(TracedPictures, WhatCannotBeTracedIsDrawnAndSaidToBe) {
     struct Row {

@@ -61,6 +61,9 @@ TEST(DrawnDesign, RaysOfAStyleThatCodesCannotTellAreShadedFromAPictureOffScreen)
     design.terrain.renderer = design::TerrainRenderer::trace;
     EXPECT_TRUE(drawn_as(design, kShades, false).is_deferred);
     EXPECT_EQ(drawn_as(design, kShades, false).output, TerrainOutput::color_and_distance);
+    design.terrain.renderer = design::TerrainRenderer::automatic;
+    EXPECT_TRUE(drawn_as(design, kShades, false).is_deferred) << "rays may be chosen";
+    design.terrain.renderer = design::TerrainRenderer::trace;
     EXPECT_FALSE(drawn_as(design, kWithoutDepth, false).is_deferred);
     EXPECT_FALSE(drawn_as(design, kEs2, false).is_deferred);
     EXPECT_EQ(drawn_as(design, kEs2, false).output, TerrainOutput::color) << "as triangles are drawn there";

@@ -23,12 +23,14 @@ TEST(TraceStateOfDesigns, TracesDesignsThatCodesCanShow) {
     EXPECT_EQ(trace_state_of(drawn_as(design, kShades, false)), TraceState::not_by_style);
     design.view.reference = design::Reference::flat;
     EXPECT_EQ(state(), TraceState::not_flat);
+    design.terrain.renderer = design::TerrainRenderer::automatic;
+    EXPECT_EQ(state(), TraceState::not_flat);
     design.terrain.renderer = design::TerrainRenderer::raster;
     EXPECT_EQ(state(), TraceState::not_asked_for);
 }
 
 TEST(TraceStateOfDesigns, EveryStandInHasAReason) {
-    for (int state = 2; state <= static_cast<int>(TraceState::place_too_polar); ++state)
+    for (int state = 2; state <= static_cast<int>(TraceState::not_by_cost); ++state)
         EXPECT_FALSE(reason_of(static_cast<TraceState>(state)).empty()) << state;
     EXPECT_TRUE(reason_of(TraceState::traced).empty());
     EXPECT_TRUE(reason_of(TraceState::not_asked_for).empty());

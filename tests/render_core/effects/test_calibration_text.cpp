@@ -43,6 +43,10 @@ TEST(CalibrationText, IsReadBackAsItWasMeasured) {
 TEST(CalibrationText, ACostThatWasNotWrittenIsMissed) {
     MeasuredCosts m = test_support::measured_costs();
     m.costs.pop_back();
+    const auto without_rays = read_calibration(text_of(m), "c.toml");
+    ASSERT_TRUE(without_rays.ok()) << "as older files are";
+    EXPECT_FALSE(without_rays.value().costs.knows_rays());
+    m.costs.pop_back();
     const auto read = read_calibration(text_of(m), "c.toml");
     ASSERT_FALSE(read.ok());
     EXPECT_NE(read.error().message.view().find("the cost of 'glyphs' is missing"), std::string_view::npos);

@@ -64,5 +64,33 @@ TEST(CostModel, CountersCountWhereTheyBelong) {
     EXPECT_DOUBLE_EQ(ms(), 4.5 + 5 + 12 + 6 + 20);
 }
 
+/// Of terrain by rays the cost stands in place of that of triangles, and depends on the picture alone.
+TEST(CostModel, TerrainByRaysCostsWhatRaysCost) {
+    CostTable table;
+    table.is_known = true;
+    table[Effect::terrain] = {0, 1, 2};
+    table[Effect::haze] = {0.5, 0, 0};
+    PlanInput input;
+    input[Effect::terrain] = input[Effect::haze] = {Kind::applicable, ""};
+    FrameCounters counters;
+    counters.megapixels = 2;
+    counters.triangles = 3000;
+    const auto ms = [&] { return modelled_ms(table, plan_effects(input, {}), counters); };
+    EXPECT_FALSE(table.knows_rays());
+    counters.is_traced = true;
+    EXPECT_DOUBLE_EQ(ms(), 0.5 + 2 + 6) << "not measured";
+    table[Overhead::rays] = {0, 4, 0};
+    EXPECT_TRUE(table.knows_rays());
+    EXPECT_DOUBLE_EQ(ms(), 0.5 + 8);
+    EXPECT_DOUBLE_EQ(terrain_ms(table, counters), 8);
+    counters.triangles = 90'000;
+    EXPECT_DOUBLE_EQ(ms(), 0.5 + 8);
+    counters.is_traced = false;
+    EXPECT_DOUBLE_EQ(ms(), 0.5 + 2 + 180) << "rays that are not traced cost nothing";
+    input[Effect::terrain] = {Kind::not_applicable, ""};
+    counters.is_traced = true;
+    EXPECT_DOUBLE_EQ(ms(), 0.5) << "nor do rays without terrain";
+}
+
 }  // namespace
 }  // namespace tedavis::effects::test_cost_model

@@ -166,7 +166,7 @@ TEST(FrameBudget, RestoredItGoesOnAlike) {
         return budget.report();
     };
     for (int n = 0; n < 1800; ++n) static_cast<void>(plan(whole, n / 30.0));
-    part.restore(whole.governor());
+    part.restore(whole.history());
     for (int n = 1800; n < 6000; ++n) {
         const BudgetReport one = plan(whole, n / 30.0), other = plan(part, n / 30.0);
         ASSERT_EQ(one.quality_level, other.quality_level) << n;
@@ -191,6 +191,38 @@ TEST(FrameBudget, RestsWithoutDeadlineAndWithoutCosts) {
     static_cast<void>(budget.plan(called(1), {}, much, kTolerance, at(3)));
     EXPECT_EQ(budget.report().why, GovernorWhy::no_deadline);
     EXPECT_GT(budget.report().predicted_ms, 100) << "known costs are said";
+}
+
+/// Costs are those at the design's own error: at a coarser level triangles would seem cheap.
+TEST(FrameBudget, ChoosesTheRendererByTheCostsOfTheDesignsOwnError) {
+    FrameBudget budget;
+    const auto choose = [&](double seconds, double triangles) {
+        FrameCounters counters;
+        counters.megapixels = 2;
+        counters.triangles = triangles;
+        return budget.choose_renderer(at(seconds), 0, counters, kTolerance, TriangleFit::exact_enough);
+    };
+    budget.hold(40, simulated_costs());
+    EXPECT_FALSE(budget.knows_rays());
+    EXPECT_FALSE(choose(0, 3000).costs.is_known);
+    CostTable table = simulated_costs();
+    table[Overhead::rays] = {0, 7, 0};
+    budget.hold(40, table);
+    EXPECT_TRUE(budget.knows_rays());
+    const RendererCosts costs = choose(1, 3000).costs;
+    EXPECT_TRUE(costs.is_known);
+    EXPECT_DOUBLE_EQ(costs.triangles_ms, 0.5 + 2 * 0.5 + 0.3);
+    EXPECT_DOUBLE_EQ(costs.rays_ms, 14);
+    EXPECT_DOUBLE_EQ(costs.frame_ms, 1 + 2);
+    EXPECT_EQ(costs.deadline_ms, 40);
+    EXPECT_FALSE(choose(1, 3000).by_rays);
+    EXPECT_TRUE(choose(0.5, 300'000).by_rays) << "an earlier time: decided at once";
+    QualityLevels coarse = test_support::six_levels();
+    budget.hold(40, table, coarse);
+    budget.restore({FrameGovernor(coarse.count - 1u), {}});
+    EXPECT_GT(choose(2, 60'000).costs.triangles_ms, 0.5 + 2 * 0.5 + 6) << "more triangles would be needed";
+    budget.hold(40, table);
+    EXPECT_FALSE(choose(0.1, 3000).by_rays) << "nothing is left of what was held before";
 }
 
 TEST(FrameBudget, GivesUpOnlyWhatItMayAndSaysWhy) {

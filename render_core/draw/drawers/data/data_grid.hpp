@@ -6,8 +6,8 @@
 /// lines are within 0.1 m of their true positions 100 km from the anchor and within 0.003 m at 30 km; lines of equal height
 /// also have the change of the geoid over that distance as an error. There are no lines within a degree of a pole.
 ///
-/// Plain data, pure functions; any thread but where GL is given. Source of the radii: earth/wgs84.hpp; of what that along the
-/// meridian grows by: their derivative.
+/// Plain data, pure functions; any thread; set_grid_place(): the GL thread. The radii of curvature are those of earth/wgs84.hpp,
+/// the change of the meridian's is their derivative.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,11 +1,11 @@
 /// Draws solids: static ones, uploaded when they change, and moving ones, uploaded every frame.
 ///
-/// Within a range of depths, where only the terrain may have written depths: first, faintly, what terrain hides, then opaque
-/// pieces with their rims, then blended pieces, the farthest first, each with its far sides before the near ones; at last what is
-/// on the ground and hidden by none of them.
+/// Before a range of depths is drawn, only the terrain may have written depths in it. The order is: faintly, the pieces that
+/// terrain hides; opaque pieces with their rims; blended pieces, the farthest first, each with its far sides before the near
+/// ones; at last pieces on the ground, where no other piece hides them.
 ///
-/// Memory    GPU bytes of the budget line scene_solid_vertices; order from the arena. Thread  the GL thread. Failure  one
-/// sentence.
+/// Memory    GPU bytes of the budget line scene_solid_vertices; the list of pieces from the arena. Thread  the GL thread.
+/// Failure   start(): one sentence.
 #pragma once
 
 #include "render_core/base/memory_budget.hpp"
@@ -19,7 +19,7 @@ namespace tedavis::draw {
 /// The part of the batches that is drawn.
 struct SolidFrame {
     const DataFrame& frame;
-    std::uint32_t shown_groups = ~0u;  ///< a bit a group
+    std::uint32_t shown_groups = ~0u;  ///< one bit per group
     std::int64_t time_ns = 0;          ///< the frame's time, for the age of data
     bool has_date = false;             ///< false: data do not age
 };
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] base::Error start(gl::Gl& gl, base::BudgetLine& line, const SolidBatch& batch, const SolidRoom& room,
                                     gl::BufferUse use);
     [[nodiscard]] const SolidBatch& batch() const { return *batch_; }
-    /// Uploads the batch after a change. Returns false on failure; nothing of it may then be drawn.
+    /// Uploads the batch after a change. Returns false on failure; the buffers must then not be drawn.
     [[nodiscard]] bool upload(gl::Gl& gl) const;
     void bind(gl::Gl& gl) const;
     void destroy(gl::Gl& gl);
@@ -45,7 +45,8 @@ private:
 inline constexpr GLuint kSolidAttributes = 3;
 inline constexpr gl::AttributeBinding kSolidBindings[kSolidAttributes] = {{"place", 0}, {"normal_unsure", 1}, {"color", 2}};
 void point_solid_attributes(gl::Gl& gl, const SolidPiece& piece);
-/// The uniforms "anchor" and "fading" of such a program; places are relative to `eye`.
+/// Set the uniforms "anchor" and "fading" of such a program. Positions are relative to `eye` (ECEF); `grown` 0..1 is the growth
+/// of the uncertainty since the time of the data.
 void set_solid_place(gl::Gl& gl, GLint anchor, const SolidPiece& piece, const glm::dvec3& eye);
 void set_solid_fading(gl::Gl& gl, GLint fading, const SolidPiece& piece, float grown);
 

@@ -25,6 +25,8 @@ TEST(DisplaySettings, AnyDesignMayAskForRays) {
     settings.phases = nullptr;
     settings.design = rays;
     EXPECT_TRUE(settings.asks_for_rays());
+    settings.design.terrain.renderer = design::TerrainRenderer::automatic;
+    EXPECT_TRUE(settings.asks_for_rays()) << "rays may be chosen";
 }
 
 }  // namespace

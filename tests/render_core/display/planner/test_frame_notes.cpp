@@ -43,9 +43,9 @@ TEST(FrameNotes, AFlagIsRaisedOnce) {
 TEST(FrameNotes, TheRendererIsNamedAndWhyItIsNotTheOneAskedFor) {
     using design::TerrainRenderer;
     FrameRecord traced, drawn, instead;
-    record_renderer(TerrainRenderer::trace, draw::TraceState::traced, traced);
-    record_renderer(TerrainRenderer::raster, draw::TraceState::not_asked_for, drawn);
-    record_renderer(TerrainRenderer::trace, draw::TraceState::database_too_large, instead);
+    record_renderer(TerrainRenderer::trace, draw::TraceState::traced, {}, traced);
+    record_renderer(TerrainRenderer::raster, draw::TraceState::not_asked_for, {}, drawn);
+    record_renderer(TerrainRenderer::trace, draw::TraceState::database_too_large, {}, instead);
     EXPECT_EQ(traced.terrain.renderer.view(), "trace");
     EXPECT_EQ(drawn.terrain.renderer.view(), "raster");
     EXPECT_EQ(instead.terrain.renderer.view(), "raster");
@@ -54,10 +54,33 @@ TEST(FrameNotes, TheRendererIsNamedAndWhyItIsNotTheOneAskedFor) {
         EXPECT_FALSE(has_flag(*record, "terrain.not_traced"));
     }
     EXPECT_TRUE(has_flag(instead, "terrain.not_traced"));
-    for (int state = 0; state <= static_cast<int>(draw::TraceState::place_too_polar); ++state) {
+    for (int state = 0; state <= static_cast<int>(draw::TraceState::not_by_cost); ++state) {
         FrameRecord record;
-        record_renderer(TerrainRenderer::trace, static_cast<draw::TraceState>(state), record);
+        record_renderer(TerrainRenderer::trace, static_cast<draw::TraceState>(state), {}, record);
         EXPECT_FALSE(record.terrain.renderer_reason.cut()) << "whole: " << state;
+    }
+}
+
+/// The choice is no stand-in: nothing is missing of what the design asks for.
+TEST(FrameNotes, AChosenRendererIsNamedWithItsReasonAndBothCosts) {
+    using design::TerrainRenderer;
+    const effects::RendererDecision decision{false, effects::RendererWhy::costs_less, {true, 7, 9, 1, 0}};
+    FrameRecord chosen, polar;
+    record_renderer(TerrainRenderer::automatic, draw::TraceState::not_by_cost, decision, chosen);
+    EXPECT_EQ(chosen.terrain.renderer.view(), "raster");
+    EXPECT_EQ(chosen.terrain.renderer_reason.view(), "it costs less than the other renderer");
+    EXPECT_EQ(chosen.terrain.triangles_ms, 7);
+    EXPECT_EQ(chosen.terrain.rays_ms, 9);
+    EXPECT_TRUE(chosen.flags.empty());
+    record_renderer(TerrainRenderer::automatic, draw::TraceState::place_too_polar, {}, polar);
+    EXPECT_EQ(polar.terrain.renderer_reason.view(), "the eye is too close to a pole");
+    EXPECT_EQ(polar.terrain.rays_ms, 0) << "there was no choice";
+    for (std::size_t why = 0; why < static_cast<std::size_t>(effects::RendererWhy::count_); ++why) {
+        FrameRecord record;
+        record_renderer(TerrainRenderer::automatic, draw::TraceState::traced, {true, static_cast<effects::RendererWhy>(why), {}},
+                        record);
+        EXPECT_EQ(record.terrain.renderer.view(), "trace");
+        EXPECT_FALSE(record.terrain.renderer_reason.cut()) << "whole: " << why;
     }
 }
 
