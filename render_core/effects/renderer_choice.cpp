@@ -9,10 +9,13 @@ bool exceeds_deadline(const RendererCosts& costs) {
     return costs.deadline_ms > 0 && costs.frame_ms + costs.rays_ms > costs.deadline_ms;
 }
 
+/// Without regard to the deadline.
+bool rays_are_preferred(const RendererCosts& costs, TriangleFit fit) {
+    return costs.is_known && (fit == TriangleFit::is_short || costs.rays_ms <= costs.triangles_ms);
+}
+
 bool rays_are_better(const RendererCosts& costs, TriangleFit fit) {
-    if (fit == TriangleFit::none) return true;
-    if (!costs.is_known || exceeds_deadline(costs)) return false;
-    return fit == TriangleFit::is_short || costs.rays_ms <= costs.triangles_ms;
+    return fit == TriangleFit::none || (rays_are_preferred(costs, fit) && !exceeds_deadline(costs));
 }
 
 /// Whether the better renderer is better by so much that a change is worthwhile.
@@ -26,8 +29,8 @@ bool is_worthwhile(bool to_rays, const RendererCosts& costs, TriangleFit fit) {
 
 std::string_view to_string(RendererWhy why) noexcept {
     constexpr std::array<std::string_view, static_cast<std::size_t>(RendererWhy::count_)> kTexts{
-        "no calibration states what rays cost", "it costs less than the other renderer", "a change is not worthwhile yet",
-        "triangles are not exact enough"};
+        "no calibration states what rays cost", "it costs no more than the other renderer", "rays exceed the deadline",
+        "a change is not worthwhile yet", "triangles are not exact enough"};
     return kTexts[static_cast<std::size_t>(why)];
 }
 
@@ -62,7 +65,9 @@ RendererDecision RendererChoice::decide(base::Time now, std::size_t design, cons
     now_.design = design;
     if (now_.by_rays != better_by_rays) return {now_.by_rays, RendererWhy::waits, costs};
     if (now_.by_rays && fit != TriangleFit::exact_enough) return {true, RendererWhy::triangles_short, costs};
-    return {now_.by_rays, costs.is_known ? RendererWhy::costs_less : RendererWhy::costs_unknown, costs};
+    if (!costs.is_known) return {now_.by_rays, RendererWhy::costs_unknown, costs};
+    const bool is_late = !now_.by_rays && rays_are_preferred(costs, fit);
+    return {now_.by_rays, is_late ? RendererWhy::rays_too_late : RendererWhy::costs_no_more, costs};
 }
 
 }  // namespace tedavis::effects

@@ -7,7 +7,7 @@
 /// once,
 ///   and so is a frame that triangles cannot show.
 /// - Without measured costs triangles are drawn, unless they show no terrain; no earlier frame matters then.
-/// - It is deterministic: it uses the source's time and modelled costs and reads no clock, so a replay decides as the flight did.
+/// - It is deterministic: it uses the source's time and modelled costs and reads no clock.
 ///
 /// Pure. Thread  any. Memory  none; the state is plain data of fixed size.
 #pragma once
@@ -39,7 +39,8 @@ enum class TriangleFit : std::uint8_t {
 /// Why the renderer was chosen.
 enum class RendererWhy : std::uint8_t {
     costs_unknown,    ///< no calibration states what rays cost: triangles
-    costs_less,       ///< the chosen renderer
+    costs_no_more,    ///< the chosen renderer, than the other one
+    rays_too_late,    ///< triangles, because rays exceed the deadline
     waits,            ///< the other renderer is the better one, but not by enough or not for long enough
     triangles_short,  ///< rays, because triangles are not exact enough
     count_

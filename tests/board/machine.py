@@ -219,6 +219,11 @@ class Machine:
         self._shell.read_until(rb"SHELLUP\n", SYSTEM_LIMIT_S)
         return time.monotonic() - begin
 
+    def said(self, name):
+        """What a started command has printed into work/NAME so far; empty before it began."""
+        path = self.work / name
+        return path.read_text(errors="replace") if path.exists() else ""
+
     # Files. The guest reads its shares fast in large pieces only, not page by page as a program that starts does.
 
     def uptime_offset_s(self):
@@ -341,8 +346,7 @@ class Machine:
 
     def console_log(self):
         """What kernel and init said."""
-        path = self.work / "console.log"
-        return path.read_text(errors="replace") if path.exists() else ""
+        return self.said("console.log")
 
     def _boot(self):
         prepare_guest(self.arch)

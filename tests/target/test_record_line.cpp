@@ -39,7 +39,7 @@ display::FrameRecord filled_record() {
     record.terrain.limit = "met";
     record.terrain.triangles = 12'000;
     record.terrain.renderer = "raster";
-    record.terrain.renderer_reason = base::FixedString<63>("it costs less than the other renderer");
+    record.terrain.renderer_reason = base::FixedString<63>("it costs no more than the other renderer");
     record.terrain.triangles_ms = 7.5;
     record.terrain.rays_ms = 9.25;
     record.alerts.terrain = policy::TerrainAhead::caution;

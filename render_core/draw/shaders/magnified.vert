@@ -1,4 +1,4 @@
-// Where a magnifier shows a place (earth/magnifier.hpp), in a draw of one part of its plane in which the map is linear. Before
+// Where a magnifier shows a place (earth/magnifier.hpp), in a draw of one part of its plane in which the map is affine. Before
 // the program's own text.
 uniform vec3 lens[5];  // east; north; its middle, from where places are measured, m; what a place moves east, and north:
                        // dot((east, north, 1), vector)

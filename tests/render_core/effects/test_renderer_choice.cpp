@@ -34,7 +34,7 @@ TEST_F(Choice, TheFirstFrameOfADesignIsDrawnByTheCheaperOne) {
     EXPECT_FALSE(frame(0, costs(5, 9)).by_rays);
     const RendererDecision next = frame(0.1, costs(9, 8.9), TriangleFit::exact_enough, 1);
     EXPECT_TRUE(next.by_rays) << "another design is decided at once, without a margin";
-    EXPECT_EQ(next.why, RendererWhy::costs_less);
+    EXPECT_EQ(next.why, RendererWhy::costs_no_more);
     EXPECT_TRUE(frame(0.2, costs(7, 7), TriangleFit::exact_enough, 2).by_rays) << "the exact one at equal costs";
     EXPECT_EQ(next.costs.rays_ms, 8.9);
 }
@@ -96,7 +96,12 @@ TEST_F(Choice, RaysStandInWhereTrianglesAreNotExactEnough) {
 }
 
 TEST_F(Choice, RaysThatExceedTheDeadlineAreNotDrawn) {
-    EXPECT_FALSE(frame(0, costs(5, 15, 16), TriangleFit::is_short).by_rays) << "with 2 ms for the rest of the frame";
+    const RendererDecision late = frame(0, costs(5, 15, 16), TriangleFit::is_short);
+    EXPECT_FALSE(late.by_rays) << "with 2 ms for the rest of the frame";
+    EXPECT_EQ(late.why, RendererWhy::rays_too_late);
+    EXPECT_EQ(frame(0.05, costs(25, 15, 16), TriangleFit::exact_enough, 3).why, RendererWhy::rays_too_late)
+        << "they would cost less";
+    EXPECT_EQ(frame(0.06, costs(5, 15, 16), TriangleFit::exact_enough, 4).why, RendererWhy::costs_no_more);
     EXPECT_FALSE(frame(0.1, costs(25, 15, 16), TriangleFit::exact_enough, 1).by_rays) << "even if they cost less";
     EXPECT_TRUE(frame(0.2, costs(25, 15, 18)).by_rays) << "control: a later deadline";
     EXPECT_TRUE(frames(0.3, 2.2, costs(25, 17, 18)));

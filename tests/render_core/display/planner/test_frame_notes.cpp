@@ -64,11 +64,11 @@ TEST(FrameNotes, TheRendererIsNamedAndWhyItIsNotTheOneAskedFor) {
 /// The choice is no stand-in: nothing is missing of what the design asks for.
 TEST(FrameNotes, AChosenRendererIsNamedWithItsReasonAndBothCosts) {
     using design::TerrainRenderer;
-    const effects::RendererDecision decision{false, effects::RendererWhy::costs_less, {true, 7, 9, 1, 0}};
+    const effects::RendererDecision decision{false, effects::RendererWhy::costs_no_more, {true, 7, 9, 1, 0}};
     FrameRecord chosen, polar;
     record_renderer(TerrainRenderer::automatic, draw::TraceState::not_by_cost, decision, chosen);
     EXPECT_EQ(chosen.terrain.renderer.view(), "raster");
-    EXPECT_EQ(chosen.terrain.renderer_reason.view(), "it costs less than the other renderer");
+    EXPECT_EQ(chosen.terrain.renderer_reason.view(), "it costs no more than the other renderer");
     EXPECT_EQ(chosen.terrain.triangles_ms, 7);
     EXPECT_EQ(chosen.terrain.rays_ms, 9);
     EXPECT_TRUE(chosen.flags.empty());
