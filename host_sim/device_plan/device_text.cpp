@@ -37,7 +37,7 @@ void write_gl(std::ostream& text, const effects::DeviceCapability& capability) {
          << "\nsurface_depth_bits = " << capability.surface_depth_bits
          << "\ndepth24_targets = " << (capability.depth24_targets ? "true" : "false")
          << "\noff_screen_pictures = " << capability.off_screen_pictures << "\nshadow_map_px = " << capability.shadow_map_px
-         << '\n';
+         << "\nblur_square_px = " << capability.blur_square_px << '\n';
 }
 
 const char* memory_word(base::MemoryKind kind) { return kind == base::MemoryKind::cpu ? "cpu" : "gpu"; }

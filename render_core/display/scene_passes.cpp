@@ -86,7 +86,8 @@ base::Error ScenePasses::start_view_effects(gl::Gl& gl, effects::DeviceSettings&
     if (has_shafts)
         if (base::Error error = shafts_.start(gl, device.budget, width_px_, height_px_, has_air_)) return error;
     if (!smooths_ && !blurs_ && !has_shafts) return {};
-    return view_effects_.start(gl, device.budget, width_px_, height_px_, {smooths_, blurs_, has_shafts}, has_air_);
+    return view_effects_.start(gl, device.budget, width_px_, height_px_,
+                               {smooths_, blurs_, has_shafts, device.capability.blur_square_px}, has_air_);
 }
 
 bool ScenePasses::shows(const draw::DrawnDesign& design) const {

@@ -66,6 +66,7 @@ void read_gl(base::ConfigSection section, DeviceCapability& capability) {
     capability.shadow_map_px = static_cast<std::uint32_t>(section.integer("shadow_map_px", 0, kMaxEdgePx / 3, 0));
     if (std::uint64_t{3} * capability.shadow_map_px > rules.max_texture_px)
         section.fault("shadow_map_px", "times three is more than max_texture_px; lower it");
+    capability.blur_square_px = static_cast<std::uint32_t>(section.integer("blur_square_px", 1, 4, 2));
     if (rules.calls != CallClass::es3 && capability.lane == Lane::es3)
         section.fault("lane", "lane 'es3' needs calls 'es3'; set lane = \"es2\"");
 }

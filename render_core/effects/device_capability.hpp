@@ -41,6 +41,7 @@ struct DeviceCapability {
     bool depth24_targets = true;            ///< off-screen targets need 24-bit depth (OES_depth24 on ES 2.0)
     std::uint32_t off_screen_pictures = 1;  ///< number of off-screen pictures of the device's size, with depth, that it can hold
     std::uint32_t shadow_map_px = 0;        ///< edge of each of the three levels of the shadow map; 0: none
+    std::uint32_t blur_square_px = 2;       ///< edge of the squares of pixels in which depth of field is computed; 1: every pixel
 };
 static_assert(std::is_trivially_copyable_v<DeviceCapability>);
 

@@ -1,5 +1,6 @@
 /// Triangles in one colour, positions only, back faces culled: what a rasterizer takes for them at the least.
-/// make_current() before add() and draw(), release_current() before another surface is used.
+/// make_current() before add() and draw(), release_current() before another surface is used. Another fragment shader may be
+/// given.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -16,10 +17,13 @@ namespace tedavis::test_support {
 
 class BareTriangles {
 public:
-    BareTriangles(const std::string& device, std::uint32_t width, std::uint32_t height) : session_("egl", device, width, height) {
+    static constexpr const char* kOneColor = "void main() { FRAGMENT_COLOR = vec4(0.4, 0.5, 0.3, 1.0); }\n";
+
+    BareTriangles(const std::string& device, std::uint32_t width, std::uint32_t height, const char* fragment = kOneColor)
+        : session_("egl", device, width, height) {
         gl::Gl& gl = session_.gl;
         base::BudgetTable& budget = session_.device.budget;
-        auto program = gl::build_program(gl, source());
+        auto program = gl::build_program(gl, source(fragment));
         auto vertices = gl::make_buffer(gl, *budget.find("terrain_vertices"), gl::BufferKind::vertices, gl::BufferUse::streamed,
                                         budget.find("terrain_vertices")->bytes);
         auto indices = gl::make_buffer(gl, *budget.find("terrain_indices"), gl::BufferKind::indices, gl::BufferUse::streamed,
@@ -82,13 +86,15 @@ public:
         gl->DisableVertexAttribArray(0);
         gl->Finish();
     }
+    /// What was drawn, RGBA8, bottom row first; the surface is current.
+    [[nodiscard]] std::vector<std::uint8_t> pixels() { return session_.pixels(); }
 
 private:
     struct Part {
         std::size_t vertex, index;
         GLsizei corners;
     };
-    static gl::ProgramSource source() {
+    static gl::ProgramSource source(const char* fragment) {
         static constexpr gl::AttributeBinding kAttributes[] = {{"position", 0}};
         static constexpr const char* kUniforms[] = {"right_row", "up_row", "forward_row", "depth_row"};
         gl::ProgramSource source;
@@ -101,7 +107,7 @@ private:
             "    float depth = dot(forward_row, position);\n"
             "    gl_Position = vec4(dot(right_row, position), dot(up_row, position), depth_row.x * depth + depth_row.y, depth);\n"
             "}\n";
-        source.fragment = "void main() { FRAGMENT_COLOR = vec4(0.4, 0.5, 0.3, 1.0); }\n";
+        source.fragment = fragment;
         source.attributes = kAttributes;
         source.uniforms = kUniforms;
         return source;

@@ -9,6 +9,7 @@ constexpr std::uint32_t kShadowSizes_px[] = {32, 48, 64, 128, 256, 512, 1024}, k
 constexpr std::uint64_t kShadowTexelBytes = 8, kShadowMaps = 3;
 constexpr std::uint32_t kShaftSteps[] = {8, 12, 16, 24, 64}, kFineShaftSteps = 16384;
 constexpr std::uint32_t kBlurTaps[] = {4, 8, 16, 32, 64}, kFineBlurTaps = 16384;
+constexpr std::uint32_t kBlurSquares_px[] = {4, 3, 2, 1}, kKnobBlurTaps = 64;
 constexpr PictureSize kSmallPicture = {160, 90};  // of which each pixel takes so many steps and places for the reference
 constexpr std::size_t kSmallPoses = 8, kQuickSmallPoses = 2;
 constexpr double kBlurredFrom_m = 500;
@@ -95,6 +96,20 @@ KnobFacts blur_taps_facts() {
             amount_levels(kBlurTaps, "places")};
 }
 
+KnobFacts blur_squares_facts() {
+    return {"blur_squares",
+            "Squares of pixels in which the blur is computed",
+            "blur_square_px of a device, 1 to 4",
+            pixel_metric(kFlownSize),
+            kColorUnit,
+            {"squares of one pixel", 0, "it is one of the levels"},
+            "the blur of each pixel by its definition in double precision (tests/render_core/draw/drawers/test_scene_blur.cpp)",
+            kEffectsNeverTrade,
+            "pixels along a side",
+            std::nullopt,
+            amount_levels(kBlurSquares_px, "px")};
+}
+
 KnobFacts focus_levels_facts() {
     return {"focus_levels",
             "Steps from a focus to its context",
@@ -155,6 +170,15 @@ ColorPlan shaft_steps_plan(const KnobGround& ground, const std::string& scene) {
     return plan;
 }
 
+/// Everything from 500 m on is blurred, as widely as designs may ask for.
+void blur_widely(design::DesignSettings& design, std::uint32_t taps) {
+    design::DepthOfField& field = design.effects.depth_of_field;
+    field.taps = taps;
+    field.blur_px = design::kMaxBlur_px;
+    field.focus_near_m = 0;
+    field.focus_far_m = kBlurredFrom_m;
+}
+
 ColorPlan blur_taps_plan(const KnobGround& ground) {
     ColorPlan plan;
     plan.size = plan.tile = kSmallPicture;
@@ -163,13 +187,21 @@ ColorPlan blur_taps_plan(const KnobGround& ground) {
         const std::uint32_t taps = n < std::size(kBlurTaps) ? kBlurTaps[n] : kFineBlurTaps;
         FlownLevel level = drawn_level(ground, "", "effects/depth_of_field");
         level.picture.size = kSmallPicture;
-        level.change = [taps](design::DesignSettings& design) {
-            design::DepthOfField& field = design.effects.depth_of_field;
-            field.taps = taps;
-            field.blur_px = design::kMaxBlur_px;
-            field.focus_near_m = 0;
-            field.focus_far_m = kBlurredFrom_m;
-        };
+        level.change = [taps](design::DesignSettings& design) { blur_widely(design, taps); };
+        plan.drawn.push_back(level);
+    }
+    return plan;
+}
+
+ColorPlan blur_squares_plan(const KnobGround& ground, const std::string& folder) {
+    ColorPlan plan;
+    plan.reference = std::size(kBlurSquares_px) - 1;
+    for (const std::uint32_t square_px : kBlurSquares_px) {
+        FlownLevel level = drawn_level(ground, "", "effects/depth_of_field");
+        level.has_own_device = true;
+        level.picture.device = changed_device(folder, "squares_" + std::to_string(square_px), "es3-mid",
+                                              {{"", "blur_square_px", std::to_string(square_px)}});
+        level.change = [](design::DesignSettings& design) { blur_widely(design, kKnobBlurTaps); };
         plan.drawn.push_back(level);
     }
     return plan;
@@ -221,6 +253,12 @@ std::unique_ptr<Knob> make_shaft_steps_knob(const KnobGround& ground) {
 std::unique_ptr<Knob> make_blur_taps_knob(const KnobGround& ground) {
     return std::make_unique<EffectKnob>(blur_taps_facts(), blur_taps_plan(ground),
                                         KnobFlight(ground).poses(ground.is_quick ? kQuickSmallPoses : kSmallPoses));
+}
+
+std::unique_ptr<Knob> make_blur_squares_knob(const KnobGround& ground) {
+    const TemporaryFolder folder;
+    return std::make_unique<EffectKnob>(blur_squares_facts(), blur_squares_plan(ground, folder.path()),
+                                        KnobFlight(ground).poses(flown_poses(ground.is_quick)));
 }
 
 std::unique_ptr<Knob> make_focus_levels_knob(const KnobGround& ground) {

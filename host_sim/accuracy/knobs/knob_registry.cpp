@@ -78,6 +78,7 @@ const std::vector<RegisteredKnob>& knob_registry() {
         {"focus_levels", make_focus_levels_knob},
         {"shaft_steps", make_shaft_steps_knob},
         {"blur_taps", make_blur_taps_knob},
+        {"blur_squares", make_blur_squares_knob},
         {"air_steps", make_air_steps_knob},
         {"surface_distance", make_surface_distance_knob},
         {"attitude_between", make_attitude_between_knob},

@@ -12,7 +12,15 @@
 namespace tedavis::draw {
 namespace {
 
-enum EffectUniform : std::size_t { kEffectScene, kEffectSceneSize, kEffectFocus, kEffectTaps, kEffectShafts, kEffectUniforms };
+enum EffectUniform : std::size_t {
+    kEffectScene,
+    kEffectSceneSize,
+    kEffectFocus,
+    kEffectSquares,
+    kEffectSurroundings,
+    kEffectShafts,
+    kEffectUniforms
+};
 
 }  // namespace
 
@@ -21,8 +29,13 @@ double distance_code(double distance_m) noexcept {
 }
 
 base::Error ViewEffectsPass::build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts) {
-    static constexpr const char* kNames[kEffectUniforms] = {"scene", "scene_size", "focus", "taps", "shafts"};
-    base::FixedString<kMaxShaderText> fragment(blurs ? "#define BLUR 1\n" : "");
+    static constexpr const char* kNames[kEffectUniforms] = {"scene", "scene_size", "focus", "squares", "surroundings", "shafts"};
+    base::FixedString<kMaxShaderText> fragment;
+    if (blurs) {
+        fragment.append(square_definition(blur_.square_px()).view());
+        fragment.append("#define BLUR 1\n");
+        fragment.append(shader_text(k_blur_radius_frag));
+    }
     if (smooths) fragment.append("#define SMOOTH 1\n");
     if (shafts) fragment.append("#define SHAFTS 1\n");
     if (shafts && with_air_) fragment.append("#define AIR 1\n");
@@ -43,6 +56,8 @@ base::Error ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::u
     if (!target.ok()) return target.error();
     target_ = static_cast<gl::RenderTarget&&>(target.value());
     if (base::Error error = grid_.start(gl, budget)) return error;
+    if (effects.blurs)
+        if (base::Error error = blur_.start(gl, budget, width_px, height_px, effects.blur_square_px)) return error;
     for (const bool blurs : {false, true})
         for (const bool smooths : {false, true})
             for (const bool shafts : {false, true}) {
@@ -54,23 +69,29 @@ base::Error ViewEffectsPass::start(gl::Gl& gl, base::BudgetTable& budget, std::u
     return {};
 }
 
+void ViewEffectsPass::set_uniforms(gl::Gl& gl, const gl::Program& program, const ViewEffectsInput& input) {
+    const gl::TextureSettings& size = target_.color().settings();
+    gl->Uniform1i(program.uniform(kEffectScene), 0);
+    gl->Uniform2f(program.uniform(kEffectSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
+    set_focus_uniform(gl, program.uniform(kEffectFocus), input.focus);
+    gl->Uniform1i(program.uniform(kEffectSquares), kBlurUnit);
+    gl->Uniform1i(program.uniform(kEffectSurroundings), kBlurUnit + 1);
+    gl->Uniform1i(program.uniform(kEffectShafts), static_cast<GLint>(LightShafts::kUnit));
+}
+
 void ViewEffectsPass::finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewEffectsInput& input) {
     const gl::Program& program = programs_[input.blurs ? 1 : 0][input.smooths ? 1 : 0][input.shafts != nullptr ? 1 : 0];
     TEDAVIS_CHECK(program.valid());
+    if (input.blurs) blur_.draw(gl, grid_, target_.color(), input.focus);
     place.bind(gl);
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_BLEND);
     target_.color().bind(gl, 0);
-    program.use(gl);
-    const gl::TextureSettings& size = target_.color().settings();
-    gl->Uniform1i(program.uniform(kEffectScene), 0);
-    gl->Uniform2f(program.uniform(kEffectSceneSize), static_cast<float>(size.width_px), static_cast<float>(size.height_px));
-    gl->Uniform3f(program.uniform(kEffectFocus), static_cast<float>(input.focus.near_m), static_cast<float>(input.focus.far_m),
-                  static_cast<float>(input.focus.blur_px));
-    gl->Uniform1i(program.uniform(kEffectTaps), static_cast<GLint>(input.focus.taps));
-    gl->Uniform1i(program.uniform(kEffectShafts), static_cast<GLint>(LightShafts::kUnit));
+    if (input.blurs) blur_.bind(gl, kBlurUnit);
     if (input.shafts != nullptr) input.shafts->bind(gl, LightShafts::kUnit);
+    program.use(gl);
+    set_uniforms(gl, program, input);
     grid_.draw(gl);
 }
 
@@ -79,6 +100,7 @@ void ViewEffectsPass::destroy(gl::Gl& gl) {
         for (auto& of_edges : of_blur)
             for (gl::Program& program : of_edges) program.destroy(gl);
     grid_.destroy(gl);
+    blur_.destroy(gl);
     target_.destroy(gl);
 }
 

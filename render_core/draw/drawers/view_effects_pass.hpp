@@ -1,15 +1,15 @@
 /// Effects on the finished picture of the scene, before symbology: depth of field, smoothed edges and shafts of light, in one
-/// pass.
+/// pass over every pixel.
 ///
-/// The scene is drawn into this pass's picture instead of the surface; its alpha codes distances where a frame blurs. Blur after
-/// Potmesil, Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981, gathered at every
-/// pixel.
+/// The scene is drawn into this pass's picture instead of the surface; its alpha codes distances where a frame blurs. The blur
+/// itself is computed in squares of pixels before (scene_blur.hpp).
 ///
 /// Memory    a colour and depth target from the budget line render_targets. Thread  the GL thread. Failure  one sentence.
 #pragma once
 
 #include "render_core/base/ports/surface.hpp"
 #include "render_core/design/view_effects.hpp"
+#include "render_core/draw/drawers/scene_blur.hpp"
 #include "render_core/draw/drawers/screen_grid.hpp"
 #include "render_core/draw/focus_range.hpp"
 #include "render_core/gl/program.hpp"
@@ -36,6 +36,7 @@ struct DistanceLeft {
 /// Effects that frames may request.
 struct PictureEffects {
     bool smooths = false, blurs = false, has_shafts = false;
+    std::uint32_t blur_square_px = 2;  ///< edge of the squares in which the blur is computed
 };
 
 class ViewEffectsPass {
@@ -49,10 +50,14 @@ public:
     void finish(gl::Gl& gl, const gl::DrawPlace& place, const ViewEffectsInput& input);
     void destroy(gl::Gl& gl);
 
+    static constexpr std::uint32_t kBlurUnit = 2;  ///< texture units of the blur: this one and the next
+
 private:
+    void set_uniforms(gl::Gl& gl, const gl::Program& program, const ViewEffectsInput& input);
     [[nodiscard]] base::Error build_program(gl::Gl& gl, bool blurs, bool smooths, bool shafts);
 
     gl::RenderTarget target_;
+    SceneBlur blur_;
     ScreenGrid grid_;
     gl::Program programs_[2][2][2];  ///< indices: blurs, smooths, subtracts shafts
     bool with_air_ = false;

@@ -1,9 +1,9 @@
-// Effects on the finished picture of the scene: what is out of focus is blurred (BLUR), edges are smoothed (SMOOTH).
+// Effects on the finished picture of the scene: what is out of focus is blurred (BLUR; follows blur_radius.frag), edges are
+// smoothed (SMOOTH).
 uniform sampler2D scene;       // alpha codes the logarithm of the distance as in terrain.frag; 1 is infinitely far
 uniform vec2 scene_size;       // texels
 #ifdef BLUR
-uniform vec3 focus;            // what is sharp begins and ends, m; radius of the blur infinitely far, pixels
-uniform int taps;              // places that a pixel's blur reads
+uniform sampler2D squares, surroundings;  // of blur_source.frag and blur_gather.frag
 #endif
 
 #ifdef SHAFTS
@@ -15,30 +15,26 @@ VARYING vec2 v_at;
 vec4 scene_at(ivec2 at) { return texelFetch(scene, clamp(at, ivec2(0), ivec2(scene_size) - 1), 0); }
 
 #ifdef BLUR
-// Radius in pixels. A lens blurs by the difference of reciprocal distances; nearer than the focus no more than far beyond it.
-float blur_of(float code) {
-    float distance_m = 50.0 * (exp2(13.0 * code) - 1.0);
-    float far = max(1.0 - focus.y / max(distance_m, 1.0), 0.0);
-    float near = clamp(focus.x / max(distance_m, 1.0) - 1.0, 0.0, 1.0);
-    if (code < 0.5 / 255.0) return 0.0;  // a warning, which is kept out of all this
-    return focus.z * (code > 254.5 / 255.0 ? 1.0 : max(far, near));
-}
-
-// Places on a spiral of equal areas. What lies farther than this pixel blurs into it only as far as itself is blurred:
-// else edges of what is sharp would glow. Alpha: how much of it is other pixels'.
-vec4 blurred(ivec2 at, vec4 here) {
-    float own = blur_of(here.a);
-    vec4 sum = vec4(here.rgb, 1.0);
-    vec2 way = vec2(1.0, 0.0);
-    for (int n = 0; n < taps; ++n) {
-        float radius = sqrt((float(n) + 0.5) / float(taps)) * focus.z;
-        vec4 tap = scene_at(at + ivec2(floor(way * radius + 0.5)));
-        float other = blur_of(tap.a);
-        float weight = clamp((tap.a > here.a ? min(other, own) : other) - radius + 0.5, 0.0, 1.0);
-        sum += vec4(tap.rgb, 1.0) * weight;
-        way = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * way;  // by the golden angle
+// What surrounds the pixel, alpha: its share of the pixel's color. Of the four squares round the pixel those that are as much out
+// of focus count.
+vec4 surroundings_of(ivec2 at, float code) {
+    if (code < 0.5 / 255.0) return vec4(0.0);  // a warning
+    float own = blur_of(code);
+    vec2 place = (vec2(at) + 0.5) / float(TEXEL) - 0.5;
+    ivec2 first = ivec2(floor(place)), last = textureSize(squares, 0) - 1;
+    vec2 part = place - floor(place);
+    vec4 sum = vec4(0.0);
+    float weights = 0.0;
+    for (int n = 0; n < 4; ++n) {
+        ivec2 side = ivec2(n & 1, n >> 1), square = clamp(first + side, ivec2(0), last);
+        vec2 near = mix(1.0 - part, part, vec2(side));
+        float differs = abs(coded_blur(texelFetch(squares, square, 0).a) - own);
+        float weight = near.x * near.y * max(1.0 - differs, 0.001);
+        vec4 tap = texelFetch(surroundings, square, 0);
+        sum += vec4(tap.rgb * tap.a, tap.a) * weight;
+        weights += weight;
     }
-    return vec4(sum.rgb / sum.a, sum.a - 1.0);
+    return vec4(sum.rgb / max(sum.a, 1e-6), sum.a / weights);
 }
 #endif
 
@@ -91,10 +87,10 @@ void main() {
     vec4 here = scene_at(at);
     vec3 color = here.rgb;
 #ifdef BLUR
-    vec4 soft = blurred(at, here);
-    color = soft.rgb;
+    vec4 soft = surroundings_of(at, here.a);
+    color = mix(color, soft.rgb, soft.a);
 #ifdef SMOOTH
-    if (soft.a < 0.5) color = smoothed(at, here.rgb);  // what is blurred has no edges
+    if (soft.a < 0.33) color = smoothed(at, here.rgb);  // what is blurred has no edges
 #endif
 #elif defined(SMOOTH)
     color = smoothed(at, color);

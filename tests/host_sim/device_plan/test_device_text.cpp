@@ -18,6 +18,7 @@ TEST(DeviceText, ReadsBackAsTheSameDevice) {
         device.frame_rate_hz = 12.5;
         device.deadline_ms = 33.25;
         device.affords_antialiasing = device.affords_antialiasing && name != std::string("desktop");
+        device.capability.blur_square_px = 3;
         if (!device.affords_antialiasing) device.forbidden.add(effects::Effect::antialiasing);
         const std::string text = device_text(device, "one\ntwo");
         EXPECT_EQ(text.rfind("# one\n# two\nname = ", 0), 0u);
@@ -29,6 +30,7 @@ TEST(DeviceText, ReadsBackAsTheSameDevice) {
         EXPECT_EQ(read.value().forbidden.has(effects::Effect::antialiasing), !device.affords_antialiasing);
         EXPECT_EQ(read.value().affords_antialiasing, device.affords_antialiasing);
         EXPECT_EQ(read.value().capability.shadow_map_px, device.capability.shadow_map_px);
+        EXPECT_EQ(read.value().capability.blur_square_px, device.capability.blur_square_px);
         EXPECT_EQ(total_bytes(read.value()), total_bytes(device));
     }
 }

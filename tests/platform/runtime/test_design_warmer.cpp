@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/display/preroll.hpp"
 #include "render_core/gl/readback.hpp"
+#include "tests/support/files/compiled_memory.hpp"
 #include "tests/support/files/device_files.hpp"
 #include "tests/support/files/paths.hpp"
 
@@ -149,20 +148,6 @@ TEST(DesignWarmer, LeavesTheFramesThatAreShownAsTheyWouldBe) {
     EXPECT_NE(cold.front(), cold.back()) << "control: the phases differ";
 }
 
-/// Bytes that this process may execute and no file holds: what a driver has compiled.
-std::uint64_t compiled_bytes() {
-    std::ifstream maps("/proc/self/maps");
-    std::uint64_t bytes = 0;
-    for (std::string line; std::getline(maps, line);) {
-        unsigned long long begin = 0, end = 0, inode = 0;
-        char rights[8] = {};
-        if (std::sscanf(line.c_str(), "%llx-%llx %7s %*s %*s %llu", &begin, &end, rights, &inode) == 4 && rights[2] == 'x' &&
-            inode == 0)
-            bytes += end - begin;
-    }
-    return bytes;
-}
-
 /// What the driver compiles for the first frame of another phase.
 std::uint64_t compiled_by_the_change(bool is_warm) {
     const Designs designs;
@@ -173,9 +158,9 @@ std::uint64_t compiled_by_the_change(bool is_warm) {
     while (is_warm && display.warm(warmer, 2)) {
     }
     (void)display.frame(3);
-    const std::uint64_t before = compiled_bytes();
+    const std::uint64_t before = test_support::compiled_bytes();
     for (int frame = kFrames / 2; frame < kFrames; ++frame) (void)display.frame(frame);
-    return compiled_bytes() - before;
+    return test_support::compiled_bytes() - before;
 }
 
 TEST(DesignWarmer, NothingIsCompiledForTheChangeOfAPhase) {

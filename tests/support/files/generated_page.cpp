@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -52,8 +53,10 @@ void expect_page_part(const std::string& path_from_root, const std::string& name
         page.replace(old.begin, old.end - old.begin, part);
         std::ofstream(source_dir() + "/" + path_from_root) << page;
     }
+    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
     EXPECT_EQ(page_part(page, name), part) << path_from_root << " is not as the code: TEDAVIS_NEW_PAGES=1 build/host/bin/"
-                                           << "test_render_core_policy --gtest_filter='*PageOfTheModule' writes it";
+                                           << std::filesystem::read_symlink("/proc/self/exe").filename().string()
+                                           << " --gtest_filter=" << test.test_suite_name() << '.' << test.name() << " writes it";
 }
 
 }  // namespace tedavis::test_support
