@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "platform/files/file_byte_source.hpp"
+#include "render_core/base/float_environment.hpp"
 
 namespace tedavis::target {
 namespace {
@@ -78,6 +79,7 @@ void* SceneWatch::thread_main(void* self) {
 }
 
 void SceneWatch::serve() {
+    base::set_float_environment();
     pthread_mutex_lock(&mutex_);
     while (!is_stopping_) {
         if (!is_loaded_) {

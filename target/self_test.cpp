@@ -7,6 +7,7 @@
 #include "platform/files/memory_byte_source.hpp"
 #include "platform/reservation/memory_reservation.hpp"
 #include "platform/runtime/display_host.hpp"
+#include "render_core/base/float_environment.hpp"
 #include "render_core/display/preroll.hpp"
 #include "render_core/gl/readback.hpp"
 #include "target/json_line.hpp"
@@ -158,14 +159,22 @@ SelfTestInputs embedded_inputs() noexcept {
             {{"natural", text_of(embedded::k_natural_toml)}, {"data_radar", text_of(embedded::k_data_radar_toml)}}};
 }
 
+void check_arithmetic(const char* name, SelfTestReport& report) {
+    const base::FloatFault fault = base::float_fault();
+    report.add(name, fault == base::FloatFault::none, base::words_of(fault));
+}
+
 void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report) {
+    check_arithmetic("arithmetic", report);
     check_geodesy(report);
     SelfTest(inputs, report).run();
+    check_arithmetic("arithmetic_after_drawing", report);
 }
 
 void run_start_test(const SelfTestInputs& inputs, SelfTestReport& report) {
     const auto settings = bus::load_bus_settings(inputs.bus, "canaerospace.toml");
     if (!settings.ok()) return report.add("canaerospace.toml", false, settings.error().message.view());
+    check_arithmetic("arithmetic", report);
     NoTerrain terrain;
     check_known_flight(play_known_flight(inputs.log, settings.value(), terrain), report, false);
     check_geodesy(report);

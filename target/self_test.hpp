@@ -39,6 +39,9 @@ void run_self_test(const SelfTestInputs& inputs, SelfTestReport& report);
 /// and the program's geodesy with GeographicLib's. Draws nothing and needs no surface.
 void run_start_test(const SelfTestInputs& inputs, SelfTestReport& report);
 
+/// Adds a check that numbers are computed as base/float_environment.hpp says, at this moment and in this thread.
+void check_arithmetic(const char* name, SelfTestReport& report);
+
 /// Prints one line per check and a summary line, or one line of JSON {"self_test", "version", "checks": [{"name", "holds",
 /// "finding"}]}.
 void print_self_test(const SelfTestReport& report, bool json, std::FILE* out);

@@ -19,6 +19,19 @@ void require_days(const PackOptions& options) {
                         "; change one of them");
 }
 
+/// A pack that is valid on no day would be flagged from its first start.
+void require_valid_day(const PackOptions& options, const PackContents& contents) {
+    for (const PackedFile& file : contents.files) {
+        const std::string of = " of the packed " + file.path;
+        if (!options.valid_from.empty() && !file.valid_until.empty() && options.valid_from > file.valid_until)
+            throw UserError("--valid-from " + options.valid_from + ": lies after the last day" + of + " (" + file.valid_until +
+                            "), so the pack would be valid on no day; change it, or build newer data");
+        if (!options.valid_until.empty() && !file.valid_from.empty() && options.valid_until < file.valid_from)
+            throw UserError("--valid-until " + options.valid_until + ": lies before the first day" + of + " (" + file.valid_from +
+                            "), so the pack would be valid on no day; change it");
+    }
+}
+
 void say_pack(const PackOptions& options, const PackContents& contents, const platform::CheckedPack& pack, Console& console) {
     nlohmann::ordered_json json = {{"folder", options.output},
                                    {"title", contents.title},
@@ -42,6 +55,7 @@ int run_pack(const PackOptions& options, Console& console) {
     const InterruptGuard interrupt;
     const ReplayOptions configured = load_replay_config(options.config);
     const PackContents contents = pack_contents(configured, options.config);
+    require_valid_day(options, contents);
     const PackSettings settings{options.output, options.replaces, options.valid_from, options.valid_until, options.sign};
     const auto pack = write_pack(contents, settings, [&](std::uint64_t done, std::uint64_t total) {
         console.progress("pack", done, total);

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <new>
 
+#include "render_core/base/float_environment.hpp"
+
 namespace tedavis::platform {
 namespace {
 
@@ -52,6 +54,7 @@ private:
     }
 
     void serve() {
+        base::set_float_environment();
         if (on_thread_start_ != nullptr) on_thread_start_();
         std::uint64_t served = 0;
         pthread_mutex_lock(&mutex_);

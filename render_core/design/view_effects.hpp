@@ -8,7 +8,7 @@
 ///     night_color = "#584c40"
 ///     [effects.depth_of_field]
 ///     blur_px = 5                 # radius of the blur of what is infinitely far
-///     taps = 16                   # places that the blur of a pixel reads: more of them are smoother and slower
+///     taps = 16                   # places that the blur of a square of pixels reads: more of them are smoother and slower
 ///     focus_near_m = 2000         # sharp from here
 ///     focus_far_m = 15000         # to here, from the eye
 ///     focus_role = "storm_cell"   # instead: as far as the shown layers of this role reach
@@ -55,7 +55,7 @@ inline constexpr std::string_view kAntialiasingByDevice = "device";
 
 struct DepthOfField {
     double blur_px = 0;       ///< 0: everything is sharp
-    std::uint32_t taps = 16;  ///< places that the blur of a pixel reads
+    std::uint32_t taps = 16;  ///< places that the blur of a square of pixels reads
     double focus_near_m = 0, focus_far_m = 10'000;
     scene::LayerRole focus_role = scene::LayerRole::count;  ///< not `count`: the focus is on data of this role
     bool on_terrain = true, on_data = true;

@@ -1,6 +1,8 @@
 #include "render_core/display/display.hpp"
 
+#include "render_core/base/float_environment.hpp"
 #include "render_core/design/weighted_design.hpp"
+#include "render_core/display/planner/frame_notes.hpp"
 #include "render_core/effects/design_effects.hpp"
 
 namespace tedavis::display {
@@ -105,7 +107,10 @@ void Display::keep_scene() {
 }
 
 void Display::plan(const flight::FrameInput& input) {
+    const bool was_changed = base::float_fault() != base::FloatFault::none;
+    if (was_changed) base::set_float_environment();
     planner_.plan(input, *memory_, *frame_);
+    if (was_changed) flag(policy::RecordFlag::arithmetic_changed, *frame_);
     record_ = {};
     static_cast<FrameStatement&>(record_) = *frame_;
 }

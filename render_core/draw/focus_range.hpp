@@ -10,7 +10,7 @@ struct FocusRange {
     bool is_known = false;
     double near_m = 0, far_m = 0;
     double blur_px = 0;       ///< radius of the blur at infinite distance
-    std::uint32_t taps = 16;  ///< number of samples per pixel
+    std::uint32_t taps = 16;  ///< number of samples per square of pixels
 };
 
 }  // namespace tedavis::draw

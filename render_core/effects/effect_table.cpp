@@ -193,7 +193,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .may_be_forbidden()
         .distracts()
         .changes(Contribution::geometry, "the widest blur between the nearest ground and the farthest")
-        .costs("a picture off screen; at half its size, four taps and seventeen; and a pass of nine taps")
+        .costs("a picture off screen; in squares of pixels, four taps and seventeen; and a pass of nine taps")
         .may_be_given_up()
         .asked_by("[effects.depth_of_field] blur_px",
                   [](const Design& design) { return design.effects.depth_of_field.blur_px > 0; })
@@ -309,7 +309,7 @@ constexpr std::array<EffectRow, kEffectCount> kTable{{
         .may_be_forbidden()
         .distracts()
         .changes(Contribution::geometry, "the blur of the context")
-        .costs("a picture off screen; at half its size, four taps and seventeen; and a pass of nine taps")
+        .costs("a picture off screen; in squares of pixels, four taps and seventeen; and a pass of nine taps")
         .replaced_by(Effect::focus_ground)
         .may_be_given_up()
         .asked_by("[focus.terrain] blur_px", [](const Design& design) { return terrain_of_context(design.foci).blur_px > 0; })

@@ -106,6 +106,8 @@ constexpr FlagRow kFlagRows[] = {
      "The time continues by the source's clock, and every age is unknown."},
     {RecordFlag::deadline_missed, "deadline.missed", "The frame costs more time than its deadline allows.",
      "The frame comes late."},
+    {RecordFlag::arithmetic_changed, "arithmetic.changed", "Another part of the process changed how numbers are computed.",
+     "The usual state is set again before the frame is planned."},
 };
 static_assert(sizeof kFlagRows / sizeof kFlagRows[0] == kRecordFlagCount);
 constexpr bool flag_rows_in_order() {

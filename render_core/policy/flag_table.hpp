@@ -61,6 +61,7 @@ enum class RecordFlag : std::uint8_t {
     phase_disagreement,
     utc_lost,
     deadline_missed,
+    arithmetic_changed,
     count_
 };
 inline constexpr std::size_t kRecordFlagCount = static_cast<std::size_t>(RecordFlag::count_);

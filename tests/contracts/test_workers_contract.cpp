@@ -1,11 +1,15 @@
 // What every Workers must do, run serially and with several numbers of threads.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
+#include <numeric>
+#include <random>
 #include <vector>
 
 #include "platform/threads/thread_workers.hpp"
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::platform::test_workers_contract {
 namespace {
@@ -61,6 +65,29 @@ TEST_P(WorkersContract, ResultsAreThoseOfTheSerialRunBitForBit) {
     base::SerialWorkers().parallel_for(97, &Sums::task, &serial);
     workers_->parallel_for(97, &Sums::task, &parallel);
     EXPECT_EQ(parallel.parts, serial.parts);
+    const double in_order = std::accumulate(serial.parts.begin(), serial.parts.end(), 0.0);
+    int different = 0;
+    for (int n = 0; n < 100; ++n) {
+        workers_->parallel_for(97, &Sums::task, &parallel);
+        different += std::accumulate(parallel.parts.begin(), parallel.parts.end(), 0.0) != in_order;
+    }
+    EXPECT_EQ(different, 0);
+    test_support::record_worst("A47", different);
+}
+
+/// The naive form adds each part where its task ends, so the order is that of arrival: of a hundred orders most give other bits.
+TEST(WorkersOrder, ASumInTheOrderOfArrivalHasOtherBits) {
+    Sums sums;
+    base::SerialWorkers().parallel_for(97, &Sums::task, &sums);
+    const double in_order = std::accumulate(sums.parts.begin(), sums.parts.end(), 0.0);
+    std::mt19937 dice(7);
+    int different = 0;
+    for (int n = 0; n < 100; ++n) {
+        std::shuffle(sums.parts.begin(), sums.parts.end(), dice);
+        different += std::accumulate(sums.parts.begin(), sums.parts.end(), 0.0) != in_order;
+    }
+    EXPECT_GT(different, 50);
+    test_support::record_control("A47", different);
 }
 
 INSTANTIATE_TEST_SUITE_P(Numbers, WorkersContract, testing::Values(0u, 1u, 2u, 3u, 8u));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -89,6 +90,21 @@ TEST(SelfTest, ThePartOfTheStartSeesTheSameInTheLogAndDrawsNothing) {
     EXPECT_THAT(failures(tested("", damaged.bus)), HasSubstr("log_frames"));
 }
 
+/// What a driver or a library of the same process may have done before.
+TEST(SelfTest, SpoiltArithmeticIsSeen) {
+    const auto tested = [](int rounding) {
+        SelfTestReport start, whole;
+        std::fesetround(rounding);
+        run_start_test(embedded_inputs(), start);
+        check_arithmetic("arithmetic", whole);
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(start.holds(), whole.holds());
+        return failures(start);
+    };
+    EXPECT_EQ(tested(FE_TONEAREST), "");
+    for (const int rounding : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) EXPECT_EQ(tested(rounding).substr(0, 11), "arithmetic ");
+}
+
 TEST(SelfTest, ACutLogIsSeen) {
     Damaged damaged;
     damaged.log.resize(damaged.log.size() / 2);
@@ -115,8 +131,8 @@ TEST(SelfTest, WrongSettingsAreSeenWithTheirPlace) {
     Damaged damaged;
     damaged.device.insert(0, "nonsense = 1\n");
     const SelfTestReport report = damaged.report();
-    ASSERT_EQ(report.checks().size(), 4u) << "those of the geodesy need no settings";
-    EXPECT_THAT(report.checks()[3].finding.c_str(), HasSubstr("es2-small.toml:1: "));
+    ASSERT_EQ(report.checks().size(), 6u) << "those of arithmetic and geodesy need no settings";
+    EXPECT_THAT(report.checks()[4].finding.c_str(), HasSubstr("es2-small.toml:1: "));
 }
 
 TEST(SelfTest, APictureInOtherColorsOrWithoutSymbologyIsSeen) {

@@ -4,7 +4,8 @@
 /// The scene is drawn into this pass's picture instead of the surface; its alpha codes distances where a frame blurs. The blur
 /// itself is computed in squares of pixels before (scene_blur.hpp).
 ///
-/// Memory    a colour and depth target from the budget line render_targets. Thread  the GL thread. Failure  one sentence.
+/// Memory    a colour and depth target, and the blur's pictures, from the budget line render_targets. Thread  the GL thread.
+/// Failure  one sentence.
 #pragma once
 
 #include "render_core/base/ports/surface.hpp"

@@ -66,7 +66,7 @@ def json_of(rows, peers, facts):
 
 
 # The plot: both axes logarithmic, whole decades.
-WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 900, 560, 70, 40, 250, 60
+WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 1000, 560, 70, 40, 350, 60
 COLORS = ("#1b6ca8", "#1b9e77", "#66a61e", "#d95f02", "#e6ab02", "#7570b3", "#a6761d", "#e7298a", "#b2182b", "#666666", "#000000")
 
 

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::bus::test_source_time_fit {
 namespace {
@@ -114,16 +117,34 @@ TEST(SourceTimeFit, AChangedPeriodIsLearntAgain) {
     EXPECT_NEAR(fit.period_s(), 0.020, 1e-4);
 }
 
+/// By how much an interval in floats of seconds since an epoch, the naive form, is off, s.
+double float_interval_off_s(std::int64_t from_ns, std::int64_t to_ns) {
+    const auto from = static_cast<float>(static_cast<double>(from_ns) * 1e-9),
+               to = static_cast<float>(static_cast<double>(to_ns) * 1e-9);
+    return std::abs(double{to - from} - static_cast<double>(to_ns - from_ns) * 1e-9);
+}
+
+/// Also where a counter of milliseconds in 32 bits wraps on the way, after 49.7 days.
 TEST(SourceTimeFit, AnotherEpochGivesTheSameBits) {
-    SourceTimeFit early;
-    SourceTimeFit late;
-    for (const Sent& message : periodic(1000, 12.5, 5, 0.02, 9)) {
-        const std::int64_t since = message.received_ns - kEpoch;
-        const SourceTime a = early.add(message.code, {since});
-        const SourceTime b = late.add(message.code, {since + 8'000'000'000'000'000'000});
-        ASSERT_EQ(a.time.ns, b.time.ns - 8'000'000'000'000'000'000);
-        ASSERT_EQ(a.locked, b.locked);
+    double worst_s = 0, naive_s = 0;
+    for (const std::int64_t epoch :
+         {86'400'000'000'000, 4'294'966'000'000'000, 5'184'000'000'000'000, 8'000'000'000'000'000'000}) {
+        SourceTimeFit early;
+        SourceTimeFit late;
+        for (const Sent& message : periodic(1000, 12.5, 5, 0.02, 9)) {
+            const std::int64_t since = message.received_ns - kEpoch;
+            const SourceTime a = early.add(message.code, {since});
+            const SourceTime b = late.add(message.code, {since + epoch});
+            ASSERT_EQ(a.time.ns, b.time.ns - epoch);
+            ASSERT_EQ(a.locked, b.locked);
+            worst_s = std::max(worst_s, std::abs(static_cast<double>(b.time.ns - epoch - a.time.ns)) * 1e-9);
+            if (epoch < 86'400'000'000'001) naive_s = std::max(naive_s, float_interval_off_s(epoch, epoch + since));
+        }
     }
+    EXPECT_GT(naive_s, 1e-3) << "control: after one day";
+    EXPECT_LT(float_interval_off_s(0, 12'500'000), 1e-8) << "which does not show at the start";
+    test_support::record_worst("A17", worst_s);
+    test_support::record_control("A17", naive_s);
 }
 
 TEST(SourceTimeFit, AnyStampsGiveAnswersNearTheirStamp) {

@@ -11,6 +11,7 @@
 #include "render_core/base/units.hpp"
 #include "render_core/earth/wgs84.hpp"
 #include "tests/bus/golden_frames.hpp"
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::bus::test_state_assembler {
 namespace {
@@ -292,7 +293,7 @@ struct Turn {
 struct TurnErrors {
     double filtered_rms;
     double received_rms;  ///< last fix carried on with its velocity from its receive stamp
-    double worst;
+    double worst, received_worst;
 };
 
 /// 20 Hz fixes with message delays of 0..10 ms (the mean, 5 ms, is no jitter and is taken out of the truth), 2 % lost;
@@ -340,7 +341,7 @@ TurnErrors fly_turn(double noise_m) {
     const earth::Ecef origin = earth::to_ecef({Turn::kLatitude, Turn::kLongitude, {1500}});
     std::size_t fed = 0;
     std::size_t fix = 0;
-    double squares = 0, received_squares = 0, worst = 0;
+    double squares = 0, received_squares = 0, worst = 0, received_worst = 0;
     int count = 0;
     for (double now = 0; now < 59.9; now += 1.0 / 60) {
         for (; fed < frames.size() && frames[fed].time <= at(now); ++fed) assembler.feed({&frames[fed], 1});
@@ -360,15 +361,19 @@ TurnErrors fly_turn(double noise_m) {
         squares += error * error;
         received_squares += simple * simple;
         worst = std::fmax(worst, error);
+        received_worst = std::fmax(received_worst, simple);
         ++count;
     }
-    return {std::sqrt(squares / count), std::sqrt(received_squares / count), worst};
+    return {std::sqrt(squares / count), std::sqrt(received_squares / count), worst, received_worst};
 }
 
 TEST(StateAssembler, OwnShipInATurnBeatsReceiveStampsByFar) {
     const TurnErrors clean = fly_turn(0);
     EXPECT_LT(clean.filtered_rms * 8, clean.received_rms) << clean.filtered_rms << " m against " << clean.received_rms << " m";
     EXPECT_LT(clean.worst, 0.2);
+    EXPECT_GT(clean.received_worst, 0.2) << "control";
+    test_support::record_worst("A16", clean.worst);
+    test_support::record_control("A16", clean.received_worst);
     const TurnErrors noisy = fly_turn(1);
     EXPECT_LT(noisy.filtered_rms * 6, noisy.received_rms) << noisy.filtered_rms << " m against " << noisy.received_rms << " m";
     EXPECT_LT(noisy.worst, 0.6);

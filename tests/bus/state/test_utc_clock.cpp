@@ -5,6 +5,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "tests/support/files/hard_case.hpp"
+
 namespace tedavis::bus::test_utc_clock {
 namespace {
 
@@ -98,18 +100,31 @@ TEST(UtcClock, SecondsAreCutOffAndMessagesComeLate) {
     EXPECT_NEAR(late.error_s(20), -0.1, 1e-9);
 }
 
+/// The naive form: the day of the last date and the time of day of the last time, joined.
+std::int64_t joined(std::int64_t date_utc_s, std::int64_t time_utc_s) {
+    return date_utc_s - date_utc_s % kDay + time_utc_s % kDay;
+}
+
 TEST(UtcClock, MidnightComesOnceHoweverTheMessagesStand) {
+    double worst_s = 0, naive_s = 0;
     for (const double date_late_s : {-2.0, -0.5, 0.5, 3.0}) {
         UtcBus bus(kNoon + kDay / 2 - 30);  // half a minute before midnight
         for (int second = 0; second < 60; ++second) {
-            bus.time(kNoon + kDay / 2 - 30 + second, second);
-            bus.date(kNoon + kDay / 2 - 30 + static_cast<std::int64_t>(std::floor(second - date_late_s)), second);
+            const std::int64_t utc_s = kNoon + kDay / 2 - 30 + second,
+                               dated_s = kNoon + kDay / 2 - 30 + static_cast<std::int64_t>(std::floor(second - date_late_s));
+            bus.time(utc_s, second);
+            bus.date(dated_s, second);
+            naive_s = std::fmax(naive_s, std::fabs(static_cast<double>(joined(dated_s, utc_s) - utc_s)));
             if (second > 3) {
                 ASSERT_TRUE(bus.is_valid(second)) << second;
                 ASSERT_EQ(bus.error_s(second), 0) << second;
+                worst_s = std::fmax(worst_s, std::fabs(bus.error_s(second)));
             }
         }
     }
+    EXPECT_EQ(naive_s, kDay) << "control: a day off";
+    test_support::record_worst("A66", worst_s);
+    test_support::record_control("A66", naive_s);
 }
 
 TEST(UtcClock, NothingBeginsAtMidnightItself) {

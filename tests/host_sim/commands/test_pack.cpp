@@ -7,13 +7,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <tuple>
 
 #include "host_sim/commands/command_line.hpp"
 #include "host_sim/input_file.hpp"
 #include "host_sim/png_file.hpp"
 #include "host_sim/reports/run_folder.hpp"
+#include "host_sim/scene_builder/sdb_writer.hpp"
 #include "tests/host_sim/pack/configured_flight.hpp"
 #include "tests/support/flights/frame_lines.hpp"
+#include "tests/support/scene/scene_drafts.hpp"
 
 namespace tedavis::host_sim::test_pack {
 namespace {
@@ -134,6 +137,28 @@ TEST_F(PackCommand, WrongUsageIsASentence) {
         EXPECT_THAT(ran.notes, HasSubstr(says));
         EXPECT_FALSE(fs::exists(place("pack")));
     }
+}
+
+/// The layers of the scene are valid from 2024-10-04 to 2024-11-13.
+TEST_F(PackCommand, DatesThatLeaveNoValidDayAreRefused) {
+    constexpr std::int64_t kDay_ns = 86'400'000'000'000;
+    SceneDraft draft = test_support::small_scene();
+    for (auto& layer : draft.layers) {
+        layer.valid_from_ns = 20'000 * kDay_ns;
+        layer.valid_until_ns = 20'040 * kDay_ns;
+    }
+    const std::vector<unsigned char> bytes = sdb_bytes(draft);
+    flight.files.folder.write("area.sdb", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    static_cast<void>(flight.write("[scene]\ndatabase = 'area.sdb'\n"));
+    for (const auto& [option, day, says] :
+         {std::tuple{"--valid-from", "2024-11-14", "lies after the last day of the packed scene/area.sdb (2024-11-13)"},
+          std::tuple{"--valid-until", "2024-10-03", "lies before the first day of the packed scene/area.sdb (2024-10-04)"}}) {
+        const Ran ran = tedavis({"pack", flight.config, "-o", place("pack"), option, day});
+        EXPECT_EQ(ran.code, 2);
+        EXPECT_THAT(ran.notes, HasSubstr(says));
+        EXPECT_FALSE(fs::exists(place("pack")));
+    }
+    EXPECT_EQ(tedavis({"pack", flight.config, "-o", place("pack"), "--valid-from", "2024-11-13"}).code, 0) << "control";
 }
 
 /// The flight is of 2023-11-14.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/files/hard_case.hpp"
+
 namespace tedavis::base::test_valid_period {
 namespace {
 
@@ -29,6 +31,32 @@ TEST(ValidPeriod, IsOpenWhereNothingIsStated) {
 TEST(ValidPeriod, MayBeginOrEndWhenTimeBegins) {
     EXPECT_EQ(currency_at({Time{0}, {}}, {-1}), Currency::not_yet_valid);
     EXPECT_EQ(currency_at({{}, Time{0}}, {0}), Currency::expired);
+}
+
+/// The naive form: the end belongs to the period, and the instant 0 says that none is stated.
+Currency closed_at(const ValidPeriod& period, Time utc) {
+    if (period.begin && period.begin->ns != 0 && utc < *period.begin) return Currency::not_yet_valid;
+    return period.end && period.end->ns != 0 && *period.end < utc ? Currency::expired : Currency::current;
+}
+
+TEST(ValidPeriod, AClosedOneIsCurrentForTooLong) {
+    const struct {
+        ValidPeriod period;
+        Time utc;
+        Currency truth;
+    } instants[] = {{{kBegin, kEnd}, {999}, Currency::not_yet_valid}, {{kBegin, kEnd}, kBegin, Currency::current},
+                    {{kBegin, kEnd}, {1'999}, Currency::current},     {{kBegin, kEnd}, kEnd, Currency::expired},
+                    {{Time{0}, {}}, {-1}, Currency::not_yet_valid},   {{{}, Time{0}}, {0}, Currency::expired},
+                    {{{}, Time{0}}, kLate, Currency::expired},        {{{}, kLate}, kLate, Currency::expired}};
+    int wrong = 0, naive_wrong = 0;
+    for (const auto& at : instants) {
+        wrong += currency_at(at.period, at.utc) != at.truth ? 1 : 0;
+        naive_wrong += closed_at(at.period, at.utc) != at.truth ? 1 : 0;
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(naive_wrong, 5) << "control";
+    test_support::record_worst("A67", wrong);
+    test_support::record_control("A67", naive_wrong);
 }
 
 TEST(ValidPeriod, OneThatEndsBeforeItBeginsIsNeverCurrent) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "render_core/design/design_settings.hpp"
 #include "tests/support/display/grey_palettes.hpp"
 #include "tests/support/files/device_files.hpp"
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::design::test_data_scale {
 namespace {
@@ -56,6 +58,45 @@ TEST(DataScale, KindsAreNeitherDividedNorJoined) {
     reduce_classes(scale, 2);
     EXPECT_TRUE(scale.breaks.empty());
     EXPECT_EQ(scale_color(scale, 1), (Color{210, 210, 210}));
+}
+
+/// The naive form: the palette is stretched over the data's own span, which is 0 for one value everywhere.
+double share_of_span(const std::vector<double>& data, double value) {
+    const auto [low, high] = std::minmax_element(data.begin(), data.end());
+    return (value - *low) / (*high - *low);
+}
+
+TEST(DataScale, OneValueEverywhereHasItsColor) {
+    const DataScale scale = scale_of({});
+    int wrong = 0, without_share = 0;
+    for (const double value : {42.0, 0.0, 100.0, 1e-30, 5e-324}) {
+        wrong += std::fabs(scale_color(scale, value).red - 255 * value / 100) > 0.6 ? 1 : 0;
+        const double share = share_of_span({value, value}, value);
+        without_share += std::fabs(share - value / 100) <= 0.6 / 255 ? 0 : 1;
+        EXPECT_TRUE(std::isnan(share)) << "control: 0/0";
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(without_share, 5) << "control";
+    EXPECT_EQ(share_of_span({5, std::nextafter(5, 6)}, 5), 0) << "rounding is stretched over the whole palette,";
+    EXPECT_EQ(share_of_span({5, std::nextafter(5, 6)}, std::nextafter(5, 6)), 1);
+    EXPECT_EQ(scale_color(scale, std::nextafter(5, 6)), scale_color(scale, 5)) << "which the product does not do";
+    test_support::record_worst("A37", wrong);
+    test_support::record_control("A37", without_share);
+}
+
+TEST(DataScale, NarrowPalettesAndNoNumbersHaveColors) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(class_of(scale_of({10, 20}), nan), 0u) << "the lowest: missing values are left out before";
+    EXPECT_EQ(scale_color(scale_of({}), nan), (Color{0, 0, 0}));
+    for (const double high : {std::nextafter(5.0, 6.0), 5 + 1e-300, 5e-324}) {
+        DataScale narrow;
+        const double low = high < 1 ? 0 : 5;
+        ASSERT_TRUE(narrow.palette.stops.try_push_back({low, {0, 0, 0}}));
+        for (const double value : {-1.0, low, high, 7.0}) EXPECT_EQ(scale_color(narrow, value), (Color{0, 0, 0})) << "one stop";
+        ASSERT_TRUE(narrow.palette.stops.try_push_back({high, {255, 255, 255}}));
+        EXPECT_EQ(scale_color(narrow, low), (Color{0, 0, 0}));
+        EXPECT_EQ(scale_color(narrow, 7), (Color{255, 255, 255}));
+    }
 }
 
 /// Hue of CIELAB: red 40, yellow 100, green 136, magenta -30 degrees, as the primaries of a screen have them.

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
+#include <vector>
 
 #include "render_core/base/units.hpp"
 #include "render_core/display/preroll.hpp"
 #include "render_core/earth/wgs84.hpp"
+#include "tests/support/display/drawn_pixels.hpp"
 #include "tests/support/display/hills_display.hpp"
 
 namespace tedavis::display::test_display {
@@ -36,6 +39,24 @@ TEST(Display, TheSameStateGivesTheSameBits) {
     static_cast<void>(hills_picture(second.display, aircraft_over_hills(3500, 200, -10, 40)));
     EXPECT_EQ(a, hills_picture(second.display, aircraft_over_hills(2000))) << "whatever was drawn before";
     EXPECT_NE(a, hills_picture(second.display, aircraft_over_hills(2001))) << "control";
+}
+
+/// Another part of the process rounds otherwise: the next frame is planned as always, and says so.
+TEST(Display, ChangedRoundingIsSetBackAndFlagged) {
+    OverHills over;
+    static_cast<void>(hills_picture(over.display, aircraft_over_hills(2000)));
+    const auto frame = [&] {
+        over.display.display().plan({aircraft_over_hills(2000), {}, kHillsNow});
+        return test_support::drawn_pixels(over.display);
+    };
+    const std::vector<std::uint8_t> usual = frame();
+    EXPECT_FALSE(test_support::has_flag(over.display, "arithmetic.changed"));
+    std::fesetround(FE_UPWARD);
+    EXPECT_EQ(frame(), usual);
+    EXPECT_TRUE(test_support::has_flag(over.display, "arithmetic.changed"));
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+    EXPECT_EQ(frame(), usual);
+    EXPECT_FALSE(test_support::has_flag(over.display, "arithmetic.changed"));
 }
 
 TEST(Display, TheFlightsTimeIsTheBusesAndItsLossIsFlagged) {

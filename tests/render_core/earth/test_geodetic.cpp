@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "render_core/base/units.hpp"
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::earth::test_geodetic {
 namespace {
@@ -83,6 +85,36 @@ TEST(Geodetic, difference_is_antisymmetric_and_at_most_half_a_turn) {
         ASSERT_EQ(difference, -angle_difference(b, a));
         expect_same_direction(b + difference, a, 1e-14);
     }
+}
+
+/// The angle between the middle of two longitudes by a difference of theirs and the middle by vectors.
+template <class Difference>
+double middle_off_rad(double a, double b, const Difference& difference) {
+    const double middle = b + 0.5 * difference(a, b);
+    const double x = std::cos(a) + std::cos(b), y = std::sin(a) + std::sin(b);
+    return std::abs(std::atan2(std::sin(middle) * x - std::cos(middle) * y, std::cos(middle) * x + std::sin(middle) * y));
+}
+
+/// The naive forms: numbers subtracted, and a remainder in floats.
+double difference_of_numbers(double a, double b) { return a - b; }
+float heading_by_remainder(float deg) { return deg < 0 ? std::fmod(deg, 360.F) + 360.F : std::fmod(deg, 360.F); }
+
+TEST(Geodetic, differences_of_numbers_go_the_wrong_way_round) {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> longitude(-kPi, kPi), apart(-2, 2);
+    double ours = 0, naive = 0;
+    for (int n = 0; n < 100'000; ++n) {
+        const double a = longitude(random), b = wrap_longitude(a + apart(random));
+        const double off = middle_off_rad(a, b, angle_difference);
+        if (!(off <= ours)) ours = off;  // a NaN, too
+        naive = std::max(naive, middle_off_rad(a, b, difference_of_numbers));
+    }
+    EXPECT_LT(ours, 1e-14);
+    EXPECT_GT(naive, 3) << "control: the other side of the Earth";
+    EXPECT_NEAR(middle_off_rad(radians(179.9), radians(-179.9), difference_of_numbers), kPi, 1e-12);
+    EXPECT_EQ(heading_by_remainder(-1e-8F), 360.F) << "control: out of range";
+    test_support::record_worst("A03", ours);
+    test_support::record_control("A03", naive);
 }
 
 TEST(Geodetic, datums_convert_by_the_undulation_only) {

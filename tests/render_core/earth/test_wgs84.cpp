@@ -12,6 +12,7 @@
 #include <random>
 
 #include "render_core/base/units.hpp"
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::earth::test_wgs84 {
 namespace {
@@ -235,6 +236,8 @@ TEST(Wgs84, the_distance_check_would_notice_a_haversine_or_a_bare_chord) {
     const auto chord = [](const Geodetic& a, const Geodetic& b) { return glm::length(to_ecef(a) - to_ecef(b)); };
     EXPECT_GT(worst_distance_excess(haversine), 100.0);
     EXPECT_GT(worst_distance_excess(chord), 100.0);
+    test_support::record_worst("A05", 1e-6 * worst_distance_excess(surface_distance_m));
+    test_support::record_control("A05", 1e-6 * worst_distance_excess(haversine));
 }
 
 TEST(Wgs84, surface_distance_is_symmetric_and_ignores_height) {

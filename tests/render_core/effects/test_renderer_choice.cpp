@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "tests/support/files/hard_case.hpp"
+
 namespace tedavis::effects::test_renderer_choice {
 namespace {
 
@@ -78,8 +80,11 @@ int changes_of_swings(double period_s, double share, int& without) {
 
 TEST(SwingingCosts, ChangeTheRendererOnlyWhereTheyAreLargeAndSlow) {
     int without = 0;
-    EXPECT_EQ(changes_of_swings(1.5, 0.3, without), 0) << "quick: the dwell";
+    const int quick = changes_of_swings(1.5, 0.3, without);
+    EXPECT_EQ(quick, 0) << "the dwell";
     EXPECT_GT(without, 100);
+    test_support::record_worst("A59", quick);
+    test_support::record_control("A59", without);
     EXPECT_EQ(changes_of_swings(20, 0.05, without), 0) << "small: the tenth";
     EXPECT_EQ(without, 12);
     EXPECT_EQ(changes_of_swings(20, 0.5, without), 11) << "control: large and slow; the last one comes two seconds later";

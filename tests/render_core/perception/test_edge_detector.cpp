@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/perception/golden_pictures.hpp"
 #include "tests/support/perception/held_edges.hpp"
@@ -82,6 +83,38 @@ TEST(EdgeDetector, FlatPicturesHaveNoEdges) {
         EXPECT_EQ(density_of(flat_picture(64, 64, color), {0, 0, 0}), 0) << "whatever the thresholds";
     }
     EXPECT_EQ(density_of(noise_picture(64, 64, 3, 128, 2)), 0) << "nor does noise of one level";
+}
+
+/// The naive form: thresholds are shares of the picture's own gradients, and beyond its borders the picture is black.
+std::int64_t edges_by_share(const SyntheticPicture& picture) {
+    cv::Mat red(picture.height, picture.width, CV_8U), wide, dx, dy, edges;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) red.at<std::uint8_t>(y, x) = picture.at(x, y)[0];
+    cv::copyMakeBorder(red, wide, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::Sobel(wide, dx, CV_16S, 1, 0);
+    cv::Sobel(wide, dy, CV_16S, 0, 1);
+    std::vector<int> gradients;
+    for (int y = 0; y < wide.rows; ++y)
+        for (int x = 0; x < wide.cols; ++x)
+            gradients.push_back(std::abs(dx.at<std::int16_t>(y, x)) + std::abs(dy.at<std::int16_t>(y, x)));
+    std::sort(gradients.begin(), gradients.end());
+    const double high = gradients[gradients.size() * 9 / 10];
+    cv::Canny(dx, dy, edges, 0.4 * high, high);
+    return std::count(edges.begin<std::uint8_t>(), edges.end<std::uint8_t>(), kEdge);
+}
+
+TEST(EdgeDetector, ThresholdsByShareWouldFindEdgesInFlatPictures) {
+    std::int64_t ours = 0, naive = 0;
+    for (const SyntheticPicture& picture :
+         {flat_picture(64, 64, {128, 128, 128}), flat_picture(64, 64, {255, 255, 255}), noise_picture(64, 64, 3, 128, 2)}) {
+        const std::vector<std::uint8_t> edges = edges_of(picture);
+        ours = std::max<std::int64_t>(ours, std::count(edges.begin(), edges.end(), kEdge));
+        EXPECT_GT(edges_by_share(picture), 100) << "control";
+        naive = std::max(naive, edges_by_share(picture));
+    }
+    EXPECT_EQ(ours, 0);
+    test_support::record_worst("A40", static_cast<double>(ours));
+    test_support::record_control("A40", static_cast<double>(naive));
 }
 
 TEST(EdgeDetector, AStepIsOneEdgeInEachRow) {

@@ -2,13 +2,44 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::perception::test_entropy {
 namespace {
 
 double bits(const std::vector<std::uint32_t>& counts) { return shannon_entropy(counts); }
+
+/// The formula as it is written: 0 log2 0 is no number, and neither is a share of no counts at all.
+double bits_as_written(const std::vector<std::uint32_t>& counts) {
+    double total = 0, sum = 0;
+    for (const std::uint32_t count : counts) total += count;
+    for (const std::uint32_t count : counts) sum -= count / total * std::log2(count / total);
+    return sum;
+}
+
+TEST(Entropy, ZeroTimesItsLogarithmCountsAsZero) {
+    struct Known {
+        std::vector<std::uint32_t> counts;
+        double bits;
+    };
+    double worst = 0, without = 0;
+    int no_numbers = 0;
+    for (const Known& known : {Known{{0, 0, 0}, 0}, {{0, 17, 0}, 0}, {{0, 5, 5}, 1}, {{1, 0, 2, 0, 1}, 1.5}}) {
+        const double off = std::fabs(bits(known.counts) - known.bits);
+        if (!(off <= worst)) worst = off;  // a NaN, too
+        without = std::fabs(bits_as_written(known.counts) - known.bits);
+        no_numbers += std::isnan(without) ? 1 : 0;
+    }
+    EXPECT_LE(worst, 1e-12);
+    EXPECT_EQ(no_numbers, 4) << "control";
+    EXPECT_NEAR(bits_as_written({1, 2, 1}), 1.5, 1e-12) << "where all are counted the naive form is right";
+    test_support::record_worst("A41", worst);
+    test_support::record_control("A41", without);
+}
 
 TEST(Entropy, ClosedCases) {
     EXPECT_EQ(bits({}), 0);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/render_core/perception/held_saliency.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/perception/golden_pictures.hpp"
 #include "tests/support/perception/itti_reference.hpp"
@@ -144,8 +145,36 @@ TEST(SaliencyModel, AgreesWithOpenCvsModelsOnTheWhole) {
     EXPECT_GE(residual, 0.15);
 }
 
+constexpr Rgb kFlatColors[] = {{0, 0, 0}, {255, 255, 255}, {128, 128, 128}, {10, 200, 90}};
+
+/// Pixels of a map that are not exactly 0; those that are no number among them.
+template <class Number>
+std::int64_t not_zero(const std::vector<Number>& values) {
+    return static_cast<std::int64_t>(values.size()) - std::count(values.begin(), values.end(), Number{0});
+}
+
+// Negative control: a map that is divided by its largest value, whatever that is, is 0/0 or rounding raised to 1.
+TEST(SaliencyModel, WithoutItsGuardFlatPicturesWouldBeSalient) {
+    std::int64_t ours = 0, naive = 0, no_numbers = 0;
+    test_support::ReferenceOptions without;
+    without.without_guard = true;
+    for (const Rgb color : kFlatColors) {
+        const SyntheticPicture picture = flat_picture(200, 150, color);
+        ours += not_zero(saliency_of(picture).values);
+        const std::vector<double> divided = itti_reference(picture.view(), without).values;
+        naive += not_zero(divided);
+        no_numbers += std::count_if(divided.begin(), divided.end(), [](double value) { return std::isnan(value); });
+        EXPECT_GT(not_zero(divided), 0) << int{color[0]} << ' ' << int{color[1]};
+        EXPECT_EQ(not_zero(itti_reference(picture.view()).values), 0) << "the guard alone makes the difference";
+    }
+    EXPECT_EQ(ours, 0);
+    EXPECT_GT(no_numbers, 0);
+    test_support::record_worst("A42", static_cast<double>(ours));
+    test_support::record_control("A42", static_cast<double>(naive));
+}
+
 TEST(SaliencyModel, FlatPicturesHaveNothingSalient) {
-    for (const Rgb color : {Rgb{0, 0, 0}, {255, 255, 255}, {128, 128, 128}, {10, 200, 90}})
+    for (const Rgb color : kFlatColors)
         for (const int start_level : {0, 1, 2})
             for (const SaliencyScale scale : {SaliencyScale::per_picture, SaliencyScale::fixed}) {
                 const HeldMap map = saliency_of(flat_picture(200, 150, color), start_level, scale);

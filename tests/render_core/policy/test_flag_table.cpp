@@ -34,7 +34,8 @@ constexpr RecordFlag kOfTheDisplay[] = {RecordFlag::vertical_accuracy_assumed,
                                         RecordFlag::data_missing,
                                         RecordFlag::legend_cut,
                                         RecordFlag::utc_lost,
-                                        RecordFlag::deadline_missed};
+                                        RecordFlag::deadline_missed,
+                                        RecordFlag::arithmetic_changed};
 
 bool is_of_the_display(RecordFlag flag) {
     return std::find(std::begin(kOfTheDisplay), std::end(kOfTheDisplay), flag) != std::end(kOfTheDisplay);

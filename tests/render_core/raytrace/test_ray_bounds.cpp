@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "platform/threads/thread_workers.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/traced_ground.hpp"
 
 namespace tedavis::raytrace::test_ray_bounds {
@@ -148,14 +149,21 @@ struct HalvedLevels {
 
 TEST(RayBounds, TheCheckFindsHalvingThatRoundsDown) {
     base::SerialWorkers serial;
+    std::uint64_t worst = 0, most_halved = 0;
     for (const std::uint32_t side : {1000U, 1001U, 1023U, 3601U, 1025U}) {
         const HeightField<std::int16_t> field = wild_field<std::int16_t>(side, 130, 3);
         Bounds<std::int16_t> bounds(field, HeightBound::maximum);
         bounds.mipmap.build(serial);
         const HalvedLevels halved(bounds.mipmap.level(0));
         const auto levels = static_cast<std::uint32_t>(std::min<std::size_t>(halved.levels.size(), bounds.mipmap.levels()));
-        EXPECT_GT(wrong_nodes(field, HeightBound::maximum, levels, halved.levels), 0U) << side;
+        const std::uint64_t wrong = wrong_nodes(field, HeightBound::maximum, levels, halved.levels);
+        EXPECT_GT(wrong, 0U) << side;
+        worst = std::max(worst, wrong_nodes(field, bounds.mipmap));
+        most_halved = std::max(most_halved, wrong);
     }
+    EXPECT_EQ(worst, 0U);
+    test_support::record_worst("A24", static_cast<double>(worst));
+    test_support::record_control("A24", static_cast<double>(most_halved));
 }
 
 TEST(RayBounds, AreTheSameForAnyNumberOfWorkers) {

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "tests/support/files/hard_case.hpp"
+
 namespace tedavis::scene::test_uncertainty {
 namespace {
 
@@ -18,14 +20,32 @@ TEST(Uncertainty, UnknownUnlessStated) {
     EXPECT_EQ(Uncertainty().level(), 1) << "as conspicuous as the least sure";
 }
 
+/// The naive form, a cast. Of NaN it makes the least int on x86 and 0 on AArch64: both are the code 0, certain. Levels above 1
+/// and below 0 wrap.
+std::uint8_t cast_code(float value) {
+    const double scaled = std::isnan(value) ? double{std::numeric_limits<int>::min()} : double{value} * Uncertainty::kFull;
+    const double within = std::fmax(std::fmin(scaled, std::numeric_limits<int>::max()), std::numeric_limits<int>::min());
+    return static_cast<std::uint8_t>(static_cast<int>(within));
+}
+
+/// By how much a code looks more certain than a value is; what is below 0 or no number is as uncertain as can be.
+double too_certain(const Uncertainty& u, float value) {
+    const double least = value >= 0 ? std::fmin(double{value}, 1) : 1;
+    return std::fmax(least - u.level(), 0);
+}
+
 /// Every 61st bit pattern of a float, all exponents and both signs among them: nothing out of range, and NaN is never certain.
 TEST(Uncertainty, FromAnyFloat) {
-    std::uint64_t unknown = 0, known = 0;
+    std::uint64_t unknown = 0, known = 0, cast_certain = 0;
+    double worst = 0, worst_cast = 0;
     for (std::uint64_t bits = 0; bits < (std::uint64_t{1} << 32); bits += 61) {
         const auto pattern = static_cast<std::uint32_t>(bits);
         float value = 0;
         std::memcpy(&value, &pattern, sizeof value);
-        const Uncertainty u = level(double{value});
+        const Uncertainty u = level(double{value}), cast = Uncertainty::from_code(cast_code(value));
+        worst = std::fmax(worst, too_certain(u, value));
+        worst_cast = std::fmax(worst_cast, too_certain(cast, value));
+        cast_certain += std::isnan(value) && cast == level(0) ? 1 : 0;
         const bool should_be_known = !std::isnan(value) && value >= 0;
         ASSERT_EQ(u.is_known(), should_be_known) << value;
         if (!should_be_known) {
@@ -39,6 +59,11 @@ TEST(Uncertainty, FromAnyFloat) {
     }
     EXPECT_GT(unknown, 30'000'000u);
     EXPECT_GT(known, 30'000'000u);
+    EXPECT_LE(worst, 1e-9);
+    EXPECT_EQ(worst_cast, 1) << "control: nothing is more certain than what a cast makes of what is unknown";
+    EXPECT_GT(cast_certain, 100'000u) << "NaN among it";
+    test_support::record_worst("A36", worst);
+    test_support::record_control("A36", worst_cast);
 }
 
 TEST(Uncertainty, CodesComeBackAsTheyAre) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <random>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "render_core/terrain/regular_chunk.hpp"
+#include "tests/support/files/hard_case.hpp"
 
 namespace tedavis::terrain::test_chunk_mesh {
 namespace {
@@ -142,13 +144,31 @@ TEST(ChunkMesh, StoredTrianglesGiveTheSameAsTheRegularOnes) {
     EXPECT_EQ(a, b);
 }
 
+/// Triangles whose normal, the cross product of two sides by its length, is no number.
+int without_normal(const FlatChunk& chunk, const Indices& indices) {
+    int found = 0;
+    for (std::size_t n = 0; n < indices.size(); n += 3) {
+        const ChunkVertex &a = chunk.vertices[indices[n]], &b = chunk.vertices[indices[n + 1]],
+                          &c = chunk.vertices[indices[n + 2]];
+        const float up = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        found += std::isfinite(up / std::fabs(up)) ? 0 : 1;
+    }
+    return found;
+}
+
 TEST(ChunkMesh, TrianglesOfAPoleRowAreLeftOut) {
     FlatChunk chunk(5, 3);
+    Indices naive;  // as of any other row
+    ASSERT_TRUE(chunk.build(0, naive).sound);
     for (ChunkVertex& v : chunk.vertices)
         if (v.j == 0) v.x = 0;
     Indices indices;
     ASSERT_TRUE(chunk.build(0, indices).sound);
     EXPECT_EQ(indices.size(), 3u * (2 * 4 * 2 - 4));
+    EXPECT_EQ(without_normal(chunk, indices), 0);
+    EXPECT_EQ(without_normal(chunk, naive), 4) << "control: one side has no length";
+    test_support::record_worst("A04", without_normal(chunk, indices));
+    test_support::record_control("A04", without_normal(chunk, naive));
     ASSERT_TRUE(chunk.build(kEdgeEast, indices).sound);
 }
 

@@ -58,7 +58,7 @@ double bits_of(const Field& map, double threshold, const ReferenceOptions& optio
 
 double weight_of(const Field& map, const ReferenceOptions& options) {
     const double most = map.most();
-    if (!options.fixed_scale) return most < 1e-4 ? 0 : bits_of(map, most / 2, options) * most;
+    if (!options.fixed_scale) return most < 1e-4 && !options.without_guard ? 0 : bits_of(map, most / 2, options) * most;
     return most > 0.023 ? bits_of(map, 0.023, options) / std::log2(static_cast<double>(map.values.size()) + 2) : 0;
 }
 
@@ -186,7 +186,8 @@ Field itti_reference(const perception::PictureView& picture, const ReferenceOpti
         for (std::size_t n = 0; n < saliency.values.size(); ++n) saliency.values[n] += weight * part.values[n];
     }
     const double most = saliency.most();
-    for (double& value : saliency.values) value = options.fixed_scale ? std::min(2 * value, 1.0) : most > 0 ? value / most : 0;
+    const bool is_divided = most > 0 || options.without_guard;
+    for (double& value : saliency.values) value = options.fixed_scale ? std::min(2 * value, 1.0) : is_divided ? value / most : 0;
     return saliency;
 }
 

@@ -27,6 +27,8 @@ struct ReferenceOptions {
     bool fixed_scale = false;
     /// Controls: what a wrong model would do.
     bool without_entropy = false, without_colors = false;
+    /// Divides by the largest value, whatever it is.
+    bool without_guard = false;
     double wave_px = 4;
 };
 

@@ -7,6 +7,7 @@
 
 #include "render_core/raytrace/shading/aperture_light.hpp"
 #include "tests/host_sim/accuracy/knob_errors.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::host_sim::test_cap_overlap_knob {
@@ -53,6 +54,8 @@ TEST(CapOverlapKnob, TheSmoothstepIsOffAndTheExactFormIsNot) {
     EXPECT_LT(exact.max, 1e-4) << "what cap_overlap.hpp states";
     EXPECT_LT(smooth.max, 0.05) << "what cap_overlap.hpp states";
     EXPECT_GT(smooth.max, 0.01) << "control: it is an approximation";
+    test_support::record_worst("A29", exact.max);
+    test_support::record_control("A29", smooth.max);
 }
 
 }  // namespace

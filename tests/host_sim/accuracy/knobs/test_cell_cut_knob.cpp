@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/host_sim/accuracy/knob_errors.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::host_sim::test_cell_cut_knob {
@@ -69,6 +70,8 @@ TEST(CellCutKnob, CellsThatDoNotMeetLeaveOpenEdges) {
     EXPECT_GT(six.mean, 0) << "a rough field has ambiguous faces";
     EXPECT_NEAR(six.mean / mirrored.mean, 1, 0.25) << "neither knows the field";
     EXPECT_GT(alike.mean, 10 * six.mean) << "control: open edges";
+    test_support::record_worst("A33", six.mean);
+    test_support::record_control("A33", alike.mean);
 }
 
 }  // namespace

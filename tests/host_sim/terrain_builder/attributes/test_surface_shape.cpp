@@ -10,6 +10,7 @@
 
 #include "host_sim/terrain_builder/attributes/direct_light.hpp"
 #include "host_sim/terrain_builder/raster.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/terrain/attribute_terrain.hpp"
 
@@ -39,12 +40,20 @@ TEST(SurfaceShape, APlaneHasItsNormalAtEveryPostAndNoCurvature) {
     }
 }
 
-// Whole metres on posts 30 m apart: steps of the heights turn the normal by less than a degree.
-TEST(SurfaceShape, HeightsInWholeMetresKeepTheNormalOfAPlane) {
+/// The nearest number with 11 bits, as a half float holds it: above 4096 m in steps of 4 m.
+double half_of(double height_m) {
+    int exponent = 0;
+    static_cast<void>(std::frexp(height_m, &exponent));
+    return std::ldexp(std::round(std::ldexp(height_m, 11 - exponent)), exponent - 11);
+}
+
+/// The worst angle of the normal of planes on posts 30 m apart, whose heights are rounded.
+template <class Rounded>
+double worst_normal_deg(double lowest_m, const Rounded& rounded) {
     double worst_deg = 0;
     for (const double rise : {0.013, 0.07, 0.21, 0.55}) {
         const AttributeTile tile =
-            make_tile(60, 1, 30, 30, [&](int i, int j) { return std::round(700 + 30 * rise * (i - 0.37 * j)); });
+            make_tile(60, 1, 30, 30, [&](int i, int j) { return rounded(lowest_m + 30 * rise * (i - 0.37 * j)); });
         const HeightPlanes planes(tile);
         const Gradients gradients(planes);
         const double length = std::sqrt(1 + rise * rise * (1 + 0.37 * 0.37));
@@ -55,8 +64,20 @@ TEST(SurfaceShape, HeightsInWholeMetresKeepTheNormalOfAPlane) {
             worst_deg = std::max(worst_deg, base::degrees(std::acos(std::min(1.0, cosine))));
         }
     }
+    return worst_deg;
+}
+
+// Whole metres: steps of the heights turn the normal by less than a degree.
+TEST(SurfaceShape, HeightsInWholeMetresKeepTheNormalOfAPlane) {
+    const auto whole = [](double height_m) { return std::round(height_m); };
+    const double worst_deg = std::max(worst_normal_deg(700, whole), worst_normal_deg(6000, whole)),
+                 half_deg = worst_normal_deg(6000, half_of);
     EXPECT_LT(worst_deg, 0.96);
     EXPECT_GT(worst_deg, 0.1) << "whole metres do show";
+    EXPECT_GT(half_deg, 0.96) << "control: half floats";
+    EXPECT_LT(worst_normal_deg(6000, [](double height_m) { return height_m; }), 0.05) << "all that an arc cosine of floats tells";
+    test_support::record_worst("A09", worst_deg);
+    test_support::record_control("A09", half_deg);
 }
 
 // All 2^9 patterns of voids in the stencil: a plane keeps its rises wherever two posts of a line are left, and is level

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/held_heights.hpp"
 #include "tests/support/raytrace/surface_scene.hpp"
 
@@ -101,9 +102,22 @@ TEST(CellCrossing, IsTheFirstChangeOfSignAmongManySamples) {
     }
 }
 
+/// The naive form, the textbook's: it loses all digits where the coefficient of s^2 is small.
+double textbook_root(double g0, double g1, double a) {
+    const double b = g1 - g0 - a;
+    return (-b - std::sqrt(b * b - 4 * a * g0)) / (2 * a);
+}
+
+/// The naive judgement of a tangent: by the sign of the discriminant, in floats.
+bool is_hit_by_discriminant(double g0, double g1, double a) {
+    const auto c = static_cast<float>(g0), k = static_cast<float>(a), b = static_cast<float>(g1) - c - k;
+    return b * b - 4 * k * c >= 0;
+}
+
 TEST(CellCrossing, QuadraticsNearlyFlatKeepTheirDigits) {
-    // The textbook's root loses all of them where the coefficient of s^2 is small.
     Dice dice(9);
+    double worst = 0, textbook = 0;
+    int asked = 0, textbook_wrong = 0;
     for (int n = 0; n < 200000; ++n) {
         const double a = dice.between(-1, 1) * std::pow(10, -dice.between(0, 18));
         const double root = dice.between(0.01, 0.99), slope = -dice.between(0.1, 5);
@@ -113,12 +127,21 @@ TEST(CellCrossing, QuadraticsNearlyFlatKeepTheirDigits) {
         const Crossing found = first_root(g0, g1, a);
         ASSERT_TRUE(found.is_hit);
         ASSERT_NEAR(found.s, root, 1e-13) << a;
+        worst = std::max(worst, std::abs(found.s - root));
+        const double off = std::abs(textbook_root(g0, g1, a) - root);
+        textbook = std::max(textbook, off);
+        textbook_wrong += off > 1e-13 ? 1 : 0;
+        ++asked;
     }
+    EXPECT_GT(textbook_wrong, asked / 2) << "control";
+    EXPECT_GT(textbook, 0.1);
+    test_support::record_worst("A20", worst);
+    test_support::record_control("A20", textbook);
 }
 
 TEST(CellCrossing, ATangentIsJudgedAsInLongDouble) {
     Dice dice(10);
-    int unlike = 0;
+    int unlike = 0, unlike_in_floats = 0;
     for (int n = 0; n < 1000000; ++n) {
         const double a = dice.between(0.01, 10), place = dice.between(0.05, 0.95);
         const double clearance = (n % 2 == 0 ? 1 : -1) * std::pow(10, -dice.between(3, 9)) * a;
@@ -127,8 +150,10 @@ TEST(CellCrossing, ATangentIsJudgedAsInLongDouble) {
         const long double b = (static_cast<long double>(g1) - g0) - a;
         const bool is_hit = static_cast<long double>(g0) - b * b / (4 * static_cast<long double>(a)) <= 0;
         unlike += first_root(g0, g1, a).is_hit != is_hit ? 1 : 0;
+        unlike_in_floats += is_hit_by_discriminant(g0, g1, a) != is_hit ? 1 : 0;
     }
     EXPECT_EQ(unlike, 0);
+    EXPECT_GT(unlike_in_floats, 50'000) << "control";
 }
 
 TEST(CellCrossing, NeighboursLeaveNoGapAtTheirSides) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/surface_scene.hpp"
 
 namespace tedavis::raytrace::test_search_surface {
@@ -89,6 +90,8 @@ TEST(SearchSurface, ASpikeIsFoundInCellsAndLostOverTheRay) {
     }
     EXPECT_EQ(lost_in_cells, 0);
     EXPECT_GT(lost_over_ray, 250) << "steps of eight cells";
+    test_support::record_worst("A23", lost_in_cells);
+    test_support::record_control("A23", lost_over_ray);
 }
 
 }  // namespace

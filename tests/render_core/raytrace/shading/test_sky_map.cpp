@@ -7,6 +7,7 @@
 
 #include "platform/threads/thread_workers.hpp"
 #include "render_core/raytrace/shading/arc_functions.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_sky_map {
@@ -90,6 +91,10 @@ TEST(SkyMap, TheApertureIsTheMeanOfTheSkySeen) {
     SkyMapSettings settings;
     settings.scale = {30, 30, 1};
     settings.azimuths = 128;
+    SkyMapSettings near = settings;
+    near.azimuths = 4;
+    near.radius = 4;
+    double worst = 0, naive = 0;
     Dice dice(4);
     for (const auto& [column, row] : {std::pair(20u, 30u), std::pair(40u, 11u), std::pair(33u, 50u)}) {
         const SkySeen seen = sky_seen_at(heights.grid(), settings, column, row);
@@ -115,9 +120,14 @@ TEST(SkyMap, TheApertureIsTheMeanOfTheSkySeen) {
             ++open;
         }
         EXPECT_NEAR(seen.view, 2 * light / kRays, 6e-3);
+        worst = std::max(worst, std::abs(seen.view - 2 * light / kRays));
+        naive = std::max(naive, std::abs(sky_seen_at(heights.grid(), near, column, row).view - 2 * light / kRays));
         EXPECT_NEAR(seen.aperture.cos_radius, 1 - open / double{kRays}, 6e-3);
         EXPECT_LT(glm::length(seen.aperture.axis - glm::normalize(mean)), 1e-2);
     }
+    EXPECT_GT(naive, 6e-3) << "control: four azimuths, as far as four posts";
+    test_support::record_worst("A28", worst);
+    test_support::record_control("A28", naive);
 }
 
 TEST(SkyMap, MoreAzimuthsAndALongerRadiusComeCloser) {

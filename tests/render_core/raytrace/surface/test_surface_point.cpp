@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 
 #include "render_core/raytrace/surface/pixel_footprint.hpp"
 #include "render_core/raytrace/surface/surface_height.hpp"
+#include "tests/support/files/hard_case.hpp"
 #include "tests/support/raytrace/held_heights.hpp"
 
 namespace tedavis::raytrace::test_surface_point {
@@ -22,6 +25,42 @@ TEST(SurfacePoint, NormalsOfPlanes) {
     EXPECT_GT(steep.z, 0);
     EXPECT_NEAR(steep.x * steep.x + steep.y * steep.y + steep.z * steep.z, 1, 1e-12);
     EXPECT_EQ(normal_of({0, 1e-300, 0}, {}), glm::dvec3(-1e-300, 0, 1)) << "no division by what underflows";
+}
+
+/// The naive form: the cross product of two edges of a cell in floats, divided by its length, whose square underflows or
+/// overflows.
+glm::dvec3 crossed_edges(const SurfacePoint& point, const GridScale& scale) {
+    const float rise_x = static_cast<float>(point.slope_x * scale.height_m),
+                rise_y = static_cast<float>(point.slope_y * scale.height_m);
+    const float across = static_cast<float>(scale.column_m), down = static_cast<float>(scale.row_m);
+    const glm::vec3 normal(-down * rise_x, -across * rise_y, across * down);
+    return normal / std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+}
+
+/// How far a component of a normal is off; infinite where the normal is no number.
+double off_by(const glm::dvec3& normal, const glm::dvec3& truth) {
+    const glm::dvec3 apart = normal - truth, off(std::abs(apart.x), std::abs(apart.y), std::abs(apart.z));
+    const double most = std::max({off.x, off.y, off.z});
+    return most >= 0 && std::isfinite(off.x + off.y + off.z) ? most : std::numeric_limits<double>::infinity();
+}
+
+TEST(SurfacePoint, NormalsDoNotDependOnTheUnitOfLength) {
+    double ours = 0, naive = 0;
+    int naive_off = 0;
+    const glm::dvec3 truth = glm::dvec3(-1, 0.5, 1) / 1.5;
+    for (const double unit : {1.0, 1e-10, 1e-12, 1e-20, 1e10, 1e20}) {
+        const GridScale scale{30 * unit, 20 * unit, unit};
+        const SurfacePoint point{7, 30, -10};
+        ours = std::max(ours, off_by(normal_of(point, scale), truth));
+        const double off = off_by(crossed_edges(point, scale), truth);
+        naive = std::max(naive, off);
+        naive_off += off > 1e-6 ? 1 : 0;
+        EXPECT_TRUE(unit != 1 || off < 1e-6) << "in metres the naive form is right";
+    }
+    EXPECT_LE(ours, 1e-6);
+    EXPECT_GE(naive_off, 4) << "control";
+    test_support::record_worst("A27", ours);
+    test_support::record_control("A27", naive);
 }
 
 TEST(SurfacePoint, CellsOfPlaces) {
