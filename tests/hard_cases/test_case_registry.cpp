@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/files/device_files.hpp"
 #include "tests/support/files/paths.hpp"
 
 namespace tedavis::test_case_registry {

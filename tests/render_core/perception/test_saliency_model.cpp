@@ -211,8 +211,9 @@ TEST(SaliencyModel, OneBrightDotIsTheMaximum) {
                 return x == x_ && y == y_ ? Rgb{255, 255, 255} : Rgb{0, 0, 0};
             });
             const auto [x, y] = saliency_of(picture, start_level).most();
-            EXPECT_NEAR(x, dot_x / 4, 1) << start_level;
-            EXPECT_NEAR(y, dot_y / 4, 1) << start_level;
+            const int column = dot_x / 4, row = dot_y / 4;
+            EXPECT_NEAR(x, column, 1) << start_level;
+            EXPECT_NEAR(y, row, 1) << start_level;
         }
 }
 

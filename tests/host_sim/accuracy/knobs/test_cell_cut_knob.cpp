@@ -13,6 +13,10 @@ namespace {
 
 constexpr int kParts = 120;
 
+std::size_t place_of(int row, int column) {
+    return static_cast<std::size_t>(row) * (kParts + 1) + static_cast<std::size_t>(column);
+}
+
 /// Whether the inside parts of a face hang together: the face in small squares, filled from one inside corner.
 bool hang_together(const FaceValues& face) {
     const auto is_in = [&](int a, int b) {
@@ -28,12 +32,12 @@ bool hang_together(const FaceValues& face) {
         const auto [a, b] = open.back();
         open.pop_back();
         if (a < 0 || b < 0 || a > kParts || b > kParts || !is_in(a, b)) continue;
-        const auto at = static_cast<std::size_t>(a * (kParts + 1) + b);
+        const std::size_t at = place_of(a, b);
         if (seen[at]) continue;
         seen[at] = true;
         for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) open.emplace_back(a + x, b + y);
     }
-    return seen[static_cast<std::size_t>(kParts * (kParts + 1) + (is_diagonal ? kParts : 0))];
+    return seen[place_of(kParts, is_diagonal ? kParts : 0)];
 }
 
 TEST(CellCutKnob, TheReferenceJoinsWhatHangsTogether) {
