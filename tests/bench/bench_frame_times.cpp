@@ -116,12 +116,17 @@ Flown fly(const host_sim::PlayerFiles& files, const Arguments& arguments) {
         const flight::FrameInput input = player.at(first + base::Duration::from_seconds(n * kFrame_s));
         flown.frames.push_back(timed_frame(headless, input, usual_upload));
         flown.frames.back().at_s = arguments.from_s + n * kFrame_s;
-        if (n > 0) continue;
+        if (n > 0) {
+            const std::uint64_t now = test_support::compiled_bytes();
+            flown.frames.back().compiled_bytes = now - std::min(now, compiled);
+            compiled = now;
+            continue;
+        }
         if (!arguments.cold) warm(headless, input);
         flown.frames.clear();  // behind the first picture
         compiled = test_support::compiled_bytes();
     }
-    flown.compiled_bytes = test_support::compiled_bytes() - compiled;
+    for (const TimedFrame& frame : flown.frames) flown.compiled_bytes += frame.compiled_bytes;
     return flown;
 }
 
@@ -138,6 +143,9 @@ LongFrames long_frames(const std::vector<TimedFrame>& frames, double median_ms, 
     LongFrames found;
     std::map<std::string, int> by_reason;
     for (const TimedFrame& frame : frames) {
+        if (frame.compiled_bytes > 0)
+            std::fprintf(stderr, "compiled: %.2f s, %s: %llu bytes\n", frame.at_s, frame.phase.c_str(),
+                         static_cast<unsigned long long>(frame.compiled_bytes));
         if (frame.ms <= kLongFrame * median_ms) continue;
         ++found.all;
         const bool waited = frame.processor_ms <= kLongFrame * processor_median_ms;
@@ -154,6 +162,13 @@ LongFrames long_frames(const std::vector<TimedFrame>& frames, double median_ms, 
     return found;
 }
 
+void take_seconds(const char* given, double& seconds, Arguments& arguments) {
+    char* end = nullptr;
+    seconds = std::strtod(given, &end);
+    if (end == given || *end != '\0' || !(seconds >= 0))
+        arguments.fault = "'" + std::string(given) + "' is no number of seconds from 0 on";
+}
+
 Arguments arguments_of(int count, char** given) {
     Arguments arguments;
     for (int n = 1; n < count; ++n) {
@@ -164,15 +179,15 @@ Arguments arguments_of(int count, char** given) {
         else if (word == "--cold")
             arguments.cold = true;
         else if (word == "--from" && has_value)
-            arguments.from_s = std::atof(given[++n]);
+            take_seconds(given[++n], arguments.from_s, arguments);
         else if (word == "--to" && has_value)
-            arguments.to_s = std::atof(given[++n]);
+            take_seconds(given[++n], arguments.to_s, arguments);
         else if (word == "--picture" && has_value)
             arguments.picture = given[++n];
         else
             arguments.fault = "'" + word + "' is not understood; use --json, --cold, --from S, --to S and --picture F.svg";
     }
-    if (arguments.from_s < 0 || arguments.to_s <= arguments.from_s) arguments.fault = "--to must be later than --from";
+    if (arguments.fault.empty() && arguments.to_s <= arguments.from_s) arguments.fault = "--to must be later than --from";
     return arguments;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -13,8 +14,9 @@ namespace tedavis::bench {
 struct TimedFrame {
     double at_s = 0;  ///< from the log's first frame
     double ms = 0, processor_ms = 0;
-    std::string phase;   ///< the design that the phase has
-    std::string reason;  ///< why it may take longer than others; empty: none
+    std::string phase;                 ///< the design that the phase has
+    std::string reason;                ///< why it may take longer than others; empty: none
+    std::uint64_t compiled_bytes = 0;  ///< executable memory that the driver added
 };
 
 class FrameTimesPicture {
@@ -41,6 +43,14 @@ private:
         std::snprintf(text, sizeof text, "<path d=\"M%g %.1fL%g %.1f\" stroke=\"%s\"/>\n", x0, y0, x1, y1, color);
         return text;
     }
+    static std::string upright(double x, double from, double to) {
+        char text[64];
+        std::snprintf(text, sizeof text, "M%g %.1fV%.1f", x, from, to);
+        return text;
+    }
+    static std::string stroke(const std::string& path, const char* color) {
+        return "<path d=\"" + path + "\" stroke=\"" + color + "\"/>\n";
+    }
     static std::string words(double x, double y, const std::string& text) {
         char place[64];
         std::snprintf(place, sizeof place, "<text x=\"%g\" y=\"%.1f\">", x, y);
@@ -51,9 +61,9 @@ private:
         return frames_.size() * static_cast<std::size_t>(column) / static_cast<std::size_t>(kColumns);
     }
 
-    /// From the median to the longest frame; darker where the longest has no reason.
+    /// From the median to the longest frame; red where the longest has no reason.
     [[nodiscard]] std::string columns() const {
-        std::string svg;
+        std::string medians, explained, unexplained;
         for (int column = 0; column < kColumns; ++column) {
             const std::size_t begin = first_of(column), end = std::max(first_of(column + 1), begin + 1);
             if (begin >= frames_.size()) break;
@@ -65,10 +75,10 @@ private:
             }
             std::nth_element(ms.begin(), ms.begin() + static_cast<std::ptrdiff_t>(ms.size() / 2), ms.end());
             const double median = ms[ms.size() / 2], x = kLeft + column + 0.5;
-            svg += line(x, y_of(0), x, y_of(median), "#8fb4d8");
-            svg += line(x, y_of(median), x, y_of(longest->ms), longest->reason.empty() ? "#c0504d" : "#e0a94a");
+            medians += upright(x, y_of(0), y_of(median));
+            (longest->reason.empty() ? unexplained : explained) += upright(x, y_of(median), y_of(longest->ms));
         }
-        return svg;
+        return stroke(medians, "#8fb4d8") + stroke(explained, "#e0a94a") + stroke(unexplained, "#c0504d");
     }
 
     [[nodiscard]] std::string phases() const {
@@ -79,14 +89,16 @@ private:
             const double scale = static_cast<double>(kColumns) / static_cast<double>(frames_.size());
             const double x = kLeft + static_cast<double>(begin) * scale, end = kLeft + static_cast<double>(n) * scale;
             svg += line(x, kTop + kHeight, x, kTop + kHeight + 24, "#444");
-            if (end - x > 30) svg += words(x + 4, kTop + kHeight + 18, frames_[begin].phase);
+            if (end - x > 8.0 * static_cast<double>(frames_[begin].phase.size()))
+                svg += words(x + 4, kTop + kHeight + 18, frames_[begin].phase);
             begin = n;
         }
         char range[96];
         std::snprintf(range, sizeof range, "%.0f s to %.0f s: %zu frames; blue: median of a column, ", frames_.front().at_s,
                       frames_.back().at_s, frames_.size());
-        return svg + words(kLeft, kTop + kHeight + 44,
-                           range + std::string("above it its longest frame: yellow where the record has a reason for it"));
+        return svg +
+               words(kLeft, kTop + kHeight + 44,
+                     range + std::string("above it its longest frame: yellow where the record has a reason for it, else red"));
     }
 
     const std::vector<TimedFrame>& frames_;
