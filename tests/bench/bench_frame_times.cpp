@@ -15,15 +15,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "host_sim/replay/flight_player.hpp"
 #include "host_sim/replay/load_design.hpp"
-#include "host_sim/scenario/scenario_scene.hpp"
-#include "host_sim/scene_builder/sdb_writer.hpp"
 #include "platform/clock/monotonic_clock.hpp"
 #include "platform/runtime/design_warmer.hpp"
 #include "render_core/display/preroll.hpp"
@@ -31,7 +28,7 @@
 #include "tests/bench/frame_times_picture.hpp"
 #include "tests/support/files/compiled_memory.hpp"
 #include "tests/support/files/temporary_folder.hpp"
-#include "tests/support/flights/default_flight.hpp"
+#include "tests/support/flights/default_scene.hpp"
 
 namespace {
 
@@ -53,15 +50,6 @@ double processor_ms() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-std::vector<std::uint8_t> scene_bytes() {
-    const std::string path = "configs/scenarios/default.toml";
-    const host_sim::Scenario scenario =
-        host_sim::parse_scenario(test_support::source_file(path), test_support::source_dir() + "/" + path);
-    const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();  // the flight keeps a reference
-    const host_sim::ScenarioFlight flight(scenario, scenario.seed, geoid);
-    return host_sim::sdb_bytes(host_sim::make_scenario_scene(scenario, flight, scenario.seed, [](auto, auto, auto) {}).draft);
 }
 
 void warm(test_support::HeadlessDisplay& headless, const flight::FrameInput& first) {
@@ -101,7 +89,7 @@ TimedFrame timed_frame(test_support::HeadlessDisplay& headless, const flight::Fr
 
 Flown fly(const host_sim::PlayerFiles& files, const Arguments& arguments) {
     test_support::DefaultTerrain terrain;
-    const std::vector<std::uint8_t> scene = scene_bytes();
+    const std::vector<std::uint8_t> scene = test_support::default_scene();
     test_support::MemoryBytes scene_source{scene};
     const auto designs = host_sim::load_designs({});
     test_support::HeadlessDisplay headless("egl", test_support::shipped_device("es3-mid"), 1024, 768, &terrain.bytes,

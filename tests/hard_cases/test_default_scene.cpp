@@ -6,11 +6,10 @@
 #include <string>
 
 #include "host_sim/replay/flight_player.hpp"
-#include "host_sim/scenario/scenario_scene.hpp"
-#include "host_sim/scene_builder/sdb_writer.hpp"
 #include "tests/support/display/drawn_pixels.hpp"
 #include "tests/support/files/paths.hpp"
 #include "tests/support/files/temporary_folder.hpp"
+#include "tests/support/flights/default_scene.hpp"
 
 namespace tedavis::test_default_scene {
 namespace {
@@ -27,15 +26,6 @@ struct Moment {
     std::string scenario;
 };
 
-std::vector<std::uint8_t> scene_bytes() {
-    const std::string path = test_support::source_dir() + "/configs/scenarios/default.toml";
-    const host_sim::Scenario scenario =
-        host_sim::parse_scenario(test_support::source_file("configs/scenarios/default.toml"), path);
-    const host_sim::GeoidEgm96 geoid = host_sim::GeoidEgm96::installed();  // the flight keeps a reference
-    const host_sim::ScenarioFlight flight(scenario, scenario.seed, geoid);
-    return host_sim::sdb_bytes(host_sim::make_scenario_scene(scenario, flight, scenario.seed, [](auto, auto, auto) {}).draft);
-}
-
 /// Without legends, which would change as well.
 design::DesignSettings plain_design() {
     design::DesignSettings design = test_support::shipped_design("default");
@@ -45,7 +35,7 @@ design::DesignSettings plain_design() {
 
 class DefaultScene : public ::testing::Test {
 protected:
-    DefaultScene() : bytes_(scene_bytes()), source_{bytes_} {
+    DefaultScene() : bytes_(test_support::default_scene()), source_{bytes_} {
         play();
         whole_ = pictures(plain_design());
     }

@@ -59,7 +59,7 @@ def table_of(verdicts, facts):
              "|---|---|---|---|---|---|---|"]
     for verdict in verdicts:
         case = verdict.case
-        control = (case.control or "none") + (f": {verdict.control}" if verdict.control else "")
+        control = (case.control.rstrip(".") or "none") + (f": {verdict.control}" if verdict.control else "")
         said = [reason for reason in verdict.reasons if reason != case.lacks]
         state = verdict.state + (f": {'; '.join(said)}" if said else "")
         cells = (f"{case.id} {case.title}", case.technique, measured(verdict), f"{case.first_oracle}; {case.second_oracle}", control,
